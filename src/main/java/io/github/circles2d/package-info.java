@@ -1,0 +1,2 @@
+/** Two engines for rigid, non-rotating circles in two dimensions. */
+package io.github.circles2d;
