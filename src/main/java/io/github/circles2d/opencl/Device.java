@@ -1,0 +1,190 @@
+package io.github.circles2d.opencl;
+
+import com.nativelibs4java.opencl.CLDevice;
+import java.util.EnumSet;
+import java.util.Locale;
+
+/** One OpenCL device, described once when it was found. Immutable; {@link OpenCl} lists them. */
+public final class Device {
+    /** What a device is. */
+    public enum Kind {
+        /** The processor that the JVM runs on. */
+        CPU,
+        /** A graphics processor. */
+        GPU,
+        /** Any other device. */
+        ACCELERATOR
+    }
+
+    private final CLDevice handle;
+    private final String platform;
+    private final String name;
+    private final String vendor;
+    private final String driverVersion;
+    private final String openClVersion;
+    private final Kind kind;
+    private final int computeUnits;
+    private final int clockMegahertz;
+    private final int maxWorkGroupSize;
+    private final long memoryBytes;
+    private final long maxBufferBytes;
+    private final long localMemoryBytes;
+    private final boolean correctlyRounded;
+
+    Device(String platform, CLDevice handle) {
+        this.handle = handle;
+        this.platform = platform.trim();
+        name = handle.getName().trim();
+        vendor = handle.getVendor().trim();
+        driverVersion = handle.getDriverVersion().trim();
+        openClVersion = handle.getVersion().trim();
+        EnumSet<CLDevice.Type> types = handle.getType();
+        // A debugger such as Oclgrind claims to be everything at once; it runs on the processor.
+        kind = types.contains(CLDevice.Type.CPU)
+                ? Kind.CPU
+                : types.contains(CLDevice.Type.GPU) ? Kind.GPU : Kind.ACCELERATOR;
+        computeUnits = handle.getMaxComputeUnits();
+        clockMegahertz = handle.getMaxClockFrequency();
+        maxWorkGroupSize = (int) Math.min(handle.getMaxWorkGroupSize(), handle.getMaxWorkItemSizes()[0]);
+        memoryBytes = handle.getGlobalMemSize();
+        maxBufferBytes = handle.getMaxMemAllocSize();
+        localMemoryBytes = handle.getLocalMemSize();
+        correctlyRounded = handle.getSingleFPConfig().contains(CLDevice.FpConfig.CorrectlyRoundedDivideSqrt);
+    }
+
+    CLDevice handle() {
+        return handle;
+    }
+
+    /**
+     * Returns the device's name.
+     *
+     * @return the name that its driver gives
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Returns who made the device.
+     *
+     * @return the vendor that its driver names
+     */
+    public String vendor() {
+        return vendor;
+    }
+
+    /**
+     * Returns the OpenCL platform that the device belongs to.
+     *
+     * @return the platform's name
+     */
+    public String platform() {
+        return platform;
+    }
+
+    /**
+     * Returns the version of the driver.
+     *
+     * @return the driver's own text
+     */
+    public String driverVersion() {
+        return driverVersion;
+    }
+
+    /**
+     * Returns the version of OpenCL that the device speaks.
+     *
+     * @return for example {@code OpenCL 3.0 CUDA}
+     */
+    public String openClVersion() {
+        return openClVersion;
+    }
+
+    /**
+     * Returns what the device is.
+     *
+     * @return its kind
+     */
+    public Kind kind() {
+        return kind;
+    }
+
+    /**
+     * Returns the number of compute units: cores of a CPU, multiprocessors of a GPU.
+     *
+     * @return at least 1
+     */
+    public int computeUnits() {
+        return computeUnits;
+    }
+
+    /**
+     * Returns the greatest clock frequency.
+     *
+     * @return megahertz, 0 where the driver does not say
+     */
+    public int clockMegahertz() {
+        return clockMegahertz;
+    }
+
+    /**
+     * Returns the greatest number of work-items in a work-group of one dimension.
+     *
+     * @return at least 1
+     */
+    public int maxWorkGroupSize() {
+        return maxWorkGroupSize;
+    }
+
+    /**
+     * Returns the size of the device's memory.
+     *
+     * @return bytes
+     */
+    public long memoryBytes() {
+        return memoryBytes;
+    }
+
+    /**
+     * Returns the size of the largest single buffer.
+     *
+     * @return bytes
+     */
+    public long maxBufferBytes() {
+        return maxBufferBytes;
+    }
+
+    /**
+     * Returns the size of a work-group's local memory.
+     *
+     * @return bytes
+     */
+    public long localMemoryBytes() {
+        return localMemoryBytes;
+    }
+
+    /**
+     * Tells whether the device can round single-precision division and square root correctly. Where it cannot, results
+     * may differ from those of other devices in the last bit.
+     *
+     * @return true if it can
+     */
+    public boolean correctlyRounded() {
+        return correctlyRounded;
+    }
+
+    /** Returns one line for people: name, kind, compute units, memory, platform and driver. */
+    @Override
+    public String toString() {
+        return String.format(
+                Locale.ROOT,
+                "%s (%s, %d compute units, %.1f GiB, %s, driver %s)",
+                name,
+                kind,
+                computeUnits,
+                memoryBytes / (double) (1L << 30),
+                platform,
+                driverVersion);
+    }
+}

@@ -1,0 +1,215 @@
+package io.github.circles2d.opencl;
+
+import com.nativelibs4java.opencl.CLBuffer;
+import com.nativelibs4java.opencl.CLEvent;
+import com.nativelibs4java.opencl.CLException;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.Objects;
+
+/**
+ * Memory of a device. Transfers run in order with the session's kernels, are checked against the sizes of both sides,
+ * and have ended when the call returns, except the one that says otherwise.
+ */
+public final class DeviceBuffer implements AutoCloseable {
+    private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};
+
+    private final Session session;
+    private final String name;
+    private final long bytes;
+    private final CLBuffer<Byte> buffer;
+    private final Handle handle;
+
+    DeviceBuffer(Session session, String name, long bytes, CLBuffer<Byte> buffer) {
+        this.session = session;
+        this.name = name;
+        this.bytes = bytes;
+        this.buffer = buffer;
+        handle = new Handle(buffer::release);
+        session.own(handle);
+    }
+
+    /**
+     * Returns the size that was asked for.
+     *
+     * @return bytes
+     */
+    public long bytes() {
+        return bytes;
+    }
+
+    /**
+     * Writes floats to the start of this buffer.
+     *
+     * @param source its remaining floats are written; its position is left as it is
+     */
+    public void write(FloatBuffer source) {
+        FloatBuffer rest = source.duplicate();
+        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
+        for (long at = 0; rest.hasRemaining(); ) {
+            int count = Math.min(rest.remaining(), staging.floats().capacity());
+            FloatBuffer piece = rest.slice();
+            piece.limit(count);
+            staging.floats().duplicate().put(piece);
+            write(at, staging, 0, 4L * count);
+            rest.position(rest.position() + count);
+            at += 4L * count;
+        }
+    }
+
+    /**
+     * Writes ints.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param source its remaining ints are written; its position is left as it is
+     */
+    public void write(long offset, IntBuffer source) {
+        IntBuffer rest = source.duplicate();
+        HostBuffer staging = checkedStaging(offset, 4L * rest.remaining());
+        for (long at = offset; rest.hasRemaining(); ) {
+            int count = Math.min(rest.remaining(), staging.ints().capacity());
+            IntBuffer piece = rest.slice();
+            piece.limit(count);
+            staging.ints().duplicate().put(piece);
+            write(at, staging, 0, 4L * count);
+            rest.position(rest.position() + count);
+            at += 4L * count;
+        }
+    }
+
+    /**
+     * Reads floats from the start of this buffer.
+     *
+     * @param target as many floats as remain in it are read; its position is left as it is
+     */
+    public void read(FloatBuffer target) {
+        FloatBuffer rest = target.duplicate();
+        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
+        for (long at = 0; rest.hasRemaining(); ) {
+            int count = Math.min(rest.remaining(), staging.floats().capacity());
+            read(at, staging, 0, 4L * count);
+            FloatBuffer piece = staging.floats().duplicate();
+            piece.limit(count);
+            rest.put(piece);
+            at += 4L * count;
+        }
+    }
+
+    /**
+     * Reads ints from the start of this buffer.
+     *
+     * @param target as many ints as remain in it are read; its position is left as it is
+     */
+    public void read(IntBuffer target) {
+        IntBuffer rest = target.duplicate();
+        HostBuffer staging = checkedStaging(0, 4L * rest.remaining());
+        for (long at = 0; rest.hasRemaining(); ) {
+            int count = Math.min(rest.remaining(), staging.ints().capacity());
+            read(at, staging, 0, 4L * count);
+            IntBuffer piece = staging.ints().duplicate();
+            piece.limit(count);
+            rest.put(piece);
+            at += 4L * count;
+        }
+    }
+
+    /**
+     * Writes from transfer memory.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param source transfer memory of the same session
+     * @param sourceOffset where in it, in bytes
+     * @param length number of bytes
+     */
+    public void write(long offset, HostBuffer source, long sourceOffset, long length) {
+        check("write", offset, length, source, sourceOffset);
+        if (length == 0) {
+            return;
+        }
+        try {
+            buffer.write(session.queue(), offset, length, source.at(sourceOffset), true);
+        } catch (CLException e) {
+            throw ErrorCodes.failed("write " + length + " bytes to buffer '" + name + "'", session.device(), e);
+        }
+    }
+
+    /**
+     * Reads into transfer memory.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param target transfer memory of the same session
+     * @param targetOffset where in it, in bytes
+     * @param length number of bytes
+     */
+    public void read(long offset, HostBuffer target, long targetOffset, long length) {
+        read(offset, target, targetOffset, length, true);
+    }
+
+    /**
+     * Enqueues a read into transfer memory and does not wait: the data is there after the next {@link Session#finish}
+     * or the next transfer that does wait. Keep the target open and untouched until then.
+     *
+     * @param offset where in this buffer, in bytes
+     * @param target transfer memory of the same session
+     * @param targetOffset where in it, in bytes
+     * @param length number of bytes
+     */
+    public void readLater(long offset, HostBuffer target, long targetOffset, long length) {
+        read(offset, target, targetOffset, length, false);
+    }
+
+    private void read(long offset, HostBuffer target, long targetOffset, long length, boolean blocking) {
+        check("read", offset, length, target, targetOffset);
+        if (length == 0) {
+            return;
+        }
+        try {
+            buffer.read(session.queue(), offset, length, target.at(targetOffset), blocking, WITHOUT_EVENT);
+        } catch (CLException e) {
+            throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
+        }
+    }
+
+    /** Gives the memory back to the device once the commands that use it have ended. Later calls do nothing. */
+    @Override
+    public void close() {
+        session.release(handle, bytes);
+    }
+
+    /** Returns the OpenCL object for a kernel's argument list. */
+    CLBuffer<Byte> buffer() {
+        requireOpen();
+        return buffer;
+    }
+
+    Session session() {
+        return session;
+    }
+
+    private HostBuffer checkedStaging(long offset, long length) {
+        Objects.checkFromIndexSize(offset, length, bytes);
+        return session.staging();
+    }
+
+    private void requireOpen() {
+        if (handle.isReleased()) {
+            throw new IllegalStateException("buffer '" + name + "' is closed");
+        }
+    }
+
+    /** OpenCL checks its own side of a transfer, JavaCL none: an unchecked one would write past the host's memory. */
+    private void check(String verb, long offset, long length, HostBuffer host, long hostOffset) {
+        requireOpen();
+        if (offset < 0 || length < 0 || offset > bytes - length) {
+            throw new IndexOutOfBoundsException("cannot " + verb + " bytes " + offset + " to " + (offset + length)
+                    + " of buffer '" + name + "', which has " + bytes);
+        }
+        if (hostOffset < 0 || hostOffset > host.size() - length) {
+            throw new IndexOutOfBoundsException("cannot " + verb + " " + length + " bytes at " + hostOffset
+                    + " of transfer memory that has " + host.size());
+        }
+        if (host.session() != session) {
+            throw new IllegalArgumentException("the transfer memory belongs to another session");
+        }
+    }
+}

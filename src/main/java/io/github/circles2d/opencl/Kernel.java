@@ -1,0 +1,202 @@
+package io.github.circles2d.opencl;
+
+import com.nativelibs4java.opencl.CLDevice;
+import com.nativelibs4java.opencl.CLEvent;
+import com.nativelibs4java.opencl.CLException;
+import com.nativelibs4java.opencl.CLKernel;
+import java.util.Arrays;
+
+/**
+ * A kernel and its arguments. It belongs to one thread at a time: an OpenCL kernel shared by threads gives wrong results.
+ *
+ * <p>It holds on to the buffers that are its arguments; OpenCL does not, and a buffer that the garbage collector takes
+ * while a kernel runs on it ends the process.
+ */
+public final class Kernel implements AutoCloseable {
+    /** Many enough for a GPU to hide latency, few enough for every device. */
+    private static final int WORK_GROUP_SIZE = 256;
+
+    private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};
+    private static final CLEvent[] WITH_EVENT = {};
+
+    private final Session session;
+    private final String name;
+    private final CLKernel kernel;
+    private final Handle handle;
+    private final int maxWorkGroupSize;
+    private final long[] globalSize = new long[1];
+    private final long[] localSize = new long[1];
+    private DeviceBuffer[] buffers = new DeviceBuffer[8];
+
+    Kernel(Session session, String name, CLKernel kernel) {
+        this.session = session;
+        this.name = name;
+        this.kernel = kernel;
+        CLDevice device = session.device().handle();
+        Long limit = kernel.getWorkGroupSize().get(device);
+        maxWorkGroupSize = (int) Math.min(
+                limit == null ? WORK_GROUP_SIZE : limit, session.device().maxWorkGroupSize());
+        handle = new Handle(kernel::release);
+        session.own(handle);
+    }
+
+    /**
+     * Returns the name of the kernel function.
+     *
+     * @return its name
+     */
+    public String name() {
+        return name;
+    }
+
+    /**
+     * Returns the greatest work-group that this kernel can run in on this device.
+     *
+     * @return work-items, at least 1
+     */
+    public int maxWorkGroupSize() {
+        return maxWorkGroupSize;
+    }
+
+    /**
+     * Sets a buffer argument.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @param buffer a buffer of the same session
+     * @return this kernel
+     */
+    public Kernel arg(int index, DeviceBuffer buffer) {
+        if (buffer.session() != session) {
+            throw new IllegalArgumentException("argument " + index + " of " + name + " belongs to another session");
+        }
+        try {
+            kernel.setArg(index, buffer.buffer());
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
+        if (index >= buffers.length) {
+            buffers = Arrays.copyOf(buffers, Math.max(index + 1, 2 * buffers.length));
+        }
+        buffers[index] = buffer;
+        return this;
+    }
+
+    /**
+     * Sets an {@code int} or {@code uint} argument.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @param value its value
+     * @return this kernel
+     */
+    public Kernel arg(int index, int value) {
+        try {
+            kernel.setArg(index, value);
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
+        return this;
+    }
+
+    /**
+     * Sets a {@code long} or {@code ulong} argument.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @param value its value
+     * @return this kernel
+     */
+    public Kernel arg(int index, long value) {
+        try {
+            kernel.setArg(index, value);
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
+        return this;
+    }
+
+    /**
+     * Sets a {@code float} argument.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @param value its value
+     * @return this kernel
+     */
+    public Kernel arg(int index, float value) {
+        try {
+            kernel.setArg(index, value);
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
+        return this;
+    }
+
+    /**
+     * Gives a {@code local} pointer argument its memory.
+     *
+     * @param index position in the kernel's argument list, from 0
+     * @param bytes bytes a work-group
+     * @return this kernel
+     */
+    public Kernel localArg(int index, long bytes) {
+        try {
+            kernel.setLocalArg(index, bytes);
+        } catch (CLException e) {
+            throw failedArgument(index, e);
+        }
+        return this;
+    }
+
+    /**
+     * Enqueues the kernel in work-groups of a size that suits the device. The number of work-items is rounded up to
+     * whole work-groups, so the kernel must guard by its own count.
+     *
+     * @param workItems how many work-items are needed; none are run for 0
+     */
+    public void run(long workItems) {
+        run(workItems, Math.min(WORK_GROUP_SIZE, maxWorkGroupSize));
+    }
+
+    /**
+     * Enqueues the kernel in work-groups of a given size.
+     *
+     * @param workItems how many work-items are needed, rounded up to whole work-groups; none are run for 0
+     * @param workGroupSize work-items a work-group, from 1 to {@link #maxWorkGroupSize}
+     */
+    public void run(long workItems, int workGroupSize) {
+        if (handle.isReleased()) {
+            throw new IllegalStateException("kernel " + name + " is closed");
+        }
+        if (workItems < 0) {
+            throw new IllegalArgumentException("the number of work-items must not be negative: " + workItems);
+        }
+        if (workGroupSize < 1 || workGroupSize > maxWorkGroupSize) {
+            throw new IllegalArgumentException("kernel " + name + " runs in work-groups of 1 to " + maxWorkGroupSize
+                    + " work-items on " + session.device().name() + ", not " + workGroupSize);
+        }
+        if (workItems == 0) {
+            return;
+        }
+        globalSize[0] = (workItems + workGroupSize - 1) / workGroupSize * workGroupSize;
+        localSize[0] = workGroupSize;
+        Profile profile = session.profile();
+        try {
+            CLEvent event = kernel.enqueueNDRange(
+                    session.queue(), null, globalSize, localSize, profile == null ? WITHOUT_EVENT : WITH_EVENT);
+            if (profile != null) {
+                profile.add(name, event);
+            }
+        } catch (CLException e) {
+            throw ErrorCodes.failed("run kernel " + name + " on " + workItems + " work-items", session.device(), e);
+        }
+    }
+
+    /** Releases the kernel. Later calls do nothing. */
+    @Override
+    public void close() {
+        session.release(handle, 0);
+        Arrays.fill(buffers, null);
+    }
+
+    private OpenClException failedArgument(int index, CLException cause) {
+        return ErrorCodes.failed("set argument " + index + " of kernel " + name, session.device(), cause);
+    }
+}

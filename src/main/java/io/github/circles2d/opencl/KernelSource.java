@@ -1,0 +1,136 @@
+package io.github.circles2d.opencl;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * OpenCL C source: files of the folder {@code kernels}, joined in a given order, and the constants that the host defines
+ * for them. Immutable.
+ *
+ * <p>The files come out of the library's jar. To develop kernels, name a folder that holds them by the system property
+ * {@value #FOLDER_PROPERTY}.
+ */
+public final class KernelSource {
+    /** System property that names a folder to read kernels from instead of the jar. */
+    public static final String FOLDER_PROPERTY = "circles2d.kernels";
+
+    private static final String RESOURCES = "/io/github/circles2d/kernels/";
+
+    private final List<String> files;
+    private final String text;
+    private final List<String> buildOptions;
+
+    private KernelSource(List<String> files, String text, List<String> buildOptions) {
+        this.files = files;
+        this.text = text;
+        this.buildOptions = buildOptions;
+    }
+
+    /**
+     * Reads source files.
+     *
+     * @param files paths below the folder {@code kernels}, in the order in which they are to be compiled
+     * @return the joined source
+     * @throws IllegalArgumentException if there is no such file, or one is not plain ASCII
+     */
+    public static KernelSource of(String... files) {
+        StringBuilder text = new StringBuilder();
+        for (String file : files) {
+            // Joined, not included: #include would look in the current directory first.
+            text.append("#line 1 \"")
+                    .append(file)
+                    .append("\"\n")
+                    .append(read(file))
+                    .append('\n');
+        }
+        return new KernelSource(List.of(files), text.toString(), List.of());
+    }
+
+    /**
+     * Wraps source text that is not in a file.
+     *
+     * @param name what to call it in messages
+     * @param text OpenCL C, plain ASCII
+     * @return the source
+     */
+    public static KernelSource ofText(String name, String text) {
+        requireAscii(name, text);
+        return new KernelSource(List.of(name), text, List.of());
+    }
+
+    /**
+     * Defines a constant for the preprocessor.
+     *
+     * @param name its name
+     * @param value an Integer, Long, Boolean, Float or a String without spaces; a float keeps every bit
+     * @return a source that has it too
+     */
+    public KernelSource define(String name, Object value) {
+        List<String> options = new ArrayList<>(buildOptions);
+        options.add("-D" + name + "=" + literal(value));
+        return new KernelSource(files, text, List.copyOf(options));
+    }
+
+    private static String literal(Object value) {
+        if (value instanceof Float) {
+            return Float.toHexString((Float) value) + "f";
+        }
+        if (value instanceof Boolean) {
+            return (Boolean) value ? "1" : "0";
+        }
+        return value.toString();
+    }
+
+    String text() {
+        return text;
+    }
+
+    List<String> buildOptions() {
+        return buildOptions;
+    }
+
+    /** Returns the names of the files. */
+    @Override
+    public String toString() {
+        return String.join(" + ", files);
+    }
+
+    private static String read(String file) {
+        String folder = System.getProperty(FOLDER_PROPERTY);
+        try {
+            String text = folder == null
+                    ? readResource(file)
+                    : Files.readString(Path.of(folder).resolve(file), StandardCharsets.ISO_8859_1);
+            requireAscii(file, text);
+            return text;
+        } catch (IOException e) {
+            throw new UncheckedIOException("could not read kernel source " + file, e);
+        }
+    }
+
+    private static String readResource(String file) throws IOException {
+        try (InputStream in = KernelSource.class.getResourceAsStream(RESOURCES + file)) {
+            if (in == null) {
+                throw new IllegalArgumentException("there is no kernel source " + file);
+            }
+            return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+        }
+    }
+
+    /** JavaCL passes the number of characters for the number of bytes: one wide letter would cut off the end. */
+    private static void requireAscii(String file, String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (text.charAt(i) > 127) {
+                long line = text.substring(0, i).chars().filter(c -> c == '\n').count() + 1;
+                throw new IllegalArgumentException(
+                        "kernel source " + file + " must be plain ASCII, but line " + line + " is not");
+            }
+        }
+    }
+}

@@ -1,2 +1,0 @@
-/** Two engines for rigid, non-rotating circles in two dimensions. */
-package io.github.circles2d;

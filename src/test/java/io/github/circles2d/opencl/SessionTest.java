@@ -1,0 +1,235 @@
+package io.github.circles2d.opencl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class SessionTest {
+    private static final KernelSource SCALE = KernelSource.ofText(
+            "scale",
+            "kernel void scale(global float *data, int count, float factor) {\n"
+                    + "    size_t i = get_global_id(0);\n"
+                    + "    if (i < (size_t) count) data[i] *= factor;\n"
+                    + "}\n");
+
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void kernelsComputeOnWhatWasWrittenAndReadsSeeTheResult(Device device) {
+        try (Session session = Session.open(device)) {
+            int count = 3_000_001; // more than one piece of staging memory, not a multiple of a work-group
+            DeviceBuffer data = session.allocate("data", 4L * count);
+            float[] values = new float[count];
+            for (int i = 0; i < count; i++) {
+                values[i] = i;
+            }
+            data.write(FloatBuffer.wrap(values));
+            session.build(SCALE)
+                    .kernel("scale")
+                    .arg(0, data)
+                    .arg(1, count)
+                    .arg(2, 0.5f)
+                    .run(count);
+            float[] result = new float[count];
+            data.read(FloatBuffer.wrap(result));
+            for (int i = 0; i < count; i++) {
+                assertThat(result[i]).isEqualTo(i * 0.5f);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void intsGoThereAndBackAtAnOffsetFromHeapAndDirectBuffers(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer data = session.allocate("data", 32);
+            data.write(0, IntBuffer.wrap(new int[] {1, 2, 3, 4}));
+            IntBuffer direct =
+                    ByteBuffer.allocateDirect(16).order(ByteOrder.nativeOrder()).asIntBuffer();
+            direct.put(new int[] {5, 6, 7, 8}).flip();
+            data.write(16, direct);
+            int[] result = new int[8];
+            data.read(IntBuffer.wrap(result));
+            assertThat(result).containsExactly(1, 2, 3, 4, 5, 6, 7, 8);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void transferMemoryKeepsItsContentAcrossLaterReads(Device device) {
+        try (Session session = Session.open(device);
+                HostBuffer host = session.hostBuffer(64)) {
+            DeviceBuffer data = session.allocate("data", 64);
+            for (int i = 0; i < 16; i++) {
+                host.ints().put(i, i * i);
+            }
+            data.write(0, host, 0, 64);
+            for (int i = 0; i < 16; i++) {
+                host.ints().put(i, -1);
+            }
+            data.readLater(0, host, 32, 32);
+            session.finish();
+            assertThat(host.ints().get(7)).isEqualTo(-1);
+            assertThat(host.ints().get(8 + 5)).isEqualTo(25);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void transfersOutsideEitherSideAreRefused(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer data = session.allocate("data", 16);
+            HostBuffer host = session.hostBuffer(8);
+            assertThatThrownBy(() -> data.read(FloatBuffer.allocate(5))).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.write(4, IntBuffer.allocate(4)))
+                    .isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.read(0, host, 0, 9)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.read(0, host, 4, 8)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.write(12, host, 0, 8)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.write(-4, host, 0, 4)).isInstanceOf(IndexOutOfBoundsException.class);
+            assertThatThrownBy(() -> data.write(Long.MAX_VALUE, host, 0, 4))
+                    .isInstanceOf(IndexOutOfBoundsException.class);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void requestsBeyondTheDevicesMemoryAreRefusedBeforeAllocation(Device device) {
+        try (Session session = Session.open(device)) {
+            assertThatThrownBy(() -> session.allocate("huge", device.memoryBytes() + 1))
+                    .isInstanceOf(DeviceMemoryException.class)
+                    .hasMessageContaining("huge")
+                    .hasMessageContaining(String.valueOf(device.memoryBytes() + 1));
+            assertThatThrownBy(() -> session.requireRoom("a pair table", 10, device.maxBufferBytes() + 1))
+                    .isInstanceOf(DeviceMemoryException.class)
+                    .hasMessageContaining("a pair table");
+            assertThat(session.allocatedBytes()).isZero();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void theByteBudgetFollowsAllocationAndClosing(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer first = session.allocate("first", 1000);
+            DeviceBuffer empty = session.allocate("empty", 0);
+            assertThat(session.allocatedBytes()).isEqualTo(1000);
+            first.close();
+            first.close();
+            empty.close();
+            assertThat(session.allocatedBytes()).isZero();
+            assertThatThrownBy(() -> first.read(FloatBuffer.allocate(1)))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("first");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void closingTwiceIsFineAndUseAfterwardsIsRefused(Device device) {
+        Session session = Session.open(device);
+        DeviceBuffer data = session.allocate("data", 16);
+        Kernel kernel = session.build(SCALE).kernel("scale");
+        session.close();
+        session.close();
+        kernel.close();
+        data.close();
+        assertThatThrownBy(session::finish).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> session.allocate("more", 4)).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(() -> kernel.run(1)).isInstanceOf(IllegalStateException.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aFailedBuildNamesFileAndLine(Device device) {
+        try (Session session = Session.open(device)) {
+            KernelSource broken =
+                    KernelSource.ofText("broken", "kernel void k(global int *a) {\n  a[0] = nonsense;\n}\n");
+            assertThatThrownBy(() -> session.build(broken))
+                    .isInstanceOf(KernelBuildException.class)
+                    .hasMessageContaining("broken")
+                    .hasMessageContaining(device.name())
+                    .hasMessageContaining("nonsense");
+            assertThatThrownBy(() -> session.build(SCALE).kernel("absent"))
+                    .isInstanceOf(OpenClException.class)
+                    .hasMessageContaining("absent");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void definedFloatsKeepEveryBit(Device device) {
+        KernelSource source = KernelSource.ofText(
+                        "constant", "kernel void constant_bits(global float *out) { out[0] = VALUE; }")
+                .define("VALUE", 0.1f);
+        try (Session session = Session.open(device)) {
+            DeviceBuffer out = session.allocate("out", 4);
+            session.build(source).kernel("constant_bits").arg(0, out).run(1);
+            float[] result = new float[1];
+            out.read(FloatBuffer.wrap(result));
+            assertThat(result[0]).isEqualTo(0.1f);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aProfilingSessionKnowsTheTimeOfEachKernel(Device device) {
+        try (Session session = Session.open(device, true)) {
+            DeviceBuffer data = session.allocate("data", 4096);
+            Kernel kernel = session.build(SCALE)
+                    .kernel("scale")
+                    .arg(0, data)
+                    .arg(1, 1024)
+                    .arg(2, 1f);
+            kernel.run(1024);
+            kernel.run(1024);
+            assertThat(session.profileNanos()).containsOnlyKeys("scale");
+            assertThat(session.profileNanos().get("scale")).isPositive();
+            session.resetProfile();
+            assertThat(session.profileNanos()).isEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void integerDivisionByZeroStillThrowsInJavaOnceTheDriverIsLoaded(Device device) {
+        try (Session session = Session.open(device)) {
+            session.finish();
+            int zero = session.allocatedBytes() == 0 ? 0 : 1;
+            for (int i = 0; i < 20_000; i++) { // often enough to be compiled, which is where the signal is used
+                int dividend = i;
+                assertThatThrownBy(() -> divide(dividend, zero)).isInstanceOf(ArithmeticException.class);
+            }
+        }
+    }
+
+    private static int divide(int a, int b) {
+        return a / b;
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void abandonedSessionsAreClosedWithTheirBuffers(Device device) throws InterruptedException {
+        for (int i = 0; i < 200; i++) {
+            Session session = Session.open(device);
+            session.allocate("abandoned", 1 << 20);
+            session.hostBuffer(1 << 16);
+            if (i % 50 == 49) {
+                System.gc();
+                Thread.sleep(20);
+            }
+        }
+        try (Session session = Session.open(device)) {
+            assertThat(session.freeBytes()).isEqualTo(device.memoryBytes());
+        }
+    }
+}
