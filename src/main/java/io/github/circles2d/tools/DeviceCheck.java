@@ -53,9 +53,18 @@ final class DeviceCheck {
                     .run(COUNT);
             output.read(FloatBuffer.wrap(out));
         } catch (OpenClException e) {
-            return new DeviceCheck(false, "does not work: " + e.getMessage());
+            return new DeviceCheck(false, "does not work: " + explain(e.getMessage()));
         }
         return judge(in, out, (System.nanoTime() - start) / 1_000_000);
+    }
+
+    /** Adds what is known of a failure to the driver's own words. */
+    static String explain(String message) {
+        if (message.contains("unknown target CPU")) {
+            return "this POCL is older than the processor: the compiler in it does not know it. Use a newer POCL (that of"
+                    + " Ubuntu 24.04 or Debian 12, or later). " + message.trim();
+        }
+        return message.trim();
     }
 
     /** Compares with the same formula in Java, whose operations are rounded correctly. */

@@ -96,4 +96,12 @@ class DoctorTest {
         wrong[1] = Float.NaN;
         assertThat(DeviceCheck.judge(in, wrong, 1).works()).isFalse();
     }
+
+    @Test
+    void aPoclThatDoesNotKnowTheProcessorIsCalledTooOld() {
+        assertThat(DeviceCheck.explain("build log: error: unknown target CPU 'generic'"))
+                .startsWith("this POCL is older than the processor")
+                .endsWith("unknown target CPU 'generic'");
+        assertThat(DeviceCheck.explain("something else")).isEqualTo("something else");
+    }
 }
