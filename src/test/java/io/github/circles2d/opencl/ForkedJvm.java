@@ -1,0 +1,71 @@
+package io.github.circles2d.opencl;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Runs a main class of the library or its tests in a JVM of its own, for what a test cannot change in this one. */
+public final class ForkedJvm {
+    private final List<String> options = new ArrayList<>();
+    private final Map<String, String> environment = new HashMap<>();
+
+    /** What the other JVM left. */
+    public static final class Result {
+        private final int exitStatus;
+        private final String output;
+
+        Result(int exitStatus, String output) {
+            this.exitStatus = exitStatus;
+            this.output = output;
+        }
+
+        /** Returns the exit status of the process. */
+        public int exitStatus() {
+            return exitStatus;
+        }
+
+        /** Returns standard output and standard error together. */
+        public String output() {
+            return output;
+        }
+    }
+
+    /** Adds a JVM option. */
+    public ForkedJvm option(String option) {
+        options.add(option);
+        return this;
+    }
+
+    /** Sets an environment variable. */
+    public ForkedJvm environment(String name, String value) {
+        environment.put(name, value);
+        return this;
+    }
+
+    /** Runs the class with this JVM's class path and waits for its end. */
+    public Result run(Class<?> mainClass, String... arguments) {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(options);
+        command.add("-cp");
+        command.add(System.getProperty("java.class.path"));
+        command.add(mainClass.getName());
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().putAll(environment);
+        try {
+            Process process = builder.start();
+            String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            return new Result(process.waitFor(), output);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+}

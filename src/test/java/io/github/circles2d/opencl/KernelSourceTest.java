@@ -1,0 +1,53 @@
+package io.github.circles2d.opencl;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class KernelSourceTest {
+    @AfterEach
+    void readFromTheJarAgain() {
+        System.clearProperty(KernelSource.FOLDER_PROPERTY);
+    }
+
+    @Test
+    void filesAreJoinedInOrderAndMarkedForTheCompilersMessages(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("A.cl"), "int a;\n");
+        Files.writeString(folder.resolve("B.cl"), "int b;\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        KernelSource source = KernelSource.of("B.cl", "A.cl");
+        assertThat(source.text()).isEqualTo("#line 1 \"B.cl\"\nint b;\n\n#line 1 \"A.cl\"\nint a;\n\n");
+        assertThat(source).hasToString("B.cl + A.cl");
+    }
+
+    @Test
+    void aLetterThatIsNotAsciiIsRefusedWithItsLine(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("A.cl"), "int a;\n// caf\u00e9\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        assertThatThrownBy(() -> KernelSource.of("A.cl"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("A.cl")
+                .hasMessageContaining("line 2");
+    }
+
+    @Test
+    void aMissingFileIsNamed() {
+        assertThatThrownBy(() -> KernelSource.of("Absent.cl"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("Absent.cl");
+    }
+
+    @Test
+    void definitionsBecomeOptionsAndLeaveTheOriginalAlone() {
+        KernelSource plain = KernelSource.ofText("text", "");
+        KernelSource defined = plain.define("N", 3).define("ON", true).define("F", 0.1f);
+        assertThat(defined.buildOptions()).containsExactly("-DN=3", "-DON=1", "-DF=0x1.99999ap-4f");
+        assertThat(plain.buildOptions()).isEmpty();
+    }
+}
