@@ -6,10 +6,13 @@ import java.util.Locale;
 import java.util.function.DoubleConsumer;
 
 /**
- * The demo: circles fall in the unit square, y up, the brighter the heavier, and each frame prints how long the engine took for it.
+ * The demo: circles fall in the unit square, y up, the brighter the heavier, and each frame prints how long the engine
+ * took for it.
  *
- * <p>Without options it is the test program of the thesis: a window of 480 x 480 pixels and a margin of (20, 40), black ground, gravity (0, -0.01), a time step of 1/60 s, 1,250 circles of radius 0.01 to 0.015 and mass 1
- * to 10 at 0.1 to 0.9 in x and y, strategy 2, restitution 0.5, and 17 ms a frame. {@code --help} lists the options and the keys. With {@code --png} it needs no display.
+ * <p>Without options it is the test program of the thesis: a window of 480 x 480 pixels and a margin of (20, 40), black
+ * ground, gravity (0, -0.01), a time step of 1/60 s, 1,250 circles of radius 0.01 to 0.015 and mass 1 to 10 at 0.1 to 0.9
+ * in x and y, strategy 2, restitution 0.5, and 17 ms a frame. {@code --help} lists the options and the keys. With {@code
+ * --png} it needs no display.
  */
 public final class CirclesTest {
     private static final int FAILURE = 1;
@@ -18,7 +21,8 @@ public final class CirclesTest {
     private CirclesTest() {}
 
     /**
-     * Runs the demo. The exit status is 0 where it ran, 1 where it could not (no OpenCL driver, no such device, no display, a device that failed), 2 where the command line was not accepted.
+     * Runs the demo. The exit status is 0 where it ran, 1 where it could not (no OpenCL driver, no such device, no
+     * display, a device that failed), 2 where the command line was not accepted.
      *
      * @param arguments the command line; {@code --help} explains it
      * @throws InterruptedException if the main thread is interrupted while the window is open

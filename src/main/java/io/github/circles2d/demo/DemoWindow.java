@@ -11,7 +11,10 @@ import java.awt.event.WindowEvent;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
 
-/** The window. It closes when a person asks for it or when the loop ends, and nothing of it is left then that would keep the JVM alive. */
+/**
+ * The window. It closes when a person asks for it or when the loop ends, and nothing of it is left then that would keep
+ * the JVM alive.
+ */
 final class DemoWindow {
     private DemoWindow() {}
 

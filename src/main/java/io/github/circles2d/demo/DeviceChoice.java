@@ -11,7 +11,8 @@ final class DeviceChoice {
     private DeviceChoice() {}
 
     /**
-     * @param wanted "best", "gpu", "cpu", a number in {@link OpenCl#devices} from 0, or a part of a device's description
+     * @param wanted "best", "gpu", "cpu", a number in {@link OpenCl#devices} from 0, or a part of a device's
+     *     description
      * @throws EngineException if no device is called that; the message lists those that there are
      */
     static Device find(String wanted) throws EngineException {

@@ -3,14 +3,16 @@ package io.github.circles2d.demo;
 import java.util.List;
 
 /**
- * What the demo needs of a physics engine: the circles of the next frame, a start to go back to, and the ways of working between which a person may switch.
+ * What the demo needs of a physics engine: the circles of the next frame, a start to go back to, and the ways of
+ * working between which a person may switch.
  *
  * <p>The arena is the unit square, y up. An engine is opened, used and closed by one thread.
  */
 interface Engine extends AutoCloseable {
 
     /**
-     * Advances by one frame and returns a new {@code float[4][n]}: x, y, radius, mass. The caller may keep it: it is never written again.
+     * Advances by one frame and returns a new {@code float[4][n]}: x, y, radius, mass. The caller may keep it: it is
+     * never written again.
      *
      * @throws EngineException if the device fails
      */

@@ -1,7 +1,8 @@
 package io.github.circles2d.demo;
 
 /**
- * One finished frame: what there is to draw and what the overlay says about it. It is handed from the simulation's thread to the event thread, so nothing in it changes any more.
+ * One finished frame: what there is to draw and what the overlay says about it. It is handed from the simulation's
+ * thread to the event thread, so nothing in it changes any more.
  *
  * @param circles         {@code float[4][n]}: x, y, radius, mass
  * @param number          frames since the start

@@ -6,7 +6,8 @@ import java.nio.file.Path;
  * What a person asked for on the command line; {@link #defaults} are the thesis's constants.
  *
  * @param circles     number of circles
- * @param packed      whether radii are scaled by sqrt(1250 / circles), so that the circles fill as much of the arena at every number
+ * @param packed      whether radii are scaled by sqrt(1250 / circles), so that the circles fill as much of the arena at
+ *     every number
  * @param strategy    number of the engine's strategy to start with
  * @param restitution 0 (inelastic) to 1 (elastic)
  * @param gravityX    arena lengths per second squared
@@ -51,7 +52,8 @@ record Options(
     /**
      * Reads a command line.
      *
-     * @throws UsageException at the first argument that is not accepted, with a message that says which and what is allowed
+     * @throws UsageException at the first argument that is not accepted, with a message that says which and what is
+     *     allowed
      */
     static Options parse(String... arguments) throws UsageException {
         return new OptionsParser().parse(arguments);

@@ -8,7 +8,10 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** Reads a command line. One table holds what every option is called, takes, means and checks; the usage text is made from it. */
+/**
+ * Reads a command line. One table holds what every option is called, takes, means and checks; the usage text is made
+ * from it.
+ */
 final class OptionsParser {
     private static final String ENGINES =
             Arrays.stream(EngineKind.values()).map(EngineKind::option).collect(Collectors.joining("|"));
@@ -105,7 +108,10 @@ final class OptionsParser {
                 help);
     }
 
-    /** Reads {@code --name value} and {@code --name=value}; the last one counts where an option comes twice, and nothing after --help does. */
+    /**
+     * Reads {@code --name value} and {@code --name=value}; the last one counts where an option comes twice, and nothing
+     * after --help does.
+     */
     Options parse(String... arguments) throws UsageException {
         Iterator<String> rest = List.of(arguments).iterator();
         while (rest.hasNext() && !help) {

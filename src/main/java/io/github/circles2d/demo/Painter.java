@@ -4,14 +4,18 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 
-/** Paints a frame: black ground, the outline of the arena, the discs, and the overlay where it is wanted. One thread at a time; it keeps its raster from one frame to the next. */
+/**
+ * Paints a frame: black ground, the outline of the arena, the discs, and the overlay where it is wanted. One thread at
+ * a time; it keeps its raster from one frame to the next.
+ */
 final class Painter {
     private static final int OUTLINE = 0x2c3338;
 
     private final Raster raster = new Raster();
 
     /**
-     * Paints over (0, 0) .. (width, height) of the graphics. Where its transform scales (a screen with small pixels), the discs are filled in device pixels and stay sharp.
+     * Paints over (0, 0) .. (width, height) of the graphics. Where its transform scales (a screen with small pixels),
+     * the discs are filled in device pixels and stay sharp.
      *
      * @param below a line of text under the arena; drawn with the overlay only
      */

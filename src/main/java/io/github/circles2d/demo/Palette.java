@@ -22,7 +22,10 @@ final class Palette {
         return (int) (Math.min(Math.max(share, 0), 1) * (SHADES - 1) + 0.5f);
     }
 
-    /** The colours of a disc of this mass from its rim, which is darker so that discs on top of each other can be told apart, inwards; not to be written. */
+    /**
+     * The colours of a disc of this mass from its rim, which is darker so that discs on top of each other can be told
+     * apart, inwards; not to be written.
+     */
     static int[] ramp(float mass) {
         return RAMPS[shade(mass)];
     }

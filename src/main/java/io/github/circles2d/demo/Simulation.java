@@ -6,12 +6,17 @@ import java.util.function.DoubleConsumer;
 import java.util.function.LongSupplier;
 
 /**
- * An engine together with what a person does to it: pause, single step, restart, switch of strategy; and the figures of the overlay.
+ * An engine together with what a person does to it: pause, single step, restart, switch of strategy; and the figures of
+ * the overlay.
  *
- * <p>It belongs to one thread, which must not be the event thread: a step may take longer than a person waits for a window.
+ * <p>It belongs to one thread, which must not be the event thread: a step may take longer than a person waits for a
+ * window.
  */
 final class Simulation {
-    /** Weight of the newest time in the running mean that the overlay shows: steady enough to be read at 60 frames a second. */
+    /**
+     * Weight of the newest time in the running mean that the overlay shows: steady enough to be read at 60 frames a
+     * second.
+     */
     private static final double NEWEST = 0.1;
 
     private final Engine engine;
@@ -85,7 +90,10 @@ final class Simulation {
         resetFigures();
     }
 
-    /** Goes on with the strategy of this number; where the engine refuses, the message says why and the old strategy stays. */
+    /**
+     * Goes on with the strategy of this number; where the engine refuses, the message says why and the old strategy
+     * stays.
+     */
     void switchTo(int strategy) {
         List<String> known = engine.strategies();
         if (strategy < 0 || strategy >= known.size()) {

@@ -8,9 +8,11 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.DoubleConsumer;
 
 /**
- * Runs a {@link Simulation} on a thread of its own, one frame every 17 ms or as often as the engine can, and lets other threads steer it.
+ * Runs a {@link Simulation} on a thread of its own, one frame every 17 ms or as often as the engine can, and lets other
+ * threads steer it.
  *
- * <p>The engine is opened, used and closed on that thread. Commands wait in a queue and are carried out between two frames, so steering never blocks the caller.
+ * <p>The engine is opened, used and closed on that thread. Commands wait in a queue and are carried out between two
+ * frames, so steering never blocks the caller.
  */
 final class SimulationLoop {
     /** The pace of the thesis's test program. */
@@ -60,7 +62,10 @@ final class SimulationLoop {
         await(opened);
     }
 
-    /** Waits until the loop has ended and the engine is closed; a failure of the engine on the way is this call's exception. */
+    /**
+     * Waits until the loop has ended and the engine is closed; a failure of the engine on the way is this call's
+     * exception.
+     */
     void join() throws EngineException, InterruptedException {
         await(ended);
         thread.join();
@@ -133,7 +138,10 @@ final class SimulationLoop {
         }
     }
 
-    /** Sleeps what is left of the frame, or for as long as the simulation is paused, and carries out the commands that come in. */
+    /**
+     * Sleeps what is left of the frame, or for as long as the simulation is paused, and carries out the commands that
+     * come in.
+     */
     private void obeyUntil(long deadline, Simulation simulation) throws EngineException, InterruptedException {
         while (goesOn(simulation)) {
             long left = deadline - System.nanoTime();

@@ -1,7 +1,8 @@
 package io.github.circles2d.demo;
 
 /**
- * Where the unit square lies in a picture: a square of {@code side} pixels whose upper left corner is at ({@code left}, {@code top}). In the arena y points up, in the picture down.
+ * Where the unit square lies in a picture: a square of {@code side} pixels whose upper left corner is at ({@code left},
+ * {@code top}). In the arena y points up, in the picture down.
  */
 record Viewport(double left, double top, double side) {
 

@@ -7,7 +7,10 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** An engine for tests: circles that fall freely and bounce on the floor. It keeps account of who called it and how often. */
+/**
+ * An engine for tests: circles that fall freely and bounce on the floor. It keeps account of who called it and how
+ * often.
+ */
 class TestEngine implements Engine {
     /** Asked for by {@link #switchTo}, refused always. */
     static final int REFUSED = 2;

@@ -7,7 +7,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.concurrent.TimeUnit;
 import org.opentest4j.TestAbortedException;
 
-/** An X server without a screen, so that windows can be tested where nobody looks; the desktop's own display on other systems than Linux. */
+/**
+ * An X server without a screen, so that windows can be tested where nobody looks; the desktop's own display on other
+ * systems than Linux.
+ */
 final class VirtualDisplay {
     private final Process server;
     private final String name;

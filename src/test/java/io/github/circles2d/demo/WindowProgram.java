@@ -8,7 +8,10 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 
-/** A main class for {@link WindowTest}: shows the window of a test engine, resizes it, closes it as a window manager does, and leaves it to the JVM to end. */
+/**
+ * A main class for {@link WindowTest}: shows the window of a test engine, resizes it, closes it as a window manager
+ * does, and leaves it to the JVM to end.
+ */
 final class WindowProgram {
     private WindowProgram() {}
 
