@@ -170,6 +170,31 @@ public final class DeviceBuffer implements AutoCloseable {
         }
     }
 
+    /**
+     * Enqueues a copy of the first bytes to the start of another buffer of the same session, and does not wait.
+     *
+     * @param target where to
+     * @param length number of bytes
+     */
+    public void copyTo(DeviceBuffer target, long length) {
+        requireOpen();
+        if (length < 0 || length > Math.min(bytes, target.bytes)) {
+            throw new IndexOutOfBoundsException("cannot copy " + length + " bytes of buffer '" + name + "', which has "
+                    + bytes + ", to buffer '" + target.name + "', which has " + target.bytes);
+        }
+        if (target.session != session) {
+            throw new IllegalArgumentException("buffer '" + target.name + "' belongs to another session");
+        }
+        if (length == 0) {
+            return;
+        }
+        try {
+            buffer.copyBytesTo(session.queue(), target.buffer(), 0, 0, length, WITHOUT_EVENT);
+        } catch (CLException e) {
+            throw ErrorCodes.failed("copy " + length + " bytes of buffer '" + name + "'", session.device(), e);
+        }
+    }
+
     /** Gives the memory back to the device once the commands that use it have ended. Later calls do nothing. */
     @Override
     public void close() {

@@ -85,6 +85,26 @@ class SessionTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void copiesBetweenBuffersAreCheckedAndExact(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer source = session.allocate("source", 16);
+            DeviceBuffer target = session.allocate("target", 12);
+            source.write(0, IntBuffer.wrap(new int[] {1, 2, 3, 4}));
+            target.write(0, IntBuffer.wrap(new int[] {7, 7, 7}));
+            source.copyTo(target, 8);
+            int[] result = new int[3];
+            target.read(IntBuffer.wrap(result));
+            assertThat(result).containsExactly(1, 2, 7);
+            assertThatThrownBy(() -> source.copyTo(target, 16)).isInstanceOf(IndexOutOfBoundsException.class);
+            try (Session other = Session.open(device)) {
+                DeviceBuffer foreign = other.allocate("foreign", 16);
+                assertThatThrownBy(() -> source.copyTo(foreign, 8)).isInstanceOf(IllegalArgumentException.class);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void transfersOutsideEitherSideAreRefused(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer data = session.allocate("data", 16);

@@ -1,0 +1,69 @@
+package io.github.circles2d.project;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ArchitectureTest {
+    private static final Path MAIN = Path.of("src/main/java");
+    private static final Path BENCH = Path.of("bench/src/main/java");
+
+    @Test
+    void importsOfTheLibraryRunOneWayAndOnlyOpenclKnowsJavaCl() throws IOException {
+        assertThat(Rooms.filesBelow(MAIN, ".java")).isNotEmpty();
+        assertThat(Rooms.violations(MAIN)).isEmpty();
+    }
+
+    @Test
+    void theBenchmarksUseThePublicRoomsOnly() throws IOException {
+        if (Files.exists(BENCH)) {
+            assertThat(Rooms.violations(BENCH)).isEmpty();
+        }
+    }
+
+    @Test
+    void kernelsAreAscii() throws IOException {
+        List<Path> kernels = Rooms.filesBelow(Path.of("kernels"), ".cl");
+        assertThat(kernels).isNotEmpty();
+        for (Path kernel : kernels) {
+            byte[] bytes = Files.readAllBytes(kernel);
+            for (int i = 0; i < bytes.length; i++) {
+                assertThat(bytes[i]).as("byte %d of %s", i, kernel).isGreaterThanOrEqualTo((byte) 0);
+            }
+        }
+    }
+
+    @Test
+    void everyRuleSeesItsViolation(@TempDir Path folder) throws IOException {
+        source(folder, "opencl", "import io.github.circles2d.Circles2D;");
+        source(folder, "thesis", "import io.github.circles2d.world.Grid;");
+        source(folder, "world", "class Qualified { com.nativelibs4java.opencl.CLDevice device; }");
+        source(folder, "scenes", "import static io.github.circles2d.opencl.OpenCl.devices;");
+        source(folder, "tools", "import java.awt.Color;");
+        source(folder, "attic", "");
+        assertThat(Rooms.violations(folder))
+                .hasSize(6)
+                .anyMatch(line -> line.endsWith("opencl must not use api"))
+                .anyMatch(line -> line.endsWith("thesis must not use world"))
+                .anyMatch(line -> line.endsWith("com.nativelibs4java is for opencl alone"))
+                .anyMatch(line -> line.endsWith("scenes must not use opencl"))
+                .anyMatch(line -> line.endsWith("java.awt is for demo alone"))
+                .anyMatch(line -> line.endsWith("unknown room attic"));
+    }
+
+    @Test
+    void commentsAndOwnNamesAreNoViolation(@TempDir Path folder) throws IOException {
+        source(folder, "opencl", "/** Like {@link io.github.circles2d.Circles2D}. */ // io.github.circles2d.World");
+        source(folder, "demo", "import io.github.circles2d.Circles2D;\nimport java.awt.Color;");
+        assertThat(Rooms.violations(folder)).isEmpty();
+    }
+
+    private static void source(Path folder, String room, String code) throws IOException {
+        Files.writeString(folder.resolve(room + ".java"), "package io.github.circles2d." + room + ";\n" + code + "\n");
+    }
+}

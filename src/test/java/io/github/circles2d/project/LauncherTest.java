@@ -1,0 +1,211 @@
+package io.github.circles2d.project;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.time.Instant;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+@EnabledOnOs(OS.LINUX)
+class LauncherTest {
+    @TempDir
+    Path folder;
+
+    @Test
+    void helpNamesEveryCommandAndAnUnknownCommandIsAWrongCall() throws Exception {
+        FakeMachine machine = new FakeMachine(folder);
+        FakeMachine.Result help = machine.launch("help");
+        assertThat(help.output).contains("demo", "test", "bench", "doctor");
+        assertThat(help.status).isZero();
+        FakeMachine.Result unknown = machine.launch("frobnicate");
+        assertThat(unknown.output).contains("unknown command: frobnicate", "usage:");
+        assertThat(unknown.status).isEqualTo(2);
+        assertThat(machine.calls()).isEmpty();
+    }
+
+    @Test
+    void onAMachineThatHasEverythingNothingIsInstalled() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        for (String command : new String[] {"demo", "doctor"}) {
+            FakeMachine.Result result = machine.launch(command);
+            assertThat(result.status).as(result.output).isZero();
+        }
+        assertThat(machine.calls()).contains("java").doesNotContain("apt-get").doesNotContain("sudo");
+    }
+
+    @Test
+    void argumentsReachTheJobUnchangedInTheDirectoryOfTheUser() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        FakeMachine.Result demo = machine.launch("demo", "--circles", "12 000");
+        assertThat(machine.calls())
+                .contains("io.github.circles2d.demo.CirclesTest --circles 12 000")
+                .contains(machine.clone + "/target/classes:");
+        assertThat(demo.output).contains("java runs in " + machine.elsewhere);
+    }
+
+    @Test
+    void theExitStatusIsThatOfTheJob() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.set("JAVA_STATUS", "42");
+        assertThat(machine.launch("doctor").status).isEqualTo(42);
+        assertThat(machine.launch("demo").status).isEqualTo(42);
+        machine.fake("mvn", "exit 7");
+        assertThat(machine.launch("test").status).isEqualTo(7);
+    }
+
+    @Test
+    void theLibraryIsBuiltWhenASourceIsNewerAndOnlyThen() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.launch("demo");
+        assertThat(machine.calls()).contains("mvn");
+        machine.forgetCalls();
+        machine.launch("demo");
+        assertThat(machine.calls()).doesNotContain("mvn").contains("CirclesTest");
+        Path kernel = Files.createFile(machine.clone.resolve("kernels/New.cl"));
+        Files.setLastModifiedTime(kernel, FileTime.from(Instant.now().plusSeconds(5)));
+        machine.forgetCalls();
+        machine.launch("demo");
+        assertThat(machine.calls()).contains("mvn");
+    }
+
+    @Test
+    void afterAFailedBuildNothingRunsAndTheNextCallBuildsAgain() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.fake("mvn", "exit 1");
+        assertThat(machine.launch("demo").status).isEqualTo(1);
+        assertThat(machine.calls()).doesNotContain("CirclesTest");
+        machine.fake("mvn", FakeMachine.logged("mvn"));
+        assertThat(machine.launch("demo").status).isZero();
+        assertThat(machine.calls()).contains("mvn", "CirclesTest");
+    }
+
+    @Test
+    void itCanBeCalledThroughALink() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        Path link = machine.elsewhere.resolve("circles");
+        Files.createSymbolicLink(link, Path.of("../a clone/circles2d"));
+        assertThat(machine.launch(link, "doctor").status).isZero();
+        assertThat(machine.calls()).contains(machine.clone + "/target/classes:");
+    }
+
+    @Test
+    void withoutADisplayTheDemoRendersAPictureAndSaysWhere() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.set("DISPLAY", "");
+        FakeMachine.Result demo = machine.launch("demo", "--seed", "4");
+        String picture = machine.clone + "/target/demo/circles2d.png";
+        assertThat(machine.calls()).contains("CirclesTest --seed 4 --png " + picture + "\n");
+        assertThat(demo.output).contains("there is no display").contains("the picture is " + picture);
+        machine.forgetCalls();
+        machine.launch("demo", "--frames", "5", "--png", "own.png");
+        assertThat(machine.calls())
+                .contains("CirclesTest --frames 5 --png own.png")
+                .doesNotContain("circles2d.png");
+    }
+
+    @Test
+    void nativeAccessIsGrantedWhereJavaAsksForIt() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 25);
+        machine.launch("doctor");
+        assertThat(machine.calls()).contains("--enable-native-access=ALL-UNNAMED");
+        machine.addJdk(17);
+        machine.forgetCalls();
+        machine.launch("doctor");
+        assertThat(machine.calls()).contains("Doctor").doesNotContain("--enable-native-access");
+    }
+
+    @Test
+    void whatIsMissingIsInstalledWithSudoAndNamedWithItsReason() throws Exception {
+        FakeMachine machine = new FakeMachine(folder);
+        machine.addJdk(17);
+        machine.addApt("echo '#!/bin/sh' >" + machine.bin() + "/mvn; env chmod +x " + machine.bin() + "/mvn; "
+                + "mkdir -p " + machine.root + "/lib; : >" + machine.root + "/lib/libOpenCL.so.1");
+        Files.createSymbolicLink(machine.bin().resolve("chmod"), Path.of("/bin/chmod"));
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(demo.status).as(demo.output).isZero();
+        assertThat(demo.output)
+                .contains("this machine lacks: Maven (mvn), an OpenCL driver")
+                .contains("maven: builds the library")
+                .contains("pocl-opencl-icd: an OpenCL driver that runs on the CPU");
+        assertThat(machine.calls())
+                .contains("sudo apt-get -q update")
+                .containsPattern("sudo env DEBIAN_FRONTEND=noninteractive apt-get .*install --no-install-recommends"
+                        + " maven ocl-icd-libopencl1 pocl-opencl-icd\n")
+                .contains("CirclesTest");
+        machine.forgetCalls();
+        assertThat(machine.launch("demo").status).isZero();
+        assertThat(machine.calls()).doesNotContain("apt-get").contains("CirclesTest");
+    }
+
+    @Test
+    void rootInstallsWithoutSudo() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.remove("mvn");
+        machine.fake("id", "echo 0");
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(machine.calls()).contains("apt-get -q update", " maven\n").doesNotContain("sudo");
+        assertThat(demo.output).as("the fake apt-get installs nothing").contains("not there: Maven (mvn)");
+        assertThat(demo.status).isEqualTo(3);
+    }
+
+    @Test
+    void anInstallationThatFailsIsReportedWithWhatAptGetSaid() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.remove("mvn");
+        machine.addApt("echo E: no space left; exit 100");
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(demo.output).contains("E: no space left", "apt-get could not install: maven");
+        assertThat(demo.status).isEqualTo(3);
+        assertThat(machine.calls()).doesNotContain("CirclesTest");
+    }
+
+    @Test
+    void withoutAptGetItSaysWhatIsMissing() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.remove("mvn");
+        machine.remove("apt-get");
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.status).isEqualTo(3);
+        assertThat(machine.calls()).doesNotContain("CirclesTest");
+    }
+
+    @Test
+    void nothingIsInstalledForAUserWhoForbidsIt() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.remove("mvn");
+        machine.set("CIRCLES2D_INSTALL", "no");
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.status).isEqualTo(3);
+        assertThat(machine.calls()).doesNotContain("apt-get");
+    }
+
+    @Test
+    void theDoctorRunsWithoutADriverBecauseThatIsWhatItExplains() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.fake("ldconfig", "");
+        machine.remove("apt-get");
+        machine.launch("doctor");
+        assertThat(machine.calls()).contains("tools.Doctor");
+        machine.forgetCalls();
+        assertThat(machine.launch("demo").status).isEqualTo(3);
+        assertThat(machine.calls()).doesNotContain("CirclesTest");
+    }
+
+    @Test
+    void onMacOsItNamesHomebrewAndNeverApt() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.fake("uname", "echo Darwin");
+        machine.remove("mvn");
+        FakeMachine.Result demo = machine.launch("demo");
+        assertThat(demo.output).contains("brew install");
+        assertThat(demo.status).isEqualTo(3);
+        assertThat(machine.calls()).doesNotContain("apt-get");
+    }
+}

@@ -1,0 +1,98 @@
+package io.github.circles2d.project;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The rules of the architecture, read off the sources: which room may know which. */
+final class Rooms {
+    private static final String BASE = "io.github.circles2d";
+
+    /** Each room and the rooms that it may use; "api" is the root package. */
+    private static final Map<String, Set<String>> MAY_USE = Map.of(
+            "api", Set.of("thesis", "world", "opencl"),
+            "thesis", Set.of("opencl"),
+            "world", Set.of("opencl"),
+            "opencl", Set.of(),
+            "scenes", Set.of(),
+            "demo", Set.of("api", "scenes", "opencl"),
+            "tools", Set.of("api", "opencl"),
+            "bench", Set.of("api", "scenes", "opencl"));
+
+    /** Packages that are for one room alone. */
+    private static final Map<String, String> RESERVED = Map.of(
+            "com.nativelibs4java", "opencl",
+            "org.bridj", "opencl",
+            "java.awt", "demo",
+            "javax.swing", "demo",
+            "javax.imageio", "demo");
+
+    private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|//[^\\n]*", Pattern.DOTALL);
+    private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
+    private static final Pattern OWN_NAME = Pattern.compile("\\bio\\.github\\.circles2d\\.(\\w+)");
+
+    private Rooms() {}
+
+    /** Returns what breaks a rule in the Java sources below a folder, one line each. */
+    static List<String> violations(Path sources) throws IOException {
+        List<String> violations = new ArrayList<>();
+        for (Path file : filesBelow(sources, ".java")) {
+            String code = COMMENT.matcher(Files.readString(file, StandardCharsets.UTF_8))
+                    .replaceAll(" ");
+            String room = roomOf(file, code);
+            String body = PACKAGE.matcher(code).replaceFirst("");
+            if (!MAY_USE.containsKey(room)) {
+                violations.add(file + " lies in the unknown room " + room);
+                continue;
+            }
+            for (String used : roomsUsed(body)) {
+                if (!used.equals(room) && !MAY_USE.get(room).contains(used)) {
+                    violations.add(file + ": " + room + " must not use " + used);
+                }
+            }
+            RESERVED.forEach((name, owner) -> {
+                if (!room.equals(owner)
+                        && Pattern.compile("\\b" + Pattern.quote(name) + "\\.")
+                                .matcher(body)
+                                .find()) {
+                    violations.add(file + ": " + name + " is for " + owner + " alone");
+                }
+            });
+        }
+        return violations;
+    }
+
+    static List<Path> filesBelow(Path folder, String suffix) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.filter(file -> file.toString().endsWith(suffix))
+                    .sorted()
+                    .collect(Collectors.toList());
+        }
+    }
+
+    private static String roomOf(Path file, String code) {
+        Matcher declaration = PACKAGE.matcher(code);
+        if (!declaration.find()) {
+            throw new IllegalStateException(file + " declares no package");
+        }
+        String name = declaration.group(1);
+        return name.equals(BASE) ? "api" : name.substring(BASE.length() + 1).split("\\.")[0];
+    }
+
+    private static Set<String> roomsUsed(String body) {
+        return OWN_NAME.matcher(body)
+                .results()
+                .map(name -> name.group(1))
+                .map(name -> Character.isUpperCase(name.charAt(0)) ? "api" : name)
+                .collect(Collectors.toSet());
+    }
+}
