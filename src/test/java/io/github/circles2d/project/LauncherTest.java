@@ -129,7 +129,7 @@ class LauncherTest {
         FakeMachine.Result demo = machine.launch("demo");
         assertThat(demo.status).as(demo.output).isZero();
         assertThat(demo.output)
-                .contains("this machine lacks: Maven (mvn), an OpenCL driver")
+                .contains("this machine lacks Maven (mvn), an OpenCL driver")
                 .contains("maven: builds the library")
                 .contains("pocl-opencl-icd: an OpenCL driver that runs on the CPU");
         assertThat(machine.calls())
@@ -149,7 +149,7 @@ class LauncherTest {
         machine.fake("id", "echo 0");
         FakeMachine.Result demo = machine.launch("demo");
         assertThat(machine.calls()).contains("apt-get -q update", " maven\n").doesNotContain("sudo");
-        assertThat(demo.output).as("the fake apt-get installs nothing").contains("not there: Maven (mvn)");
+        assertThat(demo.output).as("the fake apt-get installs nothing").contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
     }
 
@@ -170,7 +170,7 @@ class LauncherTest {
         machine.remove("mvn");
         machine.remove("apt-get");
         FakeMachine.Result demo = machine.launch("demo");
-        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.output).contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
         assertThat(machine.calls()).doesNotContain("CirclesTest");
     }
@@ -181,7 +181,7 @@ class LauncherTest {
         machine.remove("mvn");
         machine.set("CIRCLES2D_INSTALL", "no");
         FakeMachine.Result demo = machine.launch("demo");
-        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.output).contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
         assertThat(machine.calls()).doesNotContain("apt-get");
     }
