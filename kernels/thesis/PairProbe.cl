@@ -2,32 +2,22 @@
 // thesis/WrongSlots.cl. None of the kernels needs a collision buffer.
 
 // Defines a kernel that adds the number of slots that MAP gets wrong to wrong[0], as count_wrong_slots does for strategy
-// 0; and one that writes the pairs of `count` slots from `from` on, one work-item a slot. TABLE is the strategy's buffer.
-#define PROBE(NAME, TABLE, MAP)                                                                          \
-    __kernel void count_wrong_##NAME(                                                                    \
-        __global uint *wrong, __global const int2 *TABLE, int potential_collisions, int circles) {       \
-        const uint first = (uint)get_global_id(0) * SLOTS_PER_ITEM;                                      \
-        const uint end = min(first + SLOTS_PER_ITEM, (uint)potential_collisions);                        \
-        uint found = 0;                                                                                  \
-        for (uint c = first; c < end; c++) {                                                             \
-            found += !slot_holds_pair(c, MAP, circles);                                                  \
-        }                                                                                                \
-        if (found > 0) {                                                                                 \
-            atomic_add(wrong, found);                                                                    \
-        }                                                                                                \
-    }                                                                                                    \
-    __kernel void map_##NAME(                                                                            \
-        __global int2 *pairs,                                                                            \
-        __global const int2 *TABLE,                                                                      \
-        int from,                                                                                        \
-        int count,                                                                                       \
-        int potential_collisions,                                                                        \
-        int circles) {                                                                                   \
-        const uint id = (uint)get_global_id(0);                                                          \
-        if (id < (uint)count) {                                                                          \
-            const uint c = (uint)from + id;                                                              \
-            pairs[id] = MAP;                                                                             \
-        }                                                                                                \
+// 0; and one that writes the pair of every slot. TABLE is the strategy's buffer. One work-item a slot, which costs what
+// the mapping costs.
+#define PROBE(NAME, TABLE, MAP)                                                                        \
+    __kernel void count_wrong_##NAME(                                                                  \
+        __global uint *wrong, __global const int2 *TABLE, int potential_collisions, int circles) {     \
+        const uint c = (uint)get_global_id(0);                                                         \
+        if (c < (uint)potential_collisions && !slot_holds_pair(c, MAP, circles)) {                     \
+            atomic_inc(wrong);                                                                         \
+        }                                                                                              \
+    }                                                                                                  \
+    __kernel void map_##NAME(                                                                          \
+        __global int2 *pairs, __global const int2 *TABLE, int potential_collisions, int circles) {     \
+        const uint c = (uint)get_global_id(0);                                                         \
+        if (c < (uint)potential_collisions) {                                                          \
+            pairs[c] = MAP;                                                                            \
+        }                                                                                              \
     }
 
 PROBE(computed, unused, collision_map_s1(c, circles))

@@ -1,11 +1,6 @@
 // Counts the slots that strategy 0 maps wrongly. Comes after CirclePhysV2.cl. Needs no collision buffer, so it reaches
 // every n.
 
-// Slots that one work-item looks at, one after the other.
-#ifndef SLOTS_PER_ITEM
-#define SLOTS_PER_ITEM 256
-#endif
-
 // Whether the pair belongs to slot c, by the definition of the slots and not by the way the pair was found:
 // 0 <= i < j < n, and the i(n-1) - i(i-1)/2 slots of the rows before i and the j-i-1 slots of its row before j come
 // before c.
@@ -16,16 +11,11 @@ HELPER int slot_holds_pair(uint c, int2 pair, int circles) {
     return pair.x >= 0 && pair.x < pair.y && pair.y < circles && slot == c;
 }
 
-// Adds the number of wrong slots to wrong[0]. One work-item for each SLOTS_PER_ITEM slots: a square root a slot, and one
-// atomic addition where any is wrong.
+// Adds the number of wrong slots to wrong[0]. One work-item a slot: a square root, and an atomic addition where it is
+// wrong, which few are.
 __kernel void count_wrong_slots(__global uint *wrong, int potential_collisions, int circles) {
-    const uint first = (uint)get_global_id(0) * SLOTS_PER_ITEM;
-    const uint end = min(first + SLOTS_PER_ITEM, (uint)potential_collisions);
-    uint found = 0;
-    for (uint c = first; c < end; c++) {
-        found += !slot_holds_pair(c, collision_map_s1(c, circles), circles);
-    }
-    if (found > 0) {
-        atomic_add(wrong, found);
+    const uint c = (uint)get_global_id(0);
+    if (c < (uint)potential_collisions && !slot_holds_pair(c, collision_map_s1(c, circles), circles)) {
+        atomic_inc(wrong);
     }
 }

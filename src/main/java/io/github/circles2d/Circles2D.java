@@ -296,7 +296,12 @@ public final class Circles2D implements AutoCloseable {
         if (simulation != null) {
             Simulation old = simulation;
             simulation = null;
-            old.close();
+            try {
+                // The device holds on to buffers until the steps that use them have ended.
+                session.finish();
+            } finally {
+                old.close();
+            }
         }
     }
 

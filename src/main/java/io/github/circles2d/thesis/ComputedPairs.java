@@ -12,15 +12,12 @@ import java.nio.IntBuffer;
  * counted on the device and skipped.
  */
 public final class ComputedPairs extends PairStrategy {
-    /** Slots that one work-item of the count looks at. */
-    private static final int SLOTS_PER_ITEM = 256;
-
     /** Creates the strategy. */
     public ComputedPairs() {}
 
     @Override
     public KernelSource source(int circles) {
-        return KernelSource.of(THESIS_KERNELS, "thesis/WrongSlots.cl").define("SLOTS_PER_ITEM", SLOTS_PER_ITEM);
+        return KernelSource.of(THESIS_KERNELS, "thesis/WrongSlots.cl");
     }
 
     @Override
@@ -49,10 +46,7 @@ public final class ComputedPairs extends PairStrategy {
                 Kernel count = program.kernel("count_wrong_slots")) {
             IntBuffer number = IntBuffer.allocate(1);
             wrong.write(0, number);
-            count.arg(0, wrong)
-                    .arg(1, state.slots)
-                    .arg(2, state.circles)
-                    .run((state.slots + SLOTS_PER_ITEM - 1L) / SLOTS_PER_ITEM);
+            count.arg(0, wrong).arg(1, state.slots).arg(2, state.circles).run(state.slots);
             wrong.read(number);
             return number.get(0);
         }

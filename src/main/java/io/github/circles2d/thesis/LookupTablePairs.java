@@ -50,6 +50,11 @@ public final class LookupTablePairs extends PairStrategy {
         }
     }
 
+    /** Returns the table, once it is open. */
+    DeviceBuffer table() {
+        return indexes;
+    }
+
     @Override
     Kernel detect(Program program, State state) {
         return program.kernel("detect_collisions_precomputed_pairs")

@@ -46,6 +46,11 @@ public final class RowSearchPairs extends PairStrategy {
         }
     }
 
+    /** Returns the table, once it is open. */
+    DeviceBuffer table() {
+        return rows;
+    }
+
     @Override
     Kernel detect(Program program, State state) {
         return program.kernel("detect_collisions_precomputed_rows")
