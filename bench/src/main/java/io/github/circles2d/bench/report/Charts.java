@@ -50,7 +50,11 @@ public final class Charts {
     public static void draw(ResultsFolder folder, PrintStream out) throws IOException {
         try {
             for (String device : Tables.devices(folder)) {
-                save(strategies(folder, device), folder, strategiesFile(device));
+                if (!folder.table(Kind.STRATEGIES)
+                        .rows("device", device, "mode", "loop", "status", "ok")
+                        .isEmpty()) {
+                    save(strategies(folder, device), folder, strategiesFile(device));
+                }
             }
             for (String scene : List.of("packed", "thesis")) {
                 save(peers(folder, scene), folder, peersFile(scene));

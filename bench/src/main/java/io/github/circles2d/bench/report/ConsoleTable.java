@@ -13,11 +13,9 @@ public final class ConsoleTable {
     /** Prints our table beside the thesis's, the wrong slots, the engines, and what failed or did not fit. */
     public static void print(ResultsFolder folder, PrintStream out) {
         for (String device : Tables.devices(folder)) {
-            String kind = Tables.kind(folder, device);
-            out.println();
-            out.println("Figure 3 of the thesis (" + Figure3.device(kind) + ") and here (" + device
-                    + "): mean ms a step with read-back");
-            out.print(Tables.figure3(folder, device, "loop").text());
+            String title = "Figure 3 of the thesis (" + Figure3.device(Tables.kind(folder, device)) + ") and here ("
+                    + device + "): mean ms a step with read-back";
+            print(title, Tables.figure3(folder, device, "loop"), out);
         }
         print("Slots that the computed indexing maps wrongly", Tables.accuracy(List.of(folder)), out);
         for (String device : Tables.devices(folder)) {

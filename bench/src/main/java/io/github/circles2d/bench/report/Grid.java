@@ -2,6 +2,7 @@ package io.github.circles2d.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** A table of texts with a header, for the console and for Markdown. */
 final class Grid {
@@ -34,16 +35,22 @@ final class Grid {
         return rows.size() == 1;
     }
 
-    /** For a screen: columns padded with spaces. */
+    /** For a screen: columns padded with spaces, in plain ASCII, since not every console has more. */
     String text() {
-        int[] widths = new int[rows.get(0).size()];
+        List<List<String>> ascii = new ArrayList<>();
         for (List<String> row : rows) {
+            ascii.add(row.stream()
+                    .map(cell -> cell.replace("±", "+/-").replace("µ", "u"))
+                    .collect(Collectors.toList()));
+        }
+        int[] widths = new int[rows.get(0).size()];
+        for (List<String> row : ascii) {
             for (int i = 0; i < widths.length; i++) {
                 widths[i] = Math.max(widths[i], row.get(i).length());
             }
         }
         StringBuilder text = new StringBuilder();
-        for (List<String> row : rows) {
+        for (List<String> row : ascii) {
             StringBuilder line = new StringBuilder();
             for (int i = 0; i < widths.length; i++) {
                 String padding = " ".repeat(widths[i] - row.get(i).length());

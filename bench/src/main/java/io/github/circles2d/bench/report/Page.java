@@ -58,9 +58,10 @@ public final class Page {
 
     /** Puts tables and figures in their places. */
     String fill(String template) {
-        return PLACE.matcher(template)
+        String page = PLACE.matcher(template)
                 .replaceAll(
                         place -> Matcher.quoteReplacement(value(place.group(1).trim())));
+        return page.replaceAll("\n{3,}", "\n\n");
     }
 
     private String value(String place) {
@@ -79,6 +80,8 @@ public final class Page {
                 return orNothing(memory());
             case "roof":
                 return orNothing(perDevice(Tables::roof));
+            case "plain loop":
+                return orNothing(perDevice(Tables::plainLoop));
             case "peers packed":
                 return orNothing(peers("packed"));
             case "peers thesis":
@@ -116,6 +119,9 @@ public final class Page {
         StringBuilder text = new StringBuilder();
         for (ResultsFolder folder : folders) {
             for (String device : Tables.devices(folder)) {
+                if (Tables.sizes(folder, device).isEmpty()) {
+                    continue;
+                }
                 String thesis = Figure3.device(Tables.kind(folder, device));
                 text.append("### ")
                         .append(folder.name())

@@ -1,5 +1,7 @@
 package io.github.circles2d.bench.report;
 
+import io.github.circles2d.PairIndexing;
+import io.github.circles2d.bench.engines.Engines;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
@@ -17,11 +19,12 @@ final class Tables {
 
     private Tables() {}
 
-    /** The devices that the strategies were measured on. */
+    /** The devices of a machine. */
     static List<String> devices(ResultsFolder folder) {
-        return folder.table(Kind.STRATEGIES).rows().stream()
-                .map(row -> row.get("device"))
-                .distinct()
+        return folder.table(Kind.MACHINE).rows().stream()
+                .map(row -> row.get("property"))
+                .filter(property -> property.startsWith("device "))
+                .map(property -> property.substring("device ".length()))
                 .collect(Collectors.toList());
     }
 
@@ -161,6 +164,36 @@ final class Tables {
                     brief(row.get("peak_rss_mib"))));
         }
         return grid;
+    }
+
+    /** The plain loop in Java beside Circles2D on a device, on the scene packed. */
+    static Grid plainLoop(ResultsFolder folder, String device) {
+        Grid grid = Grid.ofNumbers("n", "java-all-pairs ms", "look-up table ms", "exact ms", "faster than both");
+        List<Map<String, String>> rows = folder.table(Kind.PEERS).rows("scene", "packed", "status", "ok");
+        for (Map<String, String> loop : rows) {
+            Map<String, String> lookup = same(loop, Engines.thesis(PairIndexing.LOOKUP_TABLE) + "@" + device, rows);
+            Map<String, String> exact = same(loop, Engines.thesis(PairIndexing.EXACT) + "@" + device, rows);
+            if (loop.get("engine").equals("java-all-pairs") && lookup != null && exact != null) {
+                double best = Math.min(Numbers.parse(lookup.get("mean_ms")), Numbers.parse(exact.get("mean_ms")));
+                grid.add(List.of(
+                        Numbers.whole(Long.parseLong(loop.get("n"))),
+                        millis(loop),
+                        millis(lookup),
+                        millis(exact),
+                        Numbers.parse(loop.get("mean_ms")) < best ? "the loop" : "no"));
+            }
+        }
+        return grid;
+    }
+
+    /** The run of another engine with the same scene, n and steps; null where there is none. */
+    private static Map<String, String> same(Map<String, String> run, String engine, List<Map<String, String>> rows) {
+        return rows.stream()
+                .filter(row -> row.get("engine").equals(engine)
+                        && row.get("n").equals(run.get("n"))
+                        && row.get("steps").equals(run.get("steps")))
+                .findFirst()
+                .orElse(null);
     }
 
     private static String brief(String number) {

@@ -122,6 +122,12 @@ public final class ResultsFolder {
         return tables.get(kind);
     }
 
+    /** Whether a table has a figure for a key: its columns and their values. */
+    public boolean hasFigure(Kind kind, Map<String, String> key) {
+        return table(kind).rows("status", "ok").stream()
+                .anyMatch(row -> row.entrySet().containsAll(key.entrySet()));
+    }
+
     /** Keeps a row and writes its file; does nothing once the folder is sealed. */
     public synchronized void put(Kind kind, Map<String, String> row) throws IOException {
         if (sealed) {

@@ -82,16 +82,14 @@ final class JmhWork implements Work {
     @Override
     public String run(Pace pace, double secondsLeft) throws IOException {
         if (tooLarge.contains(task.series())) {
-            return leaveOut("does not fit: a smaller size does not");
+            return without("does not fit: a smaller size does not");
         }
         double limit = Math.min(secondsLeft, effort.maxSeconds);
         double iteration = pace.iterationSeconds(task);
         int warmups = warmups(pace);
         int affordable = (int) Math.min(effort.wantedRuns, (limit - pace.seconds(task, warmups)) / iteration);
         if (affordable < MIN_RUNS) {
-            return leaveOut("left out: it would take about "
-                    + Numbers.brief(pace.seconds(task, warmups + MIN_RUNS)) + " s, " + Numbers.brief(limit)
-                    + " s are there for it");
+            return leaveOut(pace.seconds(task, warmups + MIN_RUNS), limit);
         }
         return measure(pace, warmups, affordable);
     }
@@ -100,7 +98,16 @@ final class JmhWork implements Work {
         return pace.iterationSeconds(task) > WARM_SECONDS ? 0 : 1;
     }
 
-    private String leaveOut(String status) throws IOException {
+    /** A figure that is there from an earlier sweep stays. */
+    private String leaveOut(double needed, double limit) throws IOException {
+        String status = limit <= 0
+                ? "left out: the time was up"
+                : "left out: it would take about " + Numbers.brief(needed) + " s, " + Numbers.brief(limit)
+                        + " s are there for it";
+        return folder.hasFigure(task.kind(), task.key()) ? status + "; the earlier figure stays" : without(status);
+    }
+
+    private String without(String status) throws IOException {
         folder.put(task.kind(), task.row(status));
         return status;
     }
@@ -114,7 +121,7 @@ final class JmhWork implements Work {
             if (memory) {
                 tooLarge.add(task.series());
             }
-            return leaveOut((memory ? "does not fit: " : "failed: ") + run.failure());
+            return without((memory ? "does not fit: " : "failed: ") + run.failure());
         }
         Statistics millis = run.millis();
         pace.learn(task, millis.mean(), (System.nanoTime() - before) / 1e9, warmups + runs);

@@ -85,7 +85,7 @@ final class Plan {
                         CopyBenchmark.class.getName() + ".copy",
                         Map.of("device", device.getKey(), "bytes", Long.toString(bytes)),
                         0,
-                        20,
+                        bytes < 256 * MIB ? 20 : 5,
                         0.3 * bytes / MIB));
             }
         }

@@ -163,7 +163,8 @@ class PageTest {
         ConsoleTable.print(folder, new PrintStream(bytes, true, StandardCharsets.UTF_8));
         assertThat(bytes.toString(StandardCharsets.UTF_8))
                 .contains("AMD R9 270X")
-                .contains("1.3 ± 0.01")
+                .contains("1.3 +/- 0.01")
+                .matches("\\p{ASCII}*")
                 .contains("gpu 1 65000 loop: does not fit");
     }
 

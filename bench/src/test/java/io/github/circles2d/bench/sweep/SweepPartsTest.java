@@ -61,6 +61,19 @@ class SweepPartsTest {
     }
 
     @Test
+    void whatIsLeftOutDoesNotWipeAnEarlierFigure() throws IOException {
+        ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
+        folder.put(
+                Kind.STRATEGIES,
+                Map.of("device", "d", "strategy", "0", "n", "1000", "mode", "loop", "mean_ms", "5", "status", "ok"));
+        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, new HashSet<>());
+        assertThat(work.run(new Pace(), -1))
+                .startsWith("left out: the time was up")
+                .endsWith("stays");
+        assertThat(folder.table(Kind.STRATEGIES).rows().get(0)).containsEntry("mean_ms", "5");
+    }
+
+    @Test
     void sizesAboveOneThatDidNotFitAreNotTried() throws IOException {
         ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
         JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, Set.of("s"));
