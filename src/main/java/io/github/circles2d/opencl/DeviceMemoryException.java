@@ -7,10 +7,10 @@ package io.github.circles2d.opencl;
 public final class DeviceMemoryException extends OpenClException {
     private static final long serialVersionUID = 1L;
 
-    /** @serial bytes that were asked for in all */
+    /** Bytes that were asked for in all. */
     private final long neededBytes;
 
-    /** @serial bytes that the device could still give */
+    /** Bytes that the device could still give. */
     private final long availableBytes;
 
     /**

@@ -26,6 +26,7 @@ final class NativeAccess {
     static void prepare() {
         requireSupportedPlatform();
         requireWritableHome();
+        keepBridjQuiet();
         if (isLinux()) {
             keepSignalsOfJava();
             pinLibrary();
@@ -56,6 +57,13 @@ final class NativeAccess {
                             + System.getProperty("os.name") + " on " + System.getProperty("os.arch")
                             + ". It has them for Linux (x86-64, x86, 32-bit Arm), Windows (x86-64, x86) and macOS (x86-64). Use a Java"
                             + " of one of these, or build BridJ's library yourself and name it with -Dbridj.library=FILE.");
+        }
+    }
+
+    /** BridJ reports each symbol of OpenCL that a driver lacks, on standard error, unless told not to. */
+    private static void keepBridjQuiet() {
+        if (System.getProperty("bridj.quiet") == null) {
+            System.setProperty("bridj.quiet", "true");
         }
     }
 

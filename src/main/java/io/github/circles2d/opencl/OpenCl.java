@@ -74,13 +74,16 @@ public final class OpenCl {
             for (CLPlatform platform : JavaCL.listPlatforms()) {
                 addDevices(platform, devices);
             }
-        } catch (CLException e) {
-            // The loader is there, but no driver is registered with it.
-            throw new OpenClUnavailableException(
-                    "no OpenCL driver is registered: " + ErrorCodes.name(e.getCode()) + ". " + Advice.INSTALL, e);
         } catch (LinkageError | RuntimeException e) {
+            Throwable root = rootOf(e);
+            if (root instanceof CLException) {
+                // The loader is there, but no driver is registered with it.
+                String code = ErrorCodes.name(((CLException) root).getCode());
+                throw new OpenClUnavailableException(
+                        "no OpenCL driver is registered (" + code + "). " + Advice.INSTALL, e);
+            }
             throw new OpenClUnavailableException(
-                    "no OpenCL driver could be loaded: " + rootOf(e) + ". " + Advice.INSTALL, e);
+                    "no OpenCL driver could be loaded: " + root + ". " + Advice.INSTALL, e);
         }
         if (devices.isEmpty()) {
             throw new OpenClUnavailableException("an OpenCL driver is installed, but it offers no device (POCL needs a"

@@ -3,6 +3,7 @@ package io.github.circles2d.tools;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -10,7 +11,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -38,31 +38,33 @@ class DoctorTest {
     @EnabledOnOs(OS.LINUX)
     void withoutADriverItSaysWhatToInstallAndFails() throws Exception {
         Path vendors = Files.createDirectory(folder.resolve("vendors"));
-        ForkedJvm doctor = ForkedJvm.run(Doctor.class, Map.of("OCL_ICD_VENDORS", vendors.toString()), List.of());
-        assertThat(doctor.output)
+        ForkedJvm.Result doctor = new ForkedJvm()
+                .environment("OCL_ICD_VENDORS", vendors.toString())
+                .run(Doctor.class);
+        assertThat(doctor.output())
                 .contains("does not work: ")
                 .contains("No driver is registered in " + vendors)
                 .contains("apt-get install pocl-opencl-icd")
                 .doesNotContain("\tat ");
-        assertThat(doctor.exitStatus).isEqualTo(1);
+        assertThat(doctor.exitStatus()).isEqualTo(1);
     }
 
     @Test
     @EnabledOnOs(OS.LINUX)
     void aHomeThatCannotBeWrittenIsNamed() throws Exception {
         Path file = Files.writeString(folder.resolve("home"), "a file, so no folder can be made in it");
-        ForkedJvm doctor = ForkedJvm.run(Doctor.class, Map.of(), List.of("-Duser.home=" + file));
-        assertThat(doctor.output)
+        ForkedJvm.Result doctor = new ForkedJvm().option("-Duser.home=" + file).run(Doctor.class);
+        assertThat(doctor.output())
                 .contains("does not work: ")
                 .contains(file.resolve(".javacl") + ", which cannot be written");
-        assertThat(doctor.exitStatus).isEqualTo(1);
+        assertThat(doctor.exitStatus()).isEqualTo(1);
     }
 
     @Test
     void aProcessorWithoutNativeLibraryIsNamed() throws Exception {
-        ForkedJvm doctor = ForkedJvm.run(Doctor.class, Map.of(), List.of("-Dos.arch=riscv64"));
-        assertThat(doctor.output).contains("no native library for").contains("riscv64");
-        assertThat(doctor.exitStatus).isEqualTo(1);
+        ForkedJvm.Result doctor = new ForkedJvm().option("-Dos.arch=riscv64").run(Doctor.class);
+        assertThat(doctor.output()).contains("no native library for").contains("riscv64");
+        assertThat(doctor.exitStatus()).isEqualTo(1);
     }
 
     @Test

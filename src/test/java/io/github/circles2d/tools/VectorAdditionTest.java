@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
@@ -48,19 +48,21 @@ class VectorAdditionTest {
     @Test
     void theProgramPrintsThe1024SumsOfTheThesis() throws Exception {
         TestDevices.all();
-        ForkedJvm program = ForkedJvm.run(VectorAddition.class, Map.of(), List.of());
-        assertThat(program.output.lines().filter(line -> line.contains(" = "))).hasSize(1024);
-        assertThat(program.output).contains("0 + 0 = 0", "1 + 1 = 2", "1023 + 1023 = 2046");
-        assertThat(program.exitStatus).isZero();
+        ForkedJvm.Result program = new ForkedJvm().run(VectorAddition.class);
+        assertThat(program.output().lines().filter(line -> line.contains(" = ")))
+                .hasSize(1024);
+        assertThat(program.output()).contains("0 + 0 = 0", "1 + 1 = 2", "1023 + 1023 = 2046");
+        assertThat(program.exitStatus()).isZero();
     }
 
     @Test
     @EnabledOnOs(OS.LINUX)
     void withoutADriverItSaysWhatToInstallAndFails(@TempDir Path folder) throws Exception {
         Path vendors = Files.createDirectory(folder.resolve("vendors"));
-        ForkedJvm program =
-                ForkedJvm.run(VectorAddition.class, Map.of("OCL_ICD_VENDORS", vendors.toString()), List.of());
-        assertThat(program.output).contains("Install an OpenCL driver").doesNotContain("\tat ");
-        assertThat(program.exitStatus).isEqualTo(1);
+        ForkedJvm.Result program = new ForkedJvm()
+                .environment("OCL_ICD_VENDORS", vendors.toString())
+                .run(VectorAddition.class);
+        assertThat(program.output()).contains("Install an OpenCL driver").doesNotContain("\tat ");
+        assertThat(program.exitStatus()).isEqualTo(1);
     }
 }

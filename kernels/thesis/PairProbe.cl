@@ -1,0 +1,26 @@
+// Looks at the pair indexing of every strategy, for tests. Comes after CirclePhysV2.cl, thesis/ExactPairs.cl and
+// thesis/WrongSlots.cl. None of the kernels needs a collision buffer.
+
+// Defines a kernel that adds the number of slots that MAP gets wrong to wrong[0], as count_wrong_slots does for strategy
+// 0; and one that writes the pair of every slot. TABLE is the strategy's buffer. One work-item a slot, which costs what
+// the mapping costs.
+#define PROBE(NAME, TABLE, MAP)                                                                        \
+    __kernel void count_wrong_##NAME(                                                                  \
+        __global uint *wrong, __global const int2 *TABLE, int potential_collisions, int circles) {     \
+        const uint c = (uint)get_global_id(0);                                                         \
+        if (c < (uint)potential_collisions && !slot_holds_pair(c, MAP, circles)) {                     \
+            atomic_inc(wrong);                                                                         \
+        }                                                                                              \
+    }                                                                                                  \
+    __kernel void map_##NAME(                                                                          \
+        __global int2 *pairs, __global const int2 *TABLE, int potential_collisions, int circles) {     \
+        const uint c = (uint)get_global_id(0);                                                         \
+        if (c < (uint)potential_collisions) {                                                          \
+            pairs[c] = MAP;                                                                            \
+        }                                                                                              \
+    }
+
+PROBE(computed, unused, collision_map_s1(c, circles))
+PROBE(pairs, indexes, collision_map_s2(c, indexes))
+PROBE(rows, rows, collision_map_s3(c, rows, circles))
+PROBE(exact, unused, collision_map_exact(c, potential_collisions, circles))

@@ -1,0 +1,321 @@
+package io.github.circles2d;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenCl;
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.OpenClUnavailableException;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.thesis.CircleList;
+import io.github.circles2d.thesis.ComputedPairs;
+import io.github.circles2d.thesis.ExactPairs;
+import io.github.circles2d.thesis.LookupTablePairs;
+import io.github.circles2d.thesis.MemoryNeed;
+import io.github.circles2d.thesis.PairSlots;
+import io.github.circles2d.thesis.PairStrategy;
+import io.github.circles2d.thesis.Parameters;
+import io.github.circles2d.thesis.RowSearchPairs;
+import io.github.circles2d.thesis.Simulation;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.System.Logger.Level;
+import java.util.Objects;
+
+/**
+ * The engine of S. Young, "Memory Organization and Buffer Construction for GPGPU for 2D Physics" (honours thesis, Memorial
+ * University of Newfoundland, 2014): n rigid, non-rotating circles in the unit square under gravity, simulated on an
+ * OpenCL device. Every unordered pair is tested in every step, so a step costs O(n&sup2;) and n is at most {@value
+ * #MAX_CIRCLES}. It is there for study, teaching and benchmarks.
+ *
+ * <p>A step moves every circle and reflects it at the walls, finds the minimum translation vector of every overlapping
+ * pair, and then parts each such pair and exchanges its impulse. What the thesis does is kept, with what follows from it:
+ * pairs that share a circle are resolved in a race, so results differ from run to run in a crowd; a bounce off one wall
+ * scales both components of the velocity; impulses act on separating pairs too. Three things are not kept. A slot that
+ * strategy 0 maps wrongly is skipped instead of touching memory that is not its own. A pair with coincident centres,
+ * which has no direction to part in, gets no minimum translation vector in that step. And no n overflows an int.
+ *
+ * <p>Use: add circles, {@link #init}, then call {@link #loop} once a frame. Positions and radii are in widths of the arena,
+ * times in seconds, masses in any one unit. The methods may be called from any thread; they run one at a time. After
+ * {@link #close} every other method throws {@link IllegalStateException}.
+ */
+public final class Circles2D implements AutoCloseable {
+    /** The greatest number of circles: the largest whose slots an int can number. */
+    public static final int MAX_CIRCLES = PairSlots.MAX_CIRCLES;
+
+    private static final System.Logger LOG = System.getLogger(Circles2D.class.getName());
+
+    /** As in the thesis. No kernel makes or expects anything but finite numbers. */
+    private static final String BUILD_OPTION = "-cl-finite-math-only";
+
+    private final Session session;
+    private final CircleList circles = new CircleList();
+    private PairIndexing indexing;
+    private Simulation simulation;
+    private boolean closed;
+
+    /**
+     * Creates an engine without circles.
+     *
+     * @param gpu true for the best device, which is a GPU where there is one; false for a CPU device
+     * @throws OpenClUnavailableException if there is no such device; the message says what is missing and what to install
+     */
+    public Circles2D(boolean gpu) {
+        this(gpu ? OpenCl.bestDevice() : OpenCl.cpuDevice());
+    }
+
+    /**
+     * Creates an engine without circles.
+     *
+     * @param device the device to run on
+     * @throws OpenClException if the driver refuses
+     */
+    public Circles2D(Device device) {
+        session = Session.open(device);
+    }
+
+    /**
+     * Adds a circle at rest, which takes part from the next {@link #init} on.
+     *
+     * @param x horizontal position of the centre, finite
+     * @param y vertical position of the centre, finite, upwards
+     * @param r radius, finite and greater than 0
+     * @param mass finite and greater than 0
+     * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
+     */
+    public void addCircle(float x, float y, float r, float mass) throws IllegalArgumentException {
+        addCircle(x, y, r, mass, 0, 0);
+    }
+
+    /**
+     * Adds a moving circle, which takes part from the next {@link #init} on.
+     *
+     * @param x horizontal position of the centre, finite
+     * @param y vertical position of the centre, finite, upwards
+     * @param r radius, finite and greater than 0
+     * @param mass finite and greater than 0
+     * @param vx horizontal velocity in arena widths a second, finite
+     * @param vy vertical velocity in arena widths a second, finite
+     * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
+     */
+    public synchronized void addCircle(float x, float y, float r, float mass, float vx, float vy) {
+        requireOpen();
+        circles.add(x, y, r, mass, vx, vy);
+    }
+
+    /** Forgets all circles that were added. A simulation that was initialised goes on with its own until the next init. */
+    public synchronized void clear() {
+        requireOpen();
+        circles.clear();
+    }
+
+    /**
+     * Prepares the simulation by the thesis's number for the pair indexing.
+     *
+     * @param timeStep seconds a step, finite and greater than 0
+     * @param strategy 0 computed, 1 look-up table, 2 row search, 3 exact
+     * @param restitution share of the speed that an impact leaves, for circles and walls alike: 0 inelastic to 1 elastic
+     * @param gravity acceleration (x, y) in arena widths per second squared, two finite values
+     * @throws IOException if the kernel sources cannot be read
+     * @throws IllegalArgumentException if an argument is out of its range
+     * @throws DeviceMemoryException if the circles do not fit
+     * @throws OpenClException if the driver refuses
+     * @see #init(float, PairIndexing, float, float[])
+     */
+    public void init(float timeStep, int strategy, float restitution, float[] gravity) throws IOException {
+        init(timeStep, PairIndexing.ofStrategy(strategy), restitution, gravity);
+    }
+
+    /**
+     * Prepares the simulation: builds the buffers, compiles the kernels, and starts all circles where and as fast as they
+     * were added. It may be called again, also with other circles, and then releases what the last call built.
+     *
+     * <p>With an argument out of range, too many circles, or kernels that cannot be read or compiled, the engine stays as it
+     * was. If the driver fails later, in making the buffers, the engine is left without a simulation, as before the first
+     * init.
+     *
+     * @param timeStep seconds a step, finite and greater than 0
+     * @param indexing how a slot finds its pair
+     * @param restitution share of the speed that an impact leaves, for circles and walls alike: 0 inelastic to 1 elastic
+     * @param gravity acceleration (x, y) in arena widths per second squared, two finite values
+     * @throws IOException if the kernel sources cannot be read
+     * @throws IllegalArgumentException if an argument is out of its range
+     * @throws DeviceMemoryException if the circles do not fit; the message says how many bytes they need, how many the device
+     *     has, and how many circles would fit
+     * @throws OpenClException if the driver refuses
+     */
+    public synchronized void init(float timeStep, PairIndexing indexing, float restitution, float[] gravity)
+            throws IOException {
+        requireOpen();
+        Objects.requireNonNull(indexing, "indexing");
+        Parameters parameters = Parameters.of(timeStep, restitution, gravity);
+        PairStrategy strategy = strategyOf(indexing);
+        long held = simulation == null ? 0 : simulation.deviceBytes();
+        MemoryNeed.of(strategy, circles.size()).requireRoom(session.device(), session.freeBytes() + held);
+        Program program;
+        try {
+            program = session.build(strategy.source(circles.size()), BUILD_OPTION);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+        release();
+        // The simulation's kernels outlive the program that made them.
+        try (program) {
+            simulation = Simulation.start(session, program, strategy, circles, parameters);
+        }
+        this.indexing = indexing;
+        warnOfWrongSlots();
+    }
+
+    /**
+     * Computes one step and reads the circles back.
+     *
+     * @return a new array of four rows of n values: x, y, radius, mass, in the order in which the circles were added
+     * @throws IllegalStateException before the first init
+     * @throws OpenClException if the driver fails
+     */
+    public synchronized float[][] loop() {
+        Simulation running = running();
+        running.step();
+        return running.circles();
+    }
+
+    /**
+     * Enqueues one step and neither waits for it nor reads anything back.
+     *
+     * @throws IllegalStateException before the first init
+     * @throws OpenClException if the driver refuses
+     */
+    public synchronized void step() {
+        running().step();
+    }
+
+    /**
+     * Waits until the device has done all steps.
+     *
+     * @throws OpenClException if one of them failed
+     */
+    public synchronized void finish() {
+        requireOpen();
+        session.finish();
+    }
+
+    /**
+     * Reads the velocities after the last step.
+     *
+     * @return a new array of two rows of n values: vx, vy, in the order in which the circles were added
+     * @throws IllegalStateException before the first init
+     * @throws OpenClException if the driver fails
+     */
+    public synchronized float[][] velocities() {
+        return running().velocities();
+    }
+
+    /**
+     * Returns the number of circles that were added: those that the next init takes.
+     *
+     * @return 0 or more
+     */
+    public synchronized int size() {
+        requireOpen();
+        return circles.size();
+    }
+
+    /**
+     * Returns how slots find their pairs.
+     *
+     * @return the indexing of the last init
+     * @throws IllegalStateException before the first init
+     */
+    public synchronized PairIndexing indexing() {
+        running();
+        return indexing;
+    }
+
+    /**
+     * Returns the device that the engine runs on.
+     *
+     * @return its description
+     */
+    public synchronized Device device() {
+        requireOpen();
+        return session.device();
+    }
+
+    /**
+     * Returns how many slots the indexing in use maps wrongly for this number of circles on this device. {@link #init}
+     * counts them there, and logs a warning where there are any.
+     *
+     * @return the number of pairs that can never collide; 0 for all indexings but {@link PairIndexing#COMPUTED}
+     * @throws IllegalStateException before the first init
+     */
+    public synchronized long wrongSlots() {
+        return running().wrongSlots();
+    }
+
+    /** Waits for the device and releases everything. Later calls do nothing. */
+    @Override
+    public synchronized void close() {
+        if (!closed) {
+            closed = true;
+            simulation = null;
+            session.close();
+        }
+    }
+
+    private static PairStrategy strategyOf(PairIndexing indexing) {
+        switch (indexing) {
+            case COMPUTED:
+                return new ComputedPairs();
+            case LOOKUP_TABLE:
+                return new LookupTablePairs();
+            case ROW_SEARCH:
+                return new RowSearchPairs();
+            case EXACT:
+                return new ExactPairs();
+            default:
+                throw new AssertionError(indexing);
+        }
+    }
+
+    private void warnOfWrongSlots() {
+        long wrong = simulation.wrongSlots();
+        if (wrong != 0) {
+            LOG.log(
+                    Level.WARNING,
+                    "pair indexing {0} maps {1} of {2} slots wrongly for {3} circles on {4}: those pairs cannot collide",
+                    indexing,
+                    wrong,
+                    PairSlots.count(circles.size()),
+                    circles.size(),
+                    session.device().name());
+        }
+    }
+
+    private void release() {
+        if (simulation != null) {
+            Simulation old = simulation;
+            simulation = null;
+            try {
+                // The device holds on to buffers until the steps that use them have ended.
+                session.finish();
+            } finally {
+                old.close();
+            }
+        }
+    }
+
+    private Simulation running() {
+        requireOpen();
+        if (simulation == null) {
+            throw new IllegalStateException("there is no simulation yet: call init first");
+        }
+        return simulation;
+    }
+
+    private void requireOpen() {
+        if (closed) {
+            throw new IllegalStateException("this Circles2D is closed");
+        }
+    }
+}

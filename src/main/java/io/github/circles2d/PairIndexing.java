@@ -1,0 +1,52 @@
+package io.github.circles2d;
+
+/**
+ * How a work-item that owns a slot of the collision buffer finds its pair of circles (i, j): the subject of the thesis
+ * that {@link Circles2D} reproduces.
+ *
+ * <p>For n circles there are n(n-1)/2 slots, numbered row by row: row i holds (i, i+1), (i, i+2), .. (i, n-1).
+ */
+public enum PairIndexing {
+    /**
+     * Strategy 0: the root of a quadratic, in single precision and without a table. From 2,050 circles on, rounding maps
+     * some slots wrongly, which ones depending on the device; such slots are skipped, so that their pairs pass through
+     * each other. {@link Circles2D#wrongSlots} counts them.
+     */
+    COMPUTED,
+
+    /** Strategy 1: a table of all pairs, 8 bytes a slot, as much again as the collision buffer. */
+    LOOKUP_TABLE,
+
+    /** Strategy 2: a binary search for the slot's row in a table of n rows, 8 bytes a row. */
+    ROW_SEARCH,
+
+    /**
+     * Strategy 3, not in the thesis but an answer to its first open question: a closed form for single precision that is
+     * right for every slot of every n up to {@value Circles2D#MAX_CIRCLES}, without a table.
+     */
+    EXACT;
+
+    /**
+     * Returns the thesis's number for this indexing.
+     *
+     * @return 0 to 3
+     */
+    public int strategy() {
+        return ordinal();
+    }
+
+    /**
+     * Returns the indexing with a given number.
+     *
+     * @param strategy 0 to 3
+     * @return the indexing
+     * @throws IllegalArgumentException if there is no such strategy
+     */
+    public static PairIndexing ofStrategy(int strategy) {
+        if (strategy < 0 || strategy >= values().length) {
+            throw new IllegalArgumentException("strategy must be 0 (computed), 1 (look-up table), 2 (row search) or 3"
+                    + " (exact), not " + strategy);
+        }
+        return values()[strategy];
+    }
+}

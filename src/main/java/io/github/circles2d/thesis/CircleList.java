@@ -1,0 +1,76 @@
+package io.github.circles2d.thesis;
+
+import java.nio.FloatBuffer;
+import java.util.Arrays;
+
+/** The circles that were added and wait for the next start, laid out as the device wants them. */
+public final class CircleList {
+    /** Floats a circle in the device's circle buffer: x, y, radius, mass. */
+    static final int BODY = 4;
+
+    /** Floats a circle in the device's velocity buffer: vx, vy. */
+    static final int VELOCITY = 2;
+
+    private float[] bodies = new float[16 * BODY];
+    private float[] velocities = new float[16 * VELOCITY];
+    private int size;
+
+    /** Creates an empty list. */
+    public CircleList() {}
+
+    /**
+     * Adds a circle.
+     *
+     * @param x horizontal position, finite
+     * @param y vertical position, finite
+     * @param radius finite and greater than 0
+     * @param mass finite and greater than 0
+     * @param vx horizontal velocity, finite
+     * @param vy vertical velocity, finite
+     * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
+     */
+    public void add(float x, float y, float radius, float mass, float vx, float vy) {
+        Checks.finite("the x of a circle", x);
+        Checks.finite("the y of a circle", y);
+        Checks.positive("the radius of a circle", radius);
+        Checks.positive("the mass of a circle", mass);
+        Checks.finite("the x velocity of a circle", vx);
+        Checks.finite("the y velocity of a circle", vy);
+        if (size * BODY == bodies.length) {
+            bodies = Arrays.copyOf(bodies, 2 * bodies.length);
+            velocities = Arrays.copyOf(velocities, 2 * velocities.length);
+        }
+        int body = size * BODY;
+        bodies[body] = x;
+        bodies[body + 1] = y;
+        bodies[body + 2] = radius;
+        bodies[body + 3] = mass;
+        velocities[size * VELOCITY] = vx;
+        velocities[size * VELOCITY + 1] = vy;
+        size++;
+    }
+
+    /** Forgets all circles. */
+    public void clear() {
+        size = 0;
+    }
+
+    /**
+     * Returns the number of circles.
+     *
+     * @return 0 or more
+     */
+    public int size() {
+        return size;
+    }
+
+    /** Writes x, y, radius and mass of every circle to the start of a buffer. */
+    void copyBodies(FloatBuffer target) {
+        target.duplicate().put(bodies, 0, size * BODY);
+    }
+
+    /** Writes vx and vy of every circle to the start of a buffer. */
+    void copyVelocities(FloatBuffer target) {
+        target.duplicate().put(velocities, 0, size * VELOCITY);
+    }
+}

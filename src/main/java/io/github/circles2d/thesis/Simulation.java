@@ -1,0 +1,172 @@
+package io.github.circles2d.thesis;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.HostBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+
+/**
+ * The buffers and the three kernels of a running simulation. A step makes no garbage; a read makes the arrays that it
+ * returns and nothing else.
+ */
+public final class Simulation implements AutoCloseable {
+    private final Session session;
+    private final PairStrategy strategy;
+    private final int size;
+    private final long slots;
+    private final float[] interleaved;
+    private DeviceBuffer circle;
+    private DeviceBuffer velocities;
+    private DeviceBuffer gravity;
+    private DeviceBuffer collision;
+    private HostBuffer transfer;
+    private Kernel update;
+    private Kernel detect;
+    private Kernel resolve;
+    private long wrongSlots;
+
+    private Simulation(Session session, PairStrategy strategy, int size) {
+        this.session = session;
+        this.strategy = strategy;
+        this.size = size;
+        slots = PairSlots.count(size);
+        interleaved = new float[CircleList.BODY * size];
+    }
+
+    /**
+     * Builds a simulation. Whether it fits has been checked.
+     *
+     * @param session where to build it
+     * @param program the compiled {@link PairStrategy#source} of the strategy for this number of circles
+     * @param strategy the strategy, which the simulation closes
+     * @param circles the circles to start from
+     * @param parameters time step, restitution, gravity
+     * @return the simulation, before its first step
+     */
+    public static Simulation start(
+            Session session, Program program, PairStrategy strategy, CircleList circles, Parameters parameters) {
+        Simulation simulation = new Simulation(session, strategy, circles.size());
+        try {
+            simulation.fillBuffers(circles, parameters);
+            simulation.makeKernels(program, parameters);
+            return simulation;
+        } catch (RuntimeException | Error e) {
+            simulation.close();
+            throw e;
+        }
+    }
+
+    private void fillBuffers(CircleList circles, Parameters parameters) {
+        circle = session.allocate("circle", MemoryNeed.bodyBytes(size));
+        velocities = session.allocate("velocities", MemoryNeed.velocityBytes(size));
+        gravity = session.allocate("gravity", MemoryNeed.GRAVITY_BYTES);
+        collision = session.allocate("collision", MemoryNeed.collisionBytes(size));
+        strategy.open(session, size);
+        transfer = session.hostBuffer(Math.max(MemoryNeed.GRAVITY_BYTES, circle.bytes()));
+
+        transfer.floats().put(0, parameters.gravityX).put(1, parameters.gravityY);
+        gravity.write(0, transfer, 0, gravity.bytes());
+        circles.copyVelocities(transfer.floats());
+        velocities.write(0, transfer, 0, velocities.bytes());
+        circles.copyBodies(transfer.floats());
+        circle.write(0, transfer, 0, circle.bytes());
+    }
+
+    private void makeKernels(Program program, Parameters parameters) {
+        PairStrategy.State state = new PairStrategy.State(size, circle, velocities, collision);
+        update = program.kernel("update_position")
+                .arg(0, circle)
+                .arg(1, velocities)
+                .arg(2, gravity)
+                .arg(3, size)
+                .arg(4, parameters.timeStep)
+                .arg(5, parameters.restitution);
+        detect = strategy.detect(program, state);
+        resolve = strategy.resolve(program, state, parameters.restitution);
+        wrongSlots = strategy.countWrongSlots(session, program, state);
+    }
+
+    /** Enqueues a step: update, detect, resolve. */
+    public void step() {
+        update.run(size);
+        detect.run(slots);
+        resolve.run(slots);
+    }
+
+    /**
+     * Reads the circles.
+     *
+     * @return new rows x, y, radius, mass
+     */
+    public float[][] circles() {
+        return read(circle, CircleList.BODY);
+    }
+
+    /**
+     * Reads the velocities.
+     *
+     * @return new rows vx, vy
+     */
+    public float[][] velocities() {
+        return read(velocities, CircleList.VELOCITY);
+    }
+
+    /** Reads a buffer of n times {@code width} floats in order after the steps, and turns it into rows. */
+    private float[][] read(DeviceBuffer buffer, int width) {
+        buffer.read(0, transfer, 0, buffer.bytes());
+        transfer.floats().get(0, interleaved, 0, width * size);
+        float[][] rows = new float[width][size];
+        for (int k = 0; k < width; k++) {
+            float[] row = rows[k];
+            for (int i = 0; i < row.length; i++) {
+                row[i] = interleaved[width * i + k];
+            }
+        }
+        return rows;
+    }
+
+    /**
+     * Returns how many slots the strategy maps wrongly.
+     *
+     * @return their number, counted at the start
+     */
+    public long wrongSlots() {
+        return wrongSlots;
+    }
+
+    /**
+     * Returns the device memory that closing gives back.
+     *
+     * @return bytes
+     */
+    public long deviceBytes() {
+        return circle.bytes() + velocities.bytes() + gravity.bytes() + collision.bytes() + strategy.tableBytes(size);
+    }
+
+    /** Releases everything that was made, also of a simulation that was made in part. Later calls do nothing. */
+    @Override
+    public void close() {
+        close(resolve, detect, update, transfer, strategy, collision, gravity, velocities, circle);
+    }
+
+    private static void close(AutoCloseable... parts) {
+        RuntimeException failure = null;
+        for (AutoCloseable part : parts) {
+            try {
+                if (part != null) {
+                    part.close();
+                }
+            } catch (Exception e) {
+                if (failure == null) {
+                    failure = new IllegalStateException("could not release a simulation", e);
+                } else {
+                    failure.addSuppressed(e);
+                }
+            }
+        }
+        if (failure != null) {
+            throw failure;
+        }
+    }
+}

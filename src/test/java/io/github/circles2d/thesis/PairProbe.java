@@ -1,0 +1,77 @@
+package io.github.circles2d.thesis;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+import java.nio.IntBuffer;
+
+/** The mappings from slot to pair for one n, run by themselves on a device: no MTV is computed or stored. */
+final class PairProbe implements AutoCloseable {
+    private final Session session;
+    private final Program program;
+    private final int n;
+    private final int slots;
+
+    PairProbe(Device device, int n) {
+        session = Session.open(device);
+        this.n = n;
+        slots = (int) PairSlots.count(n);
+        KernelSource source = KernelSource.of(
+                        "CirclePhysV2.cl", "thesis/ExactPairs.cl", "thesis/WrongSlots.cl", "thesis/PairProbe.cl")
+                .define("ROW_SEARCH_ROUNDS", RowSearchPairs.rounds(n));
+        program = session.build(source, "-cl-finite-math-only");
+    }
+
+    DeviceBuffer noTable() {
+        return session.allocate("no table", 0);
+    }
+
+    DeviceBuffer lookupTable() {
+        LookupTablePairs pairs = new LookupTablePairs();
+        pairs.open(session, n);
+        return pairs.table();
+    }
+
+    DeviceBuffer rows() {
+        RowSearchPairs rows = new RowSearchPairs();
+        rows.open(session, n);
+        return rows.table();
+    }
+
+    DeviceBuffer table(int[] content) {
+        DeviceBuffer table = session.allocate("table", 4L * content.length);
+        table.write(0, IntBuffer.wrap(content));
+        return table;
+    }
+
+    /** Returns how many slots of this n a mapping gets wrong. */
+    long countWrong(String mapping, DeviceBuffer table) {
+        DeviceBuffer wrong = table(new int[1]);
+        try (Kernel kernel = program.kernel("count_wrong_" + mapping)) {
+            kernel.arg(0, wrong).arg(1, table).arg(2, slots).arg(3, n).run(slots);
+        }
+        IntBuffer result = IntBuffer.allocate(1);
+        wrong.read(result);
+        return result.get(0);
+    }
+
+    /** Returns i and j of every slot of this n. */
+    int[] map(String mapping, DeviceBuffer table) {
+        int[] result = new int[2 * slots];
+        DeviceBuffer pairs = session.allocate("pairs", 8L * slots);
+        try (Kernel kernel = program.kernel("map_" + mapping)) {
+            kernel.arg(0, pairs).arg(1, table).arg(2, slots).arg(3, n).run(slots);
+        }
+        pairs.read(IntBuffer.wrap(result));
+        pairs.close();
+        return result;
+    }
+
+    @Override
+    public void close() {
+        session.close();
+    }
+}
