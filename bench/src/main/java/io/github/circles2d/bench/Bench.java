@@ -1,0 +1,99 @@
+package io.github.circles2d.bench;
+
+import io.github.circles2d.bench.report.Charts;
+import io.github.circles2d.bench.report.ConsoleTable;
+import io.github.circles2d.bench.report.Page;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.sweep.Options;
+import io.github.circles2d.bench.sweep.Sweep;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+
+/** The main class of {@code benchmarks.jar}. */
+public final class Bench {
+    /** Every benchmark once, at a size at which each takes a moment; fails if one fails. */
+    private static final List<String> SMOKE = List.of(
+            "-foe",
+            "true",
+            "-f",
+            "1",
+            "-wi",
+            "0",
+            "-i",
+            "1",
+            "-opi",
+            "2",
+            "-p",
+            "n=100",
+            "-p",
+            "bytes=65536",
+            "-p",
+            "scene=packed");
+
+    private Bench() {}
+
+    /**
+     * Runs what the first argument names, or else the sweep.
+     *
+     * @param arguments see {@code --help}
+     */
+    public static void main(String[] arguments) throws IOException {
+        System.setProperty("java.awt.headless", "true");
+        List<String> all = List.of(arguments);
+        List<String> rest = all.isEmpty() ? all : all.subList(1, all.size());
+        try {
+            switch (all.isEmpty() ? "" : all.get(0)) {
+                case "jmh":
+                    org.openjdk.jmh.Main.main(rest.toArray(new String[0]));
+                    break;
+                case "smoke":
+                    org.openjdk.jmh.Main.main(SMOKE.toArray(new String[0]));
+                    break;
+                case "table":
+                    ConsoleTable.print(folder(rest), System.out);
+                    break;
+                case "charts":
+                    Charts.draw(folder(rest), System.out);
+                    break;
+                case "page":
+                    writePage(rest);
+                    break;
+                default:
+                    sweep(all);
+            }
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+        }
+    }
+
+    private static void sweep(List<String> arguments) throws IOException {
+        Options options = Options.parse(arguments);
+        if (options.help()) {
+            System.out.println(Options.HELP);
+        } else {
+            Sweep.run(options, System.out);
+        }
+    }
+
+    private static ResultsFolder folder(List<String> arguments) throws IOException {
+        if (arguments.size() != 1 || !Files.isDirectory(Path.of(arguments.get(0)))) {
+            throw new IllegalArgumentException("one results folder is needed, not " + arguments);
+        }
+        return ResultsFolder.open(Path.of(arguments.get(0)));
+    }
+
+    private static void writePage(List<String> arguments) throws IOException {
+        if (arguments.size() != 2) {
+            throw new IllegalArgumentException(
+                    "the folder of all results and the page are needed, such as: page bench/results docs/benchmarks.md; not "
+                            + Arrays.toString(arguments.toArray()));
+        }
+        Path page = Path.of(arguments.get(1));
+        Files.writeString(page, Page.of(Path.of(arguments.get(0))));
+        System.out.println("wrote " + page);
+    }
+}

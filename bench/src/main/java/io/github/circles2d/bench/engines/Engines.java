@@ -1,0 +1,81 @@
+package io.github.circles2d.bench.engines;
+
+import io.github.circles2d.PairIndexing;
+import io.github.circles2d.bench.Devices;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** The engines by name. An engine of this library that runs on OpenCL is named {@code engine@device}. */
+public final class Engines {
+    /** Engines of other people, and the loop that a reader of the thesis would write. */
+    public static final List<String> PEERS = List.of("java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j");
+
+    private static final String THESIS = "circles2d-";
+
+    private Engines() {}
+
+    /** The names of the library's own engines on a device. */
+    public static List<String> own(String device) {
+        List<String> names = new ArrayList<>();
+        for (PairIndexing indexing : List.of(PairIndexing.LOOKUP_TABLE, PairIndexing.EXACT)) {
+            names.add(thesis(indexing) + "@" + device);
+        }
+        return names;
+    }
+
+    /** The name of Circles2D with a pair indexing, without a device. */
+    public static String thesis(PairIndexing indexing) {
+        return THESIS + indexing.name().toLowerCase(Locale.ROOT).replace('_', '-');
+    }
+
+    /** Creates the engine of a name. */
+    public static Engine create(String name) {
+        switch (name) {
+            case "java-all-pairs":
+                return new AllPairsEngine();
+            case "gdx-box2d":
+                return new GdxBox2dEngine();
+            case "jbox2d":
+                return new Jbox2dEngine();
+            case "dyn4j":
+                return new Dyn4jEngine();
+            default:
+                return createOwn(name);
+        }
+    }
+
+    private static Engine createOwn(String name) {
+        int at = name.indexOf('@');
+        String engine = at < 0 ? name : name.substring(0, at);
+        String device = at < 0 ? "best" : name.substring(at + 1);
+        for (PairIndexing indexing : PairIndexing.values()) {
+            if (engine.equals(thesis(indexing))) {
+                return new ThesisEngine(Devices.find(device), indexing);
+            }
+        }
+        throw new IllegalArgumentException("there is no engine '" + name + "'");
+    }
+
+    /** What to know before comparing an engine's figures with those of another. */
+    public static String remarks(String name) {
+        String engine = name.contains("@") ? name.substring(0, name.indexOf('@')) : name;
+        switch (engine) {
+            case "java-all-pairs":
+                return "the thesis's physics, one Java thread, every pair tested, each overlap resolved once a step";
+            case "gdx-box2d":
+                return "Box2D 2.3 in C++ through libGDX, one thread; 8 velocity and 3 position iterations; rotation locked, no"
+                        + " friction, no sleeping; no restitution below 1 m/s at a mean radius of 0.5 m";
+            case "jbox2d":
+                return "Box2D 2.2 in Java, one thread; 8 velocity and 3 position iterations; rotation locked, no friction, no"
+                        + " sleeping; no restitution below 1 m/s at a mean radius of 0.5 m";
+            case "dyn4j":
+                return "Java, double precision, one thread; its own defaults (6 velocity and 2 position iterations, continuous"
+                        + " detection); rotation locked, no friction, no sleeping; no restitution below 1 m/s at a mean radius"
+                        + " of 0.5 m";
+            default:
+                return "this library's engine of the thesis, every pair tested, each overlap resolved once a step, in a race;"
+                        + " all circles read back after every step";
+        }
+    }
+}

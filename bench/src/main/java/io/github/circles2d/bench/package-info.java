@@ -1,0 +1,2 @@
+/** The command line of {@code benchmarks.jar}: the sweep, its reports, and JMH itself. */
+package io.github.circles2d.bench;

@@ -1,0 +1,53 @@
+package io.github.circles2d.bench.report;
+
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import java.io.PrintStream;
+import java.util.List;
+import java.util.Map;
+
+/** Prints a results folder. */
+public final class ConsoleTable {
+    private ConsoleTable() {}
+
+    /** Prints our table beside the thesis's, the wrong slots, the engines, and what failed or did not fit. */
+    public static void print(ResultsFolder folder, PrintStream out) {
+        for (String device : Tables.devices(folder)) {
+            String title = "Figure 3 of the thesis (" + Figure3.device(Tables.kind(folder, device)) + ") and here ("
+                    + device + "): mean ms a step with read-back";
+            print(title, Tables.figure3(folder, device, "loop"), out);
+        }
+        print("Slots that the computed indexing maps wrongly", Tables.accuracy(List.of(folder)), out);
+        for (String device : Tables.devices(folder)) {
+            print("Kernels and the memory's roof, " + device, Tables.roof(folder, device), out);
+        }
+        for (String scene : List.of("packed", "thesis")) {
+            print("Engines on the scene " + scene, Tables.peers(folder, scene), out);
+        }
+        printMissing(folder, out);
+    }
+
+    private static void print(String title, Grid grid, PrintStream out) {
+        if (!grid.isEmpty()) {
+            out.println();
+            out.println(title);
+            out.print(grid.text());
+        }
+    }
+
+    private static void printMissing(ResultsFolder folder, PrintStream out) {
+        boolean titled = false;
+        for (Kind kind : List.of(Kind.COPY, Kind.ACCURACY, Kind.STRATEGIES, Kind.PEERS)) {
+            for (Map<String, String> row : folder.table(kind).rows()) {
+                if (!row.get("status").equals("ok")) {
+                    if (!titled) {
+                        out.println();
+                        out.println("Without a figure");
+                        titled = true;
+                    }
+                    out.println(String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status"));
+                }
+            }
+        }
+    }
+}

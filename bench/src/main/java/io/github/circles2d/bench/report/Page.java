@@ -1,0 +1,260 @@
+package io.github.circles2d.bench.report;
+
+import io.github.circles2d.bench.engines.Engines;
+import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Writes the results page: the template {@code page.md}, in which {@code {{name}}} on a line of its own stands for a table
+ * or chart, and {@code {{table key .. column}}} within a sentence for one figure out of a results folder. So every measured
+ * figure on the page comes from a committed file.
+ */
+public final class Page {
+    private static final Pattern PLACE = Pattern.compile("\\{\\{([^}]*)\\}\\}");
+
+    private static final String NOTHING = "*There are no results yet.*\n";
+
+    private final List<ResultsFolder> folders;
+
+    Page(List<ResultsFolder> folders) {
+        this.folders = folders;
+    }
+
+    /** The page for all folders in {@code results}, which it links as {@code ../bench/results}. */
+    public static String of(Path results) throws IOException {
+        List<ResultsFolder> folders = new ArrayList<>();
+        if (Files.isDirectory(results)) {
+            try (Stream<Path> paths = Files.list(results)) {
+                for (Path path : paths.filter(Files::isDirectory).sorted().collect(Collectors.toList())) {
+                    folders.add(ResultsFolder.open(path));
+                }
+            }
+        }
+        return new Page(folders).fill(template());
+    }
+
+    /** The page's prose, with places for tables and figures. */
+    static String template() throws IOException {
+        try (InputStream in = Page.class.getResourceAsStream("/io/github/circles2d/bench/page.md")) {
+            return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    /** Puts tables and figures in their places. */
+    String fill(String template) {
+        String page = PLACE.matcher(template)
+                .replaceAll(
+                        place -> Matcher.quoteReplacement(value(place.group(1).trim())));
+        return page.replaceAll("\n{3,}", "\n\n");
+    }
+
+    private String value(String place) {
+        switch (place) {
+            case "machines":
+                return orNothing(machines());
+            case "figure3":
+                return orNothing(figure3());
+            case "device-only":
+                return orNothing(deviceOnly());
+            case "findings":
+                return folders.isEmpty() ? NOTHING : Findings.grid(folders).markdown();
+            case "accuracy":
+                return orNothing(grid(Tables.accuracy(folders)));
+            case "memory":
+                return orNothing(memory());
+            case "roof":
+                return orNothing(perDevice(Tables::roof));
+            case "plain loop":
+                return orNothing(perDevice(Tables::plainLoop));
+            case "peers packed":
+                return orNothing(peers("packed"));
+            case "peers thesis":
+                return orNothing(peers("thesis"));
+            case "engines":
+                return Stream.concat(Engines.PEERS.stream(), Stream.of("circles2d-*"))
+                        .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
+                        .collect(Collectors.joining());
+            default:
+                return figure(place);
+        }
+    }
+
+    private static String orNothing(String text) {
+        return text.isEmpty() ? NOTHING : text;
+    }
+
+    private static String grid(Grid grid) {
+        return grid.isEmpty() ? "" : grid.markdown();
+    }
+
+    private String machines() {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            text.append("- **").append(folder.name()).append("**: ");
+            text.append(folder.table(Kind.MACHINE).rows().stream()
+                    .map(row -> row.get("property") + " " + row.get("value"))
+                    .collect(Collectors.joining("; ")));
+            text.append(" ([files](../bench/results/").append(folder.name()).append("))\n");
+        }
+        return text.toString();
+    }
+
+    private String figure3() {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            for (String device : Tables.devices(folder)) {
+                if (Tables.sizes(folder, device).isEmpty()) {
+                    continue;
+                }
+                String thesis = Figure3.device(Tables.kind(folder, device));
+                text.append("### ")
+                        .append(folder.name())
+                        .append(", ")
+                        .append(device)
+                        .append("\n\n");
+                text.append("Thesis: ").append(thesis).append(".\n\n");
+                text.append(Tables.figure3(folder, device, "loop").markdown()).append('\n');
+                text.append(chart(folder, Charts.strategiesFile(device)));
+                text.append(missing(folder, Kind.STRATEGIES, "device", device));
+            }
+        }
+        return text.toString();
+    }
+
+    private String deviceOnly() {
+        return perDevice((folder, device) -> {
+            Grid grid = Grid.ofNumbers("n", "strategy", "with read-back", "device alone", "with profiling events");
+            for (int n : Tables.sizes(folder, device)) {
+                for (int strategy = 0; strategy < 4; strategy++) {
+                    List<String> row = new ArrayList<>(List.of(Numbers.whole(n), Integer.toString(strategy)));
+                    for (String mode : List.of("loop", "deviceOnly", "profiled")) {
+                        row.add(Tables.millis(Tables.run(folder, device, strategy, n, mode)));
+                    }
+                    grid.add(row);
+                }
+            }
+            return grid;
+        });
+    }
+
+    private String memory() {
+        Grid grid = Grid.ofNumbers("n", "collision buffer MB", "look-up table MB", "rows MB");
+        folders.stream()
+                .flatMap(folder -> folder.table(Kind.STRATEGIES).rows("mode", "loop", "strategy", "1").stream())
+                .map(row -> Integer.valueOf(row.get("n")))
+                .distinct()
+                .sorted()
+                .forEach(n -> grid.add(List.of(
+                        Numbers.whole(n),
+                        megabytes(n, 1, "collision_bytes"),
+                        megabytes(n, 1, "table_bytes"),
+                        megabytes(n, 2, "table_bytes"))));
+        return grid(grid);
+    }
+
+    private String megabytes(int n, int strategy, String column) {
+        return folders.stream()
+                .flatMap(
+                        folder -> folder
+                                .table(Kind.STRATEGIES)
+                                .rows("n", Integer.toString(n), "strategy", Integer.toString(strategy))
+                                .stream())
+                .map(row -> Numbers.parse(row.get(column)))
+                .filter(Double::isFinite)
+                .map(bytes -> Numbers.brief(bytes / 1e6))
+                .findFirst()
+                .orElse("-");
+    }
+
+    private String peers(String scene) {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            String table = grid(Tables.peers(folder, scene));
+            if (!table.isEmpty()) {
+                text.append("### ")
+                        .append(folder.name())
+                        .append(", scene ")
+                        .append(scene)
+                        .append("\n\n");
+                text.append(table).append('\n').append(chart(folder, Charts.peersFile(scene)));
+                text.append(missing(folder, Kind.PEERS, "scene", scene));
+            }
+        }
+        return text.toString();
+    }
+
+    private String perDevice(BiFunction<ResultsFolder, String, Grid> table) {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            for (String device : Tables.devices(folder)) {
+                String grid = grid(table.apply(folder, device));
+                if (!grid.isEmpty()) {
+                    text.append("### ")
+                            .append(folder.name())
+                            .append(", ")
+                            .append(device)
+                            .append("\n\n");
+                    text.append(grid).append('\n');
+                }
+            }
+        }
+        return text.toString();
+    }
+
+    private static String chart(ResultsFolder folder, String file) {
+        return Files.exists(folder.path().resolve(file + ".svg"))
+                ? "![ms a step by number of circles](../bench/results/" + folder.name() + "/" + file + ".svg)\n\n"
+                : "";
+    }
+
+    /** What failed, did not fit or was left out. */
+    private static String missing(ResultsFolder folder, Kind kind, String column, String value) {
+        String list = folder.table(kind).rows(column, value).stream()
+                .filter(row -> !row.get("status").equals("ok"))
+                .map(row -> "- " + String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status") + "\n")
+                .collect(Collectors.joining());
+        return list.isEmpty() ? "" : "Without a figure:\n\n" + list + "\n";
+    }
+
+    /** One figure: folder, table, the key's values in order, column. */
+    private String figure(String place) {
+        String[] words = place.split("\\s+");
+        if (words.length < 4) {
+            throw new IllegalArgumentException("the page has no part {{" + place + "}}");
+        }
+        ResultsFolder folder = one(folders, f -> f.name().equals(words[0]), place);
+        Kind kind = Kind.valueOf(words[1].toUpperCase(Locale.ROOT));
+        List<String> key = List.of(words).subList(2, words.length - 1);
+        Map<String, String> row =
+                one(folder.table(kind).rows(), r -> folder.table(kind).key(r).equals(key), place);
+        String value = row.getOrDefault(words[words.length - 1], "");
+        if (value.isEmpty()) {
+            throw new IllegalArgumentException("there is no figure for {{" + place + "}}");
+        }
+        return Numbers.brief(Numbers.parse(value));
+    }
+
+    private static <T> T one(List<T> all, Predicate<T> wanted, String place) {
+        return all.stream()
+                .filter(wanted)
+                .findFirst()
+                .orElseThrow(
+                        () -> new IllegalArgumentException("there is nothing in the results for {{" + place + "}}"));
+    }
+}

@@ -1,0 +1,84 @@
+package io.github.circles2d.bench.results;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.results.format.ResultFormatFactory;
+import org.openjdk.jmh.results.format.ResultFormatType;
+
+/** JMH's own JSON of all runs of a folder. A run of the same benchmark with the same parameters replaces the last one. */
+final class JmhJson {
+    private static final Pattern BENCHMARK = Pattern.compile("\"benchmark\"\\s*:\\s*\"([^\"]*)\"");
+    private static final Pattern PARAMETERS = Pattern.compile("\"params\"\\s*:\\s*\\{([^}]*)\\}");
+
+    private final Map<String, String> runs = new LinkedHashMap<>();
+
+    static JmhJson read(Path file) throws IOException {
+        JmhJson json = new JmhJson();
+        if (Files.exists(file)) {
+            json.putAll(Files.readString(file, StandardCharsets.UTF_8));
+        }
+        return json;
+    }
+
+    void put(RunResult result) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        PrintStream out = new PrintStream(bytes, true, StandardCharsets.UTF_8);
+        ResultFormatFactory.getInstance(ResultFormatType.JSON, out).writeOut(List.of(result));
+        putAll(bytes.toString(StandardCharsets.UTF_8));
+    }
+
+    void save(Path file) throws IOException {
+        Table.replace(file, "[\n" + String.join(",\n", runs.values()) + "\n]\n");
+    }
+
+    private void putAll(String array) {
+        for (String run : objects(array)) {
+            // One line a run: JMH's texts hold no line breaks of their own.
+            String line = run.replaceAll("\\s*\n\\s*", " ");
+            runs.put(first(BENCHMARK, line) + " " + first(PARAMETERS, line), line);
+        }
+    }
+
+    private static String first(Pattern pattern, String text) {
+        Matcher matcher = pattern.matcher(text);
+        return matcher.find() ? matcher.group(1) : "";
+    }
+
+    /** Cuts a JSON array of objects into its elements. */
+    private static List<String> objects(String array) {
+        List<String> objects = new ArrayList<>();
+        int depth = 0;
+        int start = 0;
+        boolean inText = false;
+        for (int i = 0; i < array.length(); i++) {
+            char c = array.charAt(i);
+            if (inText) {
+                if (c == '\\') {
+                    i++;
+                } else if (c == '"') {
+                    inText = false;
+                }
+            } else if (c == '"') {
+                inText = true;
+            } else if (c == '{') {
+                if (depth++ == 0) {
+                    start = i;
+                }
+            } else if (c == '}' && --depth == 0) {
+                objects.add(array.substring(start, i + 1));
+            }
+        }
+        return objects;
+    }
+}

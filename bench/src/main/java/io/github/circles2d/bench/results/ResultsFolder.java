@@ -1,0 +1,168 @@
+package io.github.circles2d.bench.results;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import org.openjdk.jmh.results.RunResult;
+
+/** The results of one machine: the tables and the JMH JSON of a folder. What a new run does not measure stays. */
+public final class ResultsFolder {
+    /** The tables of a folder. */
+    public enum Kind {
+        /** What the machine is, and how it was measured: a name and a value a row. */
+        MACHINE(List.of("property"), List.of("value")),
+        /** Copy bandwidth by device and size. */
+        COPY(
+                List.of("device", "bytes"),
+                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status")),
+        /** Wrong slots of the computed indexing by device and n. */
+        ACCURACY(List.of("device", "n"), List.of("circles", "slots", "wrong_slots", "status")),
+        /** The strategies by device, indexing, n and mode. */
+        STRATEGIES(
+                List.of("device", "strategy", "n", "mode"),
+                List.of(
+                        "indexing",
+                        "steps",
+                        "runs",
+                        "mean_ms",
+                        "se_ms",
+                        "min_ms",
+                        "median_ms",
+                        "update_us",
+                        "detect_us",
+                        "resolve_us",
+                        "collision_bytes",
+                        "table_bytes",
+                        "allocated_bytes",
+                        "peak_rss_mib",
+                        "status")),
+        /** Kernel time against the time that its bytes take at the copy bandwidth. */
+        ROOF(
+                List.of("device", "strategy", "n"),
+                List.of("moved_bytes", "copy_gb_per_s", "roof_ms", "kernels_ms", "share_of_roof")),
+        /** Engines by scene and n. */
+        PEERS(
+                List.of("engine", "scene", "n", "steps"),
+                List.of(
+                        "skipped",
+                        "runs",
+                        "mean_ms",
+                        "se_ms",
+                        "min_ms",
+                        "median_ms",
+                        "mean_depth",
+                        "max_depth",
+                        "overlapping_pairs",
+                        "deep_pairs",
+                        "kinetic_energy",
+                        "allocated_bytes",
+                        "peak_rss_mib",
+                        "status",
+                        "remarks"));
+
+        private final List<String> keys;
+        private final List<String> values;
+
+        Kind(List<String> keys, List<String> values) {
+            this.keys = keys;
+            this.values = values;
+        }
+
+        Table empty() {
+            List<String> columns = new ArrayList<>(keys);
+            columns.addAll(values);
+            return new Table(keys, columns);
+        }
+
+        /** The name of the file. */
+        public String file() {
+            return name().toLowerCase(Locale.ROOT) + ".csv";
+        }
+    }
+
+    private static final String JSON = "jmh.json";
+
+    private final Path path;
+    private final Map<Kind, Table> tables = new EnumMap<>(Kind.class);
+    private final JmhJson json;
+    private boolean sealed;
+
+    private ResultsFolder(Path path, JmhJson json) {
+        this.path = path;
+        this.json = json;
+    }
+
+    /** Opens a folder with whatever is in it; one that is not there counts as empty. */
+    public static ResultsFolder open(Path path) throws IOException {
+        ResultsFolder folder = new ResultsFolder(path, JmhJson.read(path.resolve(JSON)));
+        for (Kind kind : Kind.values()) {
+            Path file = path.resolve(kind.file());
+            folder.tables.put(kind, Files.exists(file) ? Table.read(file, kind.empty()) : kind.empty());
+        }
+        return folder;
+    }
+
+    /** Where the folder is. */
+    public Path path() {
+        return path;
+    }
+
+    /** The folder's name, which is the machine's. */
+    public String name() {
+        return path.getFileName().toString();
+    }
+
+    /** A table of the folder. */
+    public Table table(Kind kind) {
+        return tables.get(kind);
+    }
+
+    /** Whether a table has a figure for a key: its columns and their values. */
+    public boolean hasFigure(Kind kind, Map<String, String> key) {
+        return table(kind).rows("status", "ok").stream()
+                .anyMatch(row -> row.entrySet().containsAll(key.entrySet()));
+    }
+
+    /** Keeps a row and writes its file; does nothing once the folder is sealed. */
+    public synchronized void put(Kind kind, Map<String, String> row) throws IOException {
+        if (sealed) {
+            return;
+        }
+        table(kind).put(row);
+        Files.createDirectories(path);
+        table(kind).save(path.resolve(kind.file()));
+    }
+
+    /** Keeps a run for the JSON and writes it; does nothing once the folder is sealed. */
+    public synchronized void put(RunResult result) throws IOException {
+        if (sealed) {
+            return;
+        }
+        json.put(result);
+        Files.createDirectories(path);
+        json.save(path.resolve(JSON));
+    }
+
+    /** Takes no more results: what a run that is being killed reports is not one. */
+    public synchronized void seal() {
+        sealed = true;
+    }
+
+    /** Whether {@link #seal} was called. */
+    public synchronized boolean sealed() {
+        return sealed;
+    }
+
+    /** What is known of a property of the machine, or an empty text. */
+    public String machine(String property) {
+        return table(Kind.MACHINE).rows("property", property).stream()
+                .findFirst()
+                .map(row -> row.get("value"))
+                .orElse("");
+    }
+}

@@ -1,0 +1,187 @@
+package io.github.circles2d.bench.results;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** A CSV file (RFC 4180, with a header line): rows of named texts, of which some columns are the key. */
+public final class Table {
+    private final List<String> columns;
+    private final List<String> keys;
+    private final List<Map<String, String>> rows = new ArrayList<>();
+
+    /**
+     * Creates an empty table.
+     *
+     * @param keys the columns that tell rows apart
+     * @param columns all columns, in order
+     */
+    public Table(List<String> keys, List<String> columns) {
+        if (!columns.containsAll(keys)) {
+            throw new IllegalArgumentException("keys " + keys + " are not among the columns " + columns);
+        }
+        this.keys = List.copyOf(keys);
+        this.columns = List.copyOf(columns);
+    }
+
+    /** The rows, in the order in which they came; unmodifiable. */
+    public List<Map<String, String>> rows() {
+        return Collections.unmodifiableList(rows);
+    }
+
+    /** Whether there is a column of this name. */
+    public boolean has(String column) {
+        return columns.contains(column);
+    }
+
+    /** The rows in which the columns named have the values given: column, value, column, value, .. */
+    public List<Map<String, String>> rows(String... wanted) {
+        List<Map<String, String>> found = new ArrayList<>();
+        for (Map<String, String> row : rows) {
+            boolean matches = true;
+            for (int i = 0; i < wanted.length; i += 2) {
+                matches &= wanted[i + 1].equals(row.get(wanted[i]));
+            }
+            if (matches) {
+                found.add(row);
+            }
+        }
+        return found;
+    }
+
+    /** Adds a row, in the place of the one with the same key where there is one. Columns that it lacks stay empty. */
+    public void put(Map<String, String> row) {
+        if (!columns.containsAll(row.keySet())) {
+            throw new IllegalArgumentException("row " + row + " has other columns than " + columns);
+        }
+        Map<String, String> full = new LinkedHashMap<>();
+        for (String column : columns) {
+            full.put(column, row.getOrDefault(column, ""));
+        }
+        for (int i = 0; i < rows.size(); i++) {
+            if (key(rows.get(i)).equals(key(full))) {
+                rows.set(i, full);
+                return;
+            }
+        }
+        rows.add(full);
+    }
+
+    /** The key of a row. */
+    public List<String> key(Map<String, String> row) {
+        List<String> key = new ArrayList<>();
+        for (String column : keys) {
+            key.add(row.get(column));
+        }
+        return key;
+    }
+
+    /** Writes the file; a reader sees the old or the new one, never half of it. */
+    public void save(Path file) throws IOException {
+        StringBuilder text = new StringBuilder();
+        line(columns, text);
+        for (Map<String, String> row : rows) {
+            line(row.values(), text);
+        }
+        replace(file, text.toString());
+    }
+
+    /**
+     * Reads a file that {@link #save} wrote into an empty table. Columns that the table does not have are left out, so that
+     * files of an earlier version can still be read.
+     */
+    static Table read(Path file, Table table) throws IOException {
+        List<List<String>> lines = lines(Files.readString(file, StandardCharsets.UTF_8));
+        if (lines.isEmpty() || !lines.get(0).containsAll(table.keys)) {
+            throw new IOException(file + " does not begin with a line that names " + table.keys);
+        }
+        for (List<String> line : lines.subList(1, lines.size())) {
+            if (line.size() != lines.get(0).size()) {
+                throw new IOException(file + ": " + line + " has not as many fields as the first line");
+            }
+        }
+        table.putAll(lines);
+        return table;
+    }
+
+    /** Reads CSV text whose first line names the columns. */
+    public static Table parse(String text, List<String> keys) {
+        List<List<String>> lines = lines(text);
+        Table table = new Table(keys, lines.get(0));
+        table.putAll(lines);
+        return table;
+    }
+
+    private void putAll(List<List<String>> lines) {
+        List<String> header = lines.get(0);
+        for (List<String> line : lines.subList(1, lines.size())) {
+            Map<String, String> row = new LinkedHashMap<>();
+            for (int i = 0; i < line.size(); i++) {
+                if (columns.contains(header.get(i))) {
+                    row.put(header.get(i), line.get(i));
+                }
+            }
+            put(row);
+        }
+    }
+
+    /** Writes a text file by way of a temporary one beside it. */
+    static void replace(Path file, String text) throws IOException {
+        Path fresh = file.resolveSibling(file.getFileName() + ".new");
+        Files.writeString(fresh, text, StandardCharsets.UTF_8);
+        Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    }
+
+    private static void line(Iterable<String> fields, StringBuilder text) {
+        String separator = "";
+        for (String field : fields) {
+            text.append(separator);
+            if (field.matches("(?s).*[\",\r\n].*")) {
+                text.append('"').append(field.replace("\"", "\"\"")).append('"');
+            } else {
+                text.append(field);
+            }
+            separator = ",";
+        }
+        text.append('\n');
+    }
+
+    private static List<List<String>> lines(String text) {
+        List<List<String>> lines = new ArrayList<>();
+        List<String> line = new ArrayList<>();
+        StringBuilder field = new StringBuilder();
+        boolean quoted = false;
+        for (int i = 0; i < text.length(); i++) {
+            char c = text.charAt(i);
+            if (quoted) {
+                boolean escaped = c == '"' && i + 1 < text.length() && text.charAt(i + 1) == '"';
+                if (escaped) {
+                    i++;
+                }
+                quoted = c != '"' || escaped;
+                if (quoted) {
+                    field.append(c);
+                }
+            } else if (c == '"') {
+                quoted = true;
+            } else if (c == ',' || c == '\n') {
+                line.add(field.toString());
+                field.setLength(0);
+                if (c == '\n') {
+                    lines.add(line);
+                    line = new ArrayList<>();
+                }
+            } else if (c != '\r') {
+                field.append(c);
+            }
+        }
+        return lines;
+    }
+}

@@ -1,0 +1,75 @@
+package io.github.circles2d.bench.sweep;
+
+import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.OpenClException;
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Counts the wrong slots of the computed indexing on a device: at some sizes, and the first size that has any. */
+final class AccuracyWork implements Work {
+    /** Value of column n for the row that tells the first wrong size. */
+    static final String FIRST = "first wrong";
+
+    private final String name;
+    private final Device device;
+    private final List<Integer> sizes;
+    private final double maxSeconds;
+    private final ResultsFolder folder;
+
+    AccuracyWork(String name, Device device, List<Integer> sizes, double maxSeconds, ResultsFolder folder) {
+        this.name = name;
+        this.device = device;
+        this.sizes = sizes;
+        this.maxSeconds = maxSeconds;
+        this.folder = folder;
+    }
+
+    @Override
+    public String label() {
+        return name + " index accuracy";
+    }
+
+    @Override
+    public double seconds(Pace pace) {
+        return maxSeconds;
+    }
+
+    @Override
+    public String run(Pace pace, double secondsLeft) throws IOException {
+        long end = System.nanoTime() + (long) (1e9 * Math.min(maxSeconds, secondsLeft));
+        try (WrongSlots slots = new WrongSlots(device)) {
+            for (int n : sizes) {
+                long wrong = slots.count(n);
+                put(Integer.toString(n), n, Long.toString(wrong), "ok");
+            }
+            int n = 2;
+            while (slots.count(n) == 0) {
+                n++;
+                if (System.nanoTime() > end || n > sizes.get(sizes.size() - 1)) {
+                    put(FIRST, n - 1, "", "none up to " + (n - 1));
+                    return "no wrong slot up to n = " + Numbers.whole(n - 1);
+                }
+            }
+            put(FIRST, n, Long.toString(slots.count(n)), "ok");
+            return "first wrong slot at n = " + Numbers.whole(n);
+        } catch (OpenClException e) {
+            put(FIRST, 2, "", "failed: " + e.getMessage());
+            return "failed: " + e.getMessage();
+        }
+    }
+
+    private void put(String key, int n, String wrong, String status) throws IOException {
+        Map<String, String> row = new LinkedHashMap<>();
+        row.put("device", name);
+        row.put("n", key);
+        row.put("circles", Integer.toString(n));
+        row.put("slots", Long.toString(n * (n - 1L) / 2));
+        row.put("wrong_slots", wrong);
+        row.put("status", status);
+        folder.put(ResultsFolder.Kind.ACCURACY, row);
+    }
+}

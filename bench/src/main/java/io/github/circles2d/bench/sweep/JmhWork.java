@@ -1,0 +1,170 @@
+package io.github.circles2d.bench.sweep;
+
+import io.github.circles2d.bench.engines.Engines;
+import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.Statistics;
+import io.github.circles2d.bench.results.Table;
+import java.io.IOException;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Set;
+
+/** A JMH run within its share of the time. */
+final class JmhWork implements Work {
+    /** How long a run may take. */
+    enum Effort {
+        QUICK(20, 3),
+        FULL(300, 5);
+
+        final double maxSeconds;
+        final int wantedRuns;
+
+        Effort(double maxSeconds, int wantedRuns) {
+            this.maxSeconds = maxSeconds;
+            this.wantedRuns = wantedRuns;
+        }
+    }
+
+    /** With fewer there is no standard error. */
+    private static final int MIN_RUNS = 2;
+
+    /** An iteration as long as this needs no other before it to warm up. */
+    private static final double WARM_SECONDS = 5;
+
+    /** The counters of the benchmarks and the columns that they go to. */
+    private static final Map<String, String> COLUMN_OF = columns();
+
+    private final Task task;
+    private final Effort effort;
+    private final ResultsFolder folder;
+    private final Set<String> tooLarge;
+
+    /**
+     * Creates the work.
+     *
+     * @param tooLarge series and benchmarks that have met a size which did not fit; shared by all work
+     */
+    JmhWork(Task task, Effort effort, ResultsFolder folder, Set<String> tooLarge) {
+        this.task = task;
+        this.effort = effort;
+        this.folder = folder;
+        this.tooLarge = tooLarge;
+    }
+
+    private static Map<String, String> columns() {
+        Map<String, String> columns = new LinkedHashMap<>();
+        columns.put("updateMicros", "update_us");
+        columns.put("detectMicros", "detect_us");
+        columns.put("resolveMicros", "resolve_us");
+        columns.put("meanDepth", "mean_depth");
+        columns.put("maxDepth", "max_depth");
+        columns.put("overlappingPairs", "overlapping_pairs");
+        columns.put("deepPairs", "deep_pairs");
+        columns.put("kineticEnergy", "kinetic_energy");
+        columns.put("allocatedBytes", "allocated_bytes");
+        columns.put("peakResidentMiB", "peak_rss_mib");
+        return columns;
+    }
+
+    @Override
+    public String label() {
+        return task.label();
+    }
+
+    @Override
+    public double seconds(Pace pace) {
+        double wanted = pace.seconds(task, warmups(pace) + effort.wantedRuns);
+        double least = pace.seconds(task, MIN_RUNS);
+        return least > effort.maxSeconds ? 0 : Math.min(wanted, effort.maxSeconds);
+    }
+
+    @Override
+    public String run(Pace pace, double secondsLeft) throws IOException {
+        if (tooLarge.contains(task.series())) {
+            return without("does not fit: a smaller size does not");
+        }
+        double limit = Math.min(secondsLeft, effort.maxSeconds);
+        double iteration = pace.iterationSeconds(task);
+        int warmups = warmups(pace);
+        int affordable = (int) Math.min(effort.wantedRuns, (limit - pace.seconds(task, warmups)) / iteration);
+        if (affordable < MIN_RUNS) {
+            return leaveOut(pace.seconds(task, warmups + MIN_RUNS), limit);
+        }
+        return measure(pace, warmups, affordable);
+    }
+
+    private int warmups(Pace pace) {
+        return pace.iterationSeconds(task) > WARM_SECONDS ? 0 : 1;
+    }
+
+    /** A figure that is there from an earlier sweep stays. */
+    private String leaveOut(double needed, double limit) throws IOException {
+        String status = limit <= 0
+                ? "left out: the time was up"
+                : "left out: it would take about " + Numbers.brief(needed) + " s, " + Numbers.brief(limit)
+                        + " s are there for it";
+        return folder.hasFigure(task.kind(), task.key()) ? status + "; the earlier figure stays" : without(status);
+    }
+
+    private String without(String status) throws IOException {
+        folder.put(task.kind(), task.row(status));
+        return status;
+    }
+
+    private String measure(Pace pace, int warmups, int runs) throws IOException {
+        long before = System.nanoTime();
+        long timeout = (long) Math.max(120, 5 * pace.iterationSeconds(task));
+        JmhRun run = JmhRun.of(task, warmups, runs, timeout);
+        if (!run.succeeded()) {
+            boolean memory = run.failure().startsWith("DeviceMemoryException");
+            if (memory) {
+                tooLarge.add(task.series());
+            }
+            return without((memory ? "does not fit: " : "failed: ") + run.failure());
+        }
+        Statistics millis = run.millis();
+        pace.learn(task, millis.mean(), (System.nanoTime() - before) / 1e9, warmups + runs);
+        folder.put(run.result());
+        folder.put(task.kind(), row(run, millis));
+        return Numbers.brief(millis.mean()) + " ms +/- " + Numbers.brief(millis.standardError());
+    }
+
+    private Map<String, String> row(JmhRun run, Statistics millis) {
+        Table table = folder.table(task.kind());
+        Map<String, String> row = task.row("ok");
+        row.put("runs", Integer.toString(millis.runs()));
+        row.put("mean_ms", Numbers.exact(millis.mean()));
+        row.put("se_ms", Numbers.exact(millis.standardError()));
+        row.put("min_ms", Numbers.exact(millis.min()));
+        row.put("median_ms", Numbers.exact(millis.median()));
+        COLUMN_OF.forEach((counter, column) -> {
+            if (table.has(column)) {
+                row.put(column, Numbers.exact(run.counter(counter)));
+            }
+        });
+        extra(row, millis);
+        return row;
+    }
+
+    private void extra(Map<String, String> row, Statistics millis) {
+        switch (task.kind()) {
+            case COPY:
+                row.put("gb_per_s", Numbers.exact(2 * task.n() / millis.median() / 1e6));
+                break;
+            case STRATEGIES:
+                row.put("indexing", task.parameters().get("indexing"));
+                row.put("steps", Integer.toString(task.steps()));
+                PairTraffic traffic = PairTraffic.of(row.get("indexing"), task.n());
+                row.put("collision_bytes", Long.toString(traffic.collisionBytes()));
+                row.put("table_bytes", Long.toString(traffic.tableBytes()));
+                break;
+            case PEERS:
+                row.put("skipped", Integer.toString(task.skipped()));
+                row.put("remarks", Engines.remarks(row.get("engine")));
+                break;
+            default:
+                throw new AssertionError(task.kind());
+        }
+    }
+}

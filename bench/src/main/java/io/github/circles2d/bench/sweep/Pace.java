@@ -1,0 +1,41 @@
+package io.github.circles2d.bench.sweep;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/** Foretells how long a task takes from those that ran. */
+final class Pace {
+    private final Map<String, long[]> sizes = new HashMap<>();
+    private final Map<String, Double> costs = new HashMap<>();
+    private double forkSeconds = 2;
+    private int forks;
+
+    /** Learns from a run. */
+    void learn(Task task, double msPerStep, double wallSeconds, int iterations) {
+        sizes.put(task.series(), new long[] {task.n()});
+        costs.put(task.series(), msPerStep);
+        double overhead = wallSeconds - iterations * iterationSeconds(task);
+        // A mean over the forks so far, begun by one at the first guess.
+        forks++;
+        forkSeconds += (Math.max(0.3, overhead) - forkSeconds) / (forks + 1);
+    }
+
+    /** Ms a step. */
+    double stepMillis(Task task) {
+        Double cost = costs.get(task.series());
+        if (cost == null) {
+            return task.firstGuess();
+        }
+        return cost * Math.pow(task.n() / (double) sizes.get(task.series())[0], task.growth());
+    }
+
+    /** Seconds of an iteration. */
+    double iterationSeconds(Task task) {
+        return stepMillis(task) * (task.skipped() + task.steps() + 1) / 1000;
+    }
+
+    /** Seconds of a run with a number of iterations. */
+    double seconds(Task task, int iterations) {
+        return forkSeconds + iterations * iterationSeconds(task);
+    }
+}

@@ -1,0 +1,188 @@
+package io.github.circles2d.bench.sweep;
+
+import io.github.circles2d.PairIndexing;
+import io.github.circles2d.bench.engines.Engines;
+import io.github.circles2d.bench.jmh.CopyBenchmark;
+import io.github.circles2d.bench.jmh.PeerBenchmark;
+import io.github.circles2d.bench.jmh.StrategyBenchmark;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.opencl.Device;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** The list of a sweep's work. Small sizes come first: they tell how long the large ones will take. */
+final class Plan {
+    private static final List<Integer> THESIS_SIZES = List.of(1250, 2500, 5000, 10_000, 15_000);
+
+    /** Beyond the thesis, to where an int can no longer number the slots or the memory ends. */
+    private static final List<Integer> BEYOND = List.of(20_000, 30_000, 46_000, 65_000);
+
+    private static final List<Integer> QUICK_SIZES = List.of(1250, 2500, 5000);
+
+    private static final long MIB = 1 << 20;
+
+    private final Options options;
+    private final Map<String, Device> devices;
+    private final ResultsFolder folder;
+    private final JmhWork.Effort effort;
+    private final Set<String> tooLarge = new HashSet<>();
+    private final List<Work> work = new ArrayList<>();
+
+    private Plan(Options options, Map<String, Device> devices, ResultsFolder folder) {
+        this.options = options;
+        this.devices = devices;
+        this.folder = folder;
+        effort = options.quick() ? JmhWork.Effort.QUICK : JmhWork.Effort.FULL;
+    }
+
+    /** Lists the work that the options ask for on the devices given. */
+    static List<Work> of(Options options, Map<String, Device> devices, ResultsFolder folder) {
+        Plan plan = new Plan(options, devices, folder);
+        for (Options.Part part : options.parts()) {
+            switch (part) {
+                case COPY:
+                    plan.addCopies();
+                    break;
+                case ACCURACY:
+                    plan.addAccuracy();
+                    break;
+                case STRATEGIES:
+                    plan.addStrategies();
+                    break;
+                case PEERS:
+                    plan.addPeers();
+                    break;
+                default:
+                    throw new AssertionError(part);
+            }
+        }
+        return plan.work;
+    }
+
+    private void addCopies() {
+        List<Long> sizes = options.quick()
+                ? List.of(8 * MIB, 64 * MIB)
+                : List.of(MIB, 4 * MIB, 16 * MIB, 64 * MIB, 256 * MIB, 1024 * MIB);
+        for (Map.Entry<String, Device> device : devices.entrySet()) {
+            for (long bytes : sizes) {
+                if (3 * bytes > device.getValue().memoryBytes()
+                        || bytes > device.getValue().maxBufferBytes()) {
+                    continue;
+                }
+                Map<String, String> key = new LinkedHashMap<>();
+                key.put("device", device.getKey());
+                key.put("bytes", Long.toString(bytes));
+                add(new Task(
+                        ResultsFolder.Kind.COPY,
+                        key,
+                        "copy " + device.getKey(),
+                        bytes,
+                        1,
+                        CopyBenchmark.class.getName() + ".copy",
+                        Map.of("device", device.getKey(), "bytes", Long.toString(bytes)),
+                        0,
+                        bytes < 256 * MIB ? 20 : 5,
+                        0.3 * bytes / MIB));
+            }
+        }
+    }
+
+    private void addAccuracy() {
+        List<Integer> sizes = options.sizes(THESIS_SIZES);
+        devices.forEach(
+                (name, device) -> work.add(new AccuracyWork(name, device, sizes, options.quick() ? 5 : 120, folder)));
+    }
+
+    private void addStrategies() {
+        List<Integer> sizes = new ArrayList<>(options.quick() ? QUICK_SIZES : THESIS_SIZES);
+        if (!options.quick()) {
+            sizes.addAll(BEYOND);
+        }
+        for (int n : options.sizes(sizes)) {
+            for (Map.Entry<String, Device> device : devices.entrySet()) {
+                for (PairIndexing indexing : PairIndexing.values()) {
+                    for (String mode : modes(n)) {
+                        add(strategy(n, device.getKey(), device.getValue(), indexing, mode));
+                    }
+                }
+            }
+        }
+    }
+
+    private List<String> modes(int n) {
+        if (!options.quick()) {
+            return List.of("loop", "deviceOnly", "profiled");
+        }
+        return n == 2500 ? List.of("loop", "profiled") : List.of("loop");
+    }
+
+    private Task strategy(int n, String name, Device device, PairIndexing indexing, String mode) {
+        Map<String, String> key = new LinkedHashMap<>();
+        key.put("device", name);
+        key.put("strategy", Integer.toString(indexing.strategy()));
+        key.put("n", Integer.toString(n));
+        key.put("mode", mode);
+        double slots = n * (n - 1.0) / 2;
+        double guess = slots * (device.kind() == Device.Kind.CPU ? 1e-5 : 1e-7) + 0.05;
+        return new Task(
+                ResultsFolder.Kind.STRATEGIES,
+                key,
+                "strategy " + indexing + " on " + name,
+                n,
+                2,
+                StrategyBenchmark.class.getName() + "." + mode,
+                Map.of("device", name, "indexing", indexing.name(), "n", Integer.toString(n)),
+                0,
+                strategySteps(slots),
+                guess);
+    }
+
+    /** As many steps as make a fixed number of visits to slots, within bounds: the same on every machine. */
+    private int strategySteps(double slots) {
+        return options.quick()
+                ? (int) Math.max(5, Math.min(50, 1e8 / slots))
+                : (int) Math.max(10, Math.min(200, 2.5e9 / slots));
+    }
+
+    private void addPeers() {
+        List<String> engines = new ArrayList<>(Engines.PEERS);
+        devices.keySet().forEach(device -> engines.addAll(Engines.own(device)));
+        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES);
+        for (String scene : options.quick() ? List.of("packed") : List.of("packed", "thesis")) {
+            for (int n : sizes) {
+                // At 1,250 the two scenes are the same.
+                if (scene.equals("packed") || n != 1250) {
+                    engines.forEach(engine -> add(peer(engine, scene, n)));
+                }
+            }
+        }
+    }
+
+    private Task peer(String engine, String scene, int n) {
+        int steps = options.quick() ? 100 : 500;
+        Map<String, String> key = new LinkedHashMap<>();
+        key.put("engine", engine);
+        key.put("scene", scene);
+        key.put("n", Integer.toString(n));
+        key.put("steps", Integer.toString(steps));
+        return new Task(
+                ResultsFolder.Kind.PEERS,
+                key,
+                engine + " " + scene,
+                n,
+                2,
+                PeerBenchmark.class.getName() + ".step",
+                Map.of("engine", engine, "scene", scene, "n", Integer.toString(n)),
+                PeerBenchmark.SKIPPED,
+                steps,
+                3 * Math.pow(n / 1250.0, 2));
+    }
+
+    private void add(Task task) {
+        work.add(new JmhWork(task, effort, folder, tooLarge));
+    }
+}

@@ -1,0 +1,154 @@
+package io.github.circles2d.bench.engines;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.circles2d.PairIndexing;
+import io.github.circles2d.bench.Devices;
+import io.github.circles2d.scenes.Quality;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class EnginesTest {
+    /** All engines; those on OpenCL where there is a device. */
+    static List<String> all() {
+        List<String> names = new ArrayList<>(Engines.PEERS);
+        for (String device : Devices.all().keySet()) {
+            for (PairIndexing indexing : PairIndexing.values()) {
+                names.add(Engines.thesis(indexing) + "@" + device);
+            }
+        }
+        return names;
+    }
+
+    @Test
+    void aDeviceIsThereWhereOneIsRequired() {
+        if (Boolean.getBoolean("circles2d.device.required")) {
+            assertThat(Devices.all()).isNotEmpty();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void aSingleCircleFallsAsFarAsGravityTakesItInTheUnitsOfTheScene(String name) {
+        Scene scene = Scenes.thesis(1, 3);
+        try (Engine engine = Engines.create(name)) {
+            Motion end = run(engine, scene, 60);
+            // g t^2 / 2 after one second; engines that take the new velocity fall by g t dt / 2 more
+            assertThat(end.x[0]).isCloseTo(scene.x(0), within(1e-5f));
+            assertThat(scene.y(0) - end.y[0]).isBetween(0.005f - 1e-5f, 0.005f + 1e-4f);
+            assertThat(end.vx[0]).isCloseTo(0f, within(1e-6f));
+            assertThat(end.vy[0]).isCloseTo(-0.01f, within(1e-5f));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void aCrowdEndsInTheArenaAndHardlyOverlaps(String name) {
+        Scene scene = Scenes.packed(300, 4);
+        try (Engine engine = Engines.create(name)) {
+            Motion end = run(engine, scene, 600);
+            end.requirePlausible(scene, 0.01f);
+            assertThat(end.quality(scene).meanDepth())
+                    .isLessThan(0.5 * Quality.of(scene).meanDepth());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void loadingASceneAgainStartsItAnew(String name) {
+        Scene scene = Scenes.packed(200, 5);
+        try (Engine engine = Engines.create(name)) {
+            Motion first = run(engine, scene, 1);
+            run(engine, Scenes.packed(50, 6), 3);
+            Motion second = run(engine, scene, 1);
+            for (int i = 0; i < scene.size(); i++) {
+                assertThat(second.x[i]).isCloseTo(first.x[i], within(0.02f));
+                assertThat(second.y[i]).isCloseTo(first.y[i], within(0.02f));
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j"})
+    void enginesThatSaySoEndTheSameRunInTheSameStateToTheBit(String name) {
+        Scene scene = Scenes.packed(300, 7);
+        try (Engine engine = Engines.create(name)) {
+            assertThat(engine.repeatable()).isTrue();
+            assertThat(run(engine, scene, 200).hash())
+                    .isEqualTo(run(engine, scene, 200).hash());
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j"})
+    void massesAndRestitutionAreTheScenes(String name) {
+        // The cue ball has hit the rack, no ball has reached a wall.
+        Scene scene = Scenes.billiards(1);
+        try (Engine engine = Engines.create(name)) {
+            Motion end = run(engine, scene, 68);
+            double momentum = 0;
+            double energy = 0;
+            for (int i = 0; i < scene.size(); i++) {
+                momentum += scene.mass(i) * end.vx[i];
+                energy += 0.5 * scene.mass(i) * (end.vx[i] * end.vx[i] + end.vy[i] * end.vy[i]);
+            }
+            assertThat(end.vx[0]).as("the rack's apex moves").isGreaterThan(0);
+            assertThat(momentum).isCloseTo(scene.mass(15), within(1e-3));
+            assertThat(energy).isBetween(0.25 * scene.mass(15), 0.5 * scene.mass(15));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j"})
+    void fixedCirclesStay(String name) {
+        Scene scene = Scenes.noCollide();
+        try (Engine engine = Engines.create(name)) {
+            Motion end = run(engine, scene, 60);
+            for (int i = 0; i < scene.size(); i++) {
+                assertThat(end.x[i] - scene.x(i)).isCloseTo(scene.vx(i), within(0.05f));
+                assertThat(end.y[i] - scene.y(i)).isCloseTo(scene.vy(i), within(0.05f));
+            }
+        }
+    }
+
+    @Test
+    void theAllPairsLoopRefusesScenesOfAnotherArena() {
+        try (Engine engine = Engines.create("java-all-pairs")) {
+            assertThatThrownBy(() -> engine.load(Scenes.billiards(1)))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("billiards");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("all")
+    void everyEngineHasRemarks(String name) {
+        assertThat(Engines.remarks(name)).isNotBlank();
+    }
+
+    @Test
+    void anUnknownEngineIsRefusedByName() {
+        assertThatThrownBy(() -> Engines.create("havok"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("havok");
+    }
+
+    private static Motion run(Engine engine, Scene scene, int steps) {
+        engine.load(scene);
+        for (int step = 0; step < steps; step++) {
+            engine.step();
+        }
+        engine.finish();
+        Motion motion = new Motion(scene.size());
+        engine.read(motion);
+        return motion;
+    }
+}

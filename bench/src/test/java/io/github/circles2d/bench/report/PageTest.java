@@ -1,0 +1,204 @@
+package io.github.circles2d.bench.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PageTest {
+    private static final Path RESULTS = Path.of("results");
+    private static final Path PAGE = Path.of("../docs/benchmarks.md");
+
+    @TempDir
+    Path temporary;
+
+    private ResultsFolder folder;
+
+    @BeforeEach
+    void measure() throws IOException {
+        folder = ResultsFolder.open(temporary.resolve("box"));
+        folder.put(
+                Kind.MACHINE,
+                Map.of("property", "device gpu", "value", "Some GPU (GPU, 10 compute units, 1.0 GiB, P, driver 1)"));
+        double[] millis = {1.25, 2.5, 3.75, 1.0};
+        for (int strategy = 0; strategy < 4; strategy++) {
+            folder.put(
+                    Kind.STRATEGIES,
+                    Map.of(
+                            "device",
+                            "gpu",
+                            "strategy",
+                            Integer.toString(strategy),
+                            "n",
+                            "15000",
+                            "mode",
+                            "loop",
+                            "mean_ms",
+                            Double.toString(millis[strategy]),
+                            "se_ms",
+                            "0.01",
+                            "collision_bytes",
+                            "899940000",
+                            "table_bytes",
+                            strategy == 1 ? "899940000" : "0",
+                            "status",
+                            "ok"));
+        }
+        folder.put(
+                Kind.STRATEGIES,
+                Map.of(
+                        "device",
+                        "gpu",
+                        "strategy",
+                        "1",
+                        "n",
+                        "65000",
+                        "mode",
+                        "loop",
+                        "status",
+                        "does not fit: DeviceMemoryException: 65000 circles need too much"));
+        folder.put(
+                Kind.ACCURACY,
+                Map.of(
+                        "device",
+                        "gpu",
+                        "n",
+                        "first wrong",
+                        "circles",
+                        "2050",
+                        "slots",
+                        "2100225",
+                        "wrong_slots",
+                        "1",
+                        "status",
+                        "ok"));
+    }
+
+    @Test
+    void theCommittedPageIsWhatTheCommittedResultsGive() throws IOException {
+        assertThat(Files.readString(PAGE))
+                .as("run: java -jar bench/target/benchmarks.jar page bench/results docs/benchmarks.md")
+                .isEqualTo(Page.of(RESULTS));
+    }
+
+    @Test
+    void theProseItselfHoldsNoMeasuredFigure() throws IOException {
+        String prose = Page.template().replaceAll("\\{\\{[^}]*\\}\\}", "");
+        assertThat(Pattern.compile("[0-9][0-9.,]* ?(ms|µs|us|GB|MB|GiB|MiB|KB|%|times)\\b")
+                        .matcher(prose)
+                        .results()
+                        .map(match -> match.group())
+                        .filter(figure -> !figure.equals("1/60 s")))
+                .isEmpty();
+    }
+
+    @Test
+    void everyChartThatThePageShowsIsCommitted() throws IOException {
+        Pattern.compile("\\]\\((\\.\\./bench/results[^)]*)\\)")
+                .matcher(Files.readString(PAGE))
+                .results()
+                .forEach(link -> assertThat(PAGE.resolveSibling(link.group(1)).normalize())
+                        .exists());
+    }
+
+    @Test
+    void ourTableStandsBesideTheThesiss() throws IOException {
+        assertThat(Page.of(temporary))
+                .contains("### box, gpu")
+                .contains("| 15,000 | 16 | 26 | 36 | 1.3 ± 0.01 | 2.5 ± 0.01 | 3.8 ± 0.01 | 1 ± 0.01 |")
+                .contains("| 65,000 | - | - | - | - | does not fit | - | - |")
+                .contains("- gpu 1 65000 loop: does not fit: DeviceMemoryException: 65000 circles need too much");
+    }
+
+    @Test
+    void theFindingsFollowFromTheResults() throws IOException {
+        assertThat(Page.of(temporary))
+                .contains(
+                        "| on the GPU strategy 0 is fastest and 2 is slowest | box, gpu | yes | at n = 15,000 strategies 0,"
+                                + " 1, 2 take 1.3, 2.5, 3.8 ms; the fastest of all four is 3 exact |")
+                .contains("| in kind | the first wrong slot comes at n = 2,050 |");
+        folder.put(
+                Kind.STRATEGIES,
+                Map.of(
+                        "device",
+                        "gpu",
+                        "strategy",
+                        "0",
+                        "n",
+                        "15000",
+                        "mode",
+                        "loop",
+                        "mean_ms",
+                        "2.6",
+                        "se_ms",
+                        "0.1",
+                        "status",
+                        "ok"));
+        assertThat(Page.of(temporary))
+                .contains("| on the GPU strategy 0 is fastest and 2 is slowest | box, gpu | no |");
+    }
+
+    @Test
+    void aPageWithoutResultsSaysSo() throws IOException {
+        assertThat(Page.of(temporary.resolve("none"))).contains("There are no results yet");
+    }
+
+    @Test
+    void theConsoleNamesWhatHasNoFigure() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        ConsoleTable.print(folder, new PrintStream(bytes, true, StandardCharsets.UTF_8));
+        assertThat(bytes.toString(StandardCharsets.UTF_8))
+                .contains("AMD R9 270X")
+                .contains("1.3 +/- 0.01")
+                .matches("\\p{ASCII}*")
+                .contains("gpu 1 65000 loop: does not fit");
+    }
+
+    @Test
+    void chartsAreDrawnAsPictureAndAsVectors() throws IOException {
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        Charts.draw(folder, new PrintStream(said, true, StandardCharsets.UTF_8));
+        assertThat(said.toString(StandardCharsets.UTF_8)).isEmpty();
+        Path picture = folder.path().resolve("strategies-gpu.png");
+        assertThat(ImageIO.read(picture.toFile()).getWidth()).isEqualTo(900);
+        assertThat(Files.readString(folder.path().resolve("strategies-gpu.svg")))
+                .contains("<svg", "<path");
+        // there are no engines to draw
+        assertThat(folder.path().resolve("peers-packed.svg")).doesNotExist();
+    }
+
+    @Test
+    void coordinatesOfAVectorChartAreShortened() {
+        assertThat(Charts.slim("<path d=\"M-5.46875,7.0000001 L12,3.5\"/>\n    <g clip-path=\"url(#clip123)\">"))
+                .isEqualTo("<path d=\"M-5.5,7 L12,3.5\"/>\n<g clip-path=\"url(#clip)\">");
+    }
+
+    @Test
+    void aPlaceForAFigureThatIsNotThereIsAnError() {
+        assertThatThrownBy(() -> new Page(List.of(folder)).fill("{{box strategies gpu 0 99 loop mean_ms}}"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("gpu 0 99 loop");
+        assertThatThrownBy(() -> new Page(List.of(folder)).fill("{{nothing}}"))
+                .isInstanceOf(IllegalArgumentException.class);
+    }
+
+    @Test
+    void aPlaceInASentenceTakesItsFigureFromTheFile() {
+        assertThat(new Page(List.of(folder)).fill("takes {{box strategies gpu 0 15000 loop mean_ms}} ms"))
+                .isEqualTo("takes 1.3 ms");
+    }
+}
