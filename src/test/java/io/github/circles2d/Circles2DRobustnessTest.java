@@ -3,11 +3,13 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import com.sun.management.ThreadMXBean;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -150,6 +152,30 @@ class Circles2DRobustnessTest {
             }
         } finally {
             threads.shutdownNow();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aLoopAllocatesItsResultAndAStepNothing(Device device) throws IOException {
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        try (Circles2D engine = quietScene(device, PairIndexing.EXACT)) {
+            for (int k = 0; k < 500; k++) {
+                engine.step();
+                engine.loop();
+            }
+            long before = threads.getCurrentThreadAllocatedBytes();
+            for (int k = 0; k < 100; k++) {
+                engine.step();
+            }
+            long stepped = threads.getCurrentThreadAllocatedBytes();
+            for (int k = 0; k < 100; k++) {
+                engine.loop();
+            }
+            long looped = threads.getCurrentThreadAllocatedBytes();
+            int slack = 200; // what the JVM may need beside, far less than anything that grows with n
+            assertThat((stepped - before) / 100).isLessThan(slack);
+            assertThat((looped - stepped) / 100).isLessThan(4 * (16 + 4 * 400) + slack);
         }
     }
 
