@@ -175,7 +175,7 @@ __kernel void update_position(
     // As in the thesis, a bounce on one axis scales the velocity of both by the restitution.
     const float2 velocity = old_velocity + acceleration * time_step;
     velocities[id] = bounced ? restitution * velocity + bounce : velocity;
-    circle[id] = (float4)(position, radius, body.w);
+    *(__global float2 *)(circle + id) = position;
 }
 
 // Strategy 0: the MTV of every pair. One work-item a slot: a square root for the pair and one for its distance; a slot
