@@ -210,6 +210,7 @@ class LauncherTest {
                 .containsSubsequence(
                         "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dtest=Some install\n",
                         "-f bench/pom.xml",
+                        "bench/target/benchmarks.jar smoke\n",
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
                         "-DlocalRepositoryPath=" + repository,
                         "-Dmaven.repo.local=" + repository,
@@ -231,7 +232,7 @@ class LauncherTest {
 
     /** Makes the fake Maven leave behind what the launcher expects of the real one. */
     private static void pretendToBuild(FakeMachine machine) throws IOException {
-        Files.createDirectories(machine.clone.resolve("bench"));
+        Files.createDirectories(machine.clone.resolve("bench/target"));
         Files.createFile(machine.clone.resolve("bench/pom.xml"));
         Files.createDirectories(machine.clone.resolve("src/test/resources/consumer"));
         machine.fake("Xvfb", "");

@@ -64,7 +64,7 @@ final class Rooms {
                         && Pattern.compile("\\b" + Pattern.quote(name) + "\\.")
                                 .matcher(body)
                                 .find()) {
-                    violations.add(file + ": " + name + " is for " + owners + " alone");
+                    violations.add(file + ": " + room + " must not use " + name);
                 }
             });
         }
