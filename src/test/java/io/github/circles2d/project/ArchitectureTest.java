@@ -50,9 +50,9 @@ class ArchitectureTest {
                 .hasSize(6)
                 .anyMatch(line -> line.endsWith("opencl must not use api"))
                 .anyMatch(line -> line.endsWith("thesis must not use world"))
-                .anyMatch(line -> line.endsWith("world must not use com.nativelibs4java"))
+                .anyMatch(line -> line.endsWith("com.nativelibs4java is for opencl alone"))
                 .anyMatch(line -> line.endsWith("scenes must not use opencl"))
-                .anyMatch(line -> line.endsWith("tools must not use java.awt"))
+                .anyMatch(line -> line.endsWith("java.awt is for bench and demo alone"))
                 .anyMatch(line -> line.endsWith("unknown room attic"));
     }
 

@@ -210,7 +210,7 @@ class LauncherTest {
                 .containsSubsequence(
                         "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dtest=Some install\n",
                         "-f bench/pom.xml",
-                        "bench/target/benchmarks.jar smoke\n",
+                        "benchmarks.jar smoke\n",
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
                         "-DlocalRepositoryPath=" + repository,
                         "-Dmaven.repo.local=" + repository,
@@ -218,7 +218,7 @@ class LauncherTest {
                         "Game\n")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
-        assertThat(machine.launch("test").status).as("a consumer that fails").isEqualTo(5);
+        assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
     }
 
     @Test
@@ -232,7 +232,7 @@ class LauncherTest {
 
     /** Makes the fake Maven leave behind what the launcher expects of the real one. */
     private static void pretendToBuild(FakeMachine machine) throws IOException {
-        Files.createDirectories(machine.clone.resolve("bench/target"));
+        Files.createDirectories(machine.clone.resolve("bench"));
         Files.createFile(machine.clone.resolve("bench/pom.xml"));
         Files.createDirectories(machine.clone.resolve("src/test/resources/consumer"));
         machine.fake("Xvfb", "");
