@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -64,7 +65,8 @@ final class Rooms {
                         && Pattern.compile("\\b" + Pattern.quote(name) + "\\.")
                                 .matcher(body)
                                 .find()) {
-                    violations.add(file + ": " + name + " is for " + owners + " alone");
+                    violations.add(
+                            file + ": " + name + " is for " + String.join(" and ", new TreeSet<>(owners)) + " alone");
                 }
             });
         }
