@@ -20,6 +20,7 @@ import io.github.circles2d.thesis.Simulation;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.System.Logger.Level;
+import java.util.Map;
 import java.util.Objects;
 
 /**
@@ -71,7 +72,19 @@ public final class Circles2D implements AutoCloseable {
      * @throws OpenClException if the driver refuses
      */
     public Circles2D(Device device) {
-        session = Session.open(device);
+        this(device, false);
+    }
+
+    /**
+     * Creates an engine without circles.
+     *
+     * @param device the device to run on
+     * @param profiling whether to measure the device time of every kernel; costs an event a kernel
+     * @throws OpenClException if the driver refuses
+     * @see #profileNanos
+     */
+    public Circles2D(Device device, boolean profiling) {
+        session = Session.open(device, profiling);
     }
 
     /**
@@ -209,6 +222,17 @@ public final class Circles2D implements AutoCloseable {
      */
     public synchronized float[][] velocities() {
         return running().velocities();
+    }
+
+    /**
+     * Waits for the device and returns how long it has worked on each kernel since this engine was created.
+     *
+     * @return nanoseconds by name of the kernel; empty unless the engine was created for profiling
+     * @throws OpenClException if a step failed
+     */
+    public synchronized Map<String, Long> profileNanos() {
+        requireOpen();
+        return session.profileNanos();
     }
 
     /**
