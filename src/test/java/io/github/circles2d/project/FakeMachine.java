@@ -20,6 +20,8 @@ final class FakeMachine {
     private static final List<String> BASIC_TOOLS = List.of(
             "sh",
             "cat",
+            "cmp",
+            "cp",
             "dirname",
             "env",
             "find",

@@ -2,6 +2,7 @@ package io.github.circles2d.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
@@ -129,7 +130,7 @@ class LauncherTest {
         FakeMachine.Result demo = machine.launch("demo");
         assertThat(demo.status).as(demo.output).isZero();
         assertThat(demo.output)
-                .contains("this machine lacks: Maven (mvn), an OpenCL driver")
+                .contains("this machine lacks Maven (mvn), an OpenCL driver")
                 .contains("maven: builds the library")
                 .contains("pocl-opencl-icd: an OpenCL driver that runs on the CPU");
         assertThat(machine.calls())
@@ -149,7 +150,7 @@ class LauncherTest {
         machine.fake("id", "echo 0");
         FakeMachine.Result demo = machine.launch("demo");
         assertThat(machine.calls()).contains("apt-get -q update", " maven\n").doesNotContain("sudo");
-        assertThat(demo.output).as("the fake apt-get installs nothing").contains("not there: Maven (mvn)");
+        assertThat(demo.output).as("the fake apt-get installs nothing").contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
     }
 
@@ -170,7 +171,7 @@ class LauncherTest {
         machine.remove("mvn");
         machine.remove("apt-get");
         FakeMachine.Result demo = machine.launch("demo");
-        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.output).contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
         assertThat(machine.calls()).doesNotContain("CirclesTest");
     }
@@ -181,7 +182,7 @@ class LauncherTest {
         machine.remove("mvn");
         machine.set("CIRCLES2D_INSTALL", "no");
         FakeMachine.Result demo = machine.launch("demo");
-        assertThat(demo.output).contains("not there: Maven (mvn)");
+        assertThat(demo.output).contains("this machine lacks Maven (mvn)");
         assertThat(demo.status).isEqualTo(3);
         assertThat(machine.calls()).doesNotContain("apt-get");
     }
@@ -196,6 +197,56 @@ class LauncherTest {
         machine.forgetCalls();
         assertThat(machine.launch("demo").status).isEqualTo(3);
         assertThat(machine.calls()).doesNotContain("CirclesTest");
+    }
+
+    @Test
+    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerOnTheInstalledArtifact() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        FakeMachine.Result test = machine.launch("test", "-Dtest=Some");
+        assertThat(test.status).as(test.output).isZero();
+        String repository = machine.clone + "/target/consumer/repository";
+        assertThat(machine.calls())
+                .containsSubsequence(
+                        "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dtest=Some install\n",
+                        "-f bench/pom.xml",
+                        "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
+                        "-DlocalRepositoryPath=" + repository,
+                        "-Dmaven.repo.local=" + repository,
+                        "FreeFall\n",
+                        "Game\n")
+                .doesNotContain("apt-get -q -y");
+        machine.set("JAVA_STATUS", "5");
+        assertThat(machine.launch("test").status).as("a consumer that fails").isEqualTo(5);
+    }
+
+    @Test
+    void testFailsWhenTheConsumerGotAnotherArtifactThanTheOneJustBuilt() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        machine.set("STALE", "yes");
+        assertThat(machine.launch("test").status).isEqualTo(1);
+        assertThat(machine.calls()).doesNotContain("FreeFall");
+    }
+
+    /** Makes the fake Maven leave behind what the launcher expects of the real one. */
+    private static void pretendToBuild(FakeMachine machine) throws IOException {
+        Files.createDirectories(machine.clone.resolve("bench"));
+        Files.createFile(machine.clone.resolve("bench/pom.xml"));
+        Files.createDirectories(machine.clone.resolve("src/test/resources/consumer"));
+        machine.fake("Xvfb", "");
+        machine.fake(
+                "mvn",
+                FakeMachine.logged("mvn")
+                        + "case \"$*\" in\n"
+                        + "*install-file*|*bench*) ;;\n"
+                        + "*copy-dependencies*) mkdir -p target/consumer/lib\n"
+                        + "  cp target/circles2d-9.jar target/consumer/lib\n"
+                        + "  [ -z \"$STALE\" ] || echo stale >target/consumer/lib/circles2d-9.jar;;\n"
+                        + "*) mkdir -p target/maven-archiver\n"
+                        + "  echo version=9 >target/maven-archiver/pom.properties\n"
+                        + "  echo jar >target/circles2d-9.jar;;\n"
+                        + "esac");
     }
 
     @Test

@@ -1,0 +1,128 @@
+package io.github.circles2d.project;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import javax.tools.JavaCompiler;
+import javax.tools.JavaFileObject;
+import javax.tools.SimpleJavaFileObject;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What the documents say must hold on this commit. */
+class DocumentationTest {
+    private static final Path CONSUMER = Path.of("src/test/resources/consumer");
+
+    @Test
+    void theGameLoopOfTheReadmeCompilesWithoutAWarning(@TempDir Path folder) throws IOException {
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
+        String code = block(read("README.md"), "java");
+        JavaFileObject source =
+                new SimpleJavaFileObject(URI.create("string:///Game.java"), JavaFileObject.Kind.SOURCE) {
+                    @Override
+                    public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                        return code;
+                    }
+                };
+        List<String> options = List.of(
+                "-Xlint:all",
+                "-Werror",
+                "--release",
+                "17",
+                "-d",
+                folder.toString(),
+                "-cp",
+                System.getProperty("java.class.path"));
+        StringWriter log = new StringWriter();
+        boolean compiles = compiler.getTask(log, null, null, options, null, List.of(source))
+                .call();
+        assertThat(compiles).as(log.toString()).isTrue();
+        assertThat(folder.resolve("Game.class")).exists();
+    }
+
+    @Test
+    void theGameLoopOfTheReadmeIsTheOneThatTheConsumerRuns() throws IOException {
+        assertThat(block(read("README.md"), "java")).isEqualTo(read(CONSUMER + "/src/main/java/Game.java"));
+    }
+
+    @Test
+    void readmeConsumerAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
+        String pom = read("pom.xml");
+        String version = first("<version>(.*?)</version>", pom);
+        String dependency = "<groupId>" + first("<groupId>(.*?)</groupId>", pom) + "</groupId>\\s*<artifactId>"
+                + first("<artifactId>(.*?)</artifactId>", pom) + "</artifactId>\\s*<version>";
+        assertThat(first(dependency + "(.*?)</version>", block(read("README.md"), "xml")))
+                .isEqualTo(version);
+        assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
+                .isEqualTo(version);
+        if (Files.exists(Path.of("bench/pom.xml"))) {
+            assertThat(first("<circles2d.version>(.*?)</circles2d.version>", read("bench/pom.xml")))
+                    .isEqualTo(version);
+        }
+    }
+
+    @Test
+    void everyCommandThatTheReadmeNamesIsOneOfTheLauncher() throws IOException {
+        List<String> commands = Pattern.compile("\\./circles2d (\\w+)")
+                .matcher(read("README.md"))
+                .results()
+                .map(match -> match.group(1))
+                .distinct()
+                .collect(Collectors.toList());
+        assertThat(commands).contains("demo", "test", "doctor");
+        String launcher = read("circles2d");
+        for (String command : commands) {
+            assertThat(launcher).containsPattern("(?m)^  (help \\| .*|" + command + "\\))");
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+    void everyLinkToAFileLeadsToOne(String document) throws IOException {
+        Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));
+        while (links.find()) {
+            String target = links.group(1);
+            if (!target.startsWith("http")) {
+                assertThat(Path.of(target)).as("link in " + document).exists();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"})
+    void everyClassOfTheLibraryThatADocumentNamesExists(String document) throws IOException {
+        Matcher names = Pattern.compile("io\\.github\\.circles2d\\.(?:\\w+\\.)*[A-Z]\\w*")
+                .matcher(read(document));
+        while (names.find()) {
+            String file = "src/main/java/" + names.group().replace('.', '/') + ".java";
+            assertThat(Path.of(file)).as("class in " + document).exists();
+        }
+    }
+
+    private static String block(String markdown, String language) {
+        return first("(?s)```" + language + "\\n(.*?)```", markdown);
+    }
+
+    private static String first(String pattern, String text) {
+        Matcher matcher = Pattern.compile(pattern).matcher(text);
+        assertThat(matcher.find()).as("there is a " + pattern).isTrue();
+        return matcher.group(1);
+    }
+
+    private static String read(String file) throws IOException {
+        return Files.readString(Path.of(file), StandardCharsets.UTF_8);
+    }
+}
