@@ -210,6 +210,7 @@ class LauncherTest {
                 .containsSubsequence(
                         "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dtest=Some install\n",
                         "-f bench/pom.xml",
+                        "benchmarks.jar smoke\n",
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
                         "-DlocalRepositoryPath=" + repository,
                         "-Dmaven.repo.local=" + repository,
@@ -217,7 +218,7 @@ class LauncherTest {
                         "Game\n")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
-        assertThat(machine.launch("test").status).as("a consumer that fails").isEqualTo(5);
+        assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
     }
 
     @Test
