@@ -96,8 +96,8 @@ final class Plan {
         if (!options.quick()) {
             sizes.addAll(BEYOND);
         }
-        devices.forEach(
-                (name, device) -> work.add(new AccuracyWork(name, device, options.sizes(sizes), options.quick() ? 5 : 120, folder)));
+        devices.forEach((name, device) ->
+                work.add(new AccuracyWork(name, device, options.sizes(sizes), options.quick() ? 5 : 120, folder)));
     }
 
     private void addStrategies() {
