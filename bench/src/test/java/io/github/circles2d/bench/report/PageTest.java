@@ -156,7 +156,7 @@ class PageTest {
     @Test
     void aPageWithoutResultsSaysSo() throws IOException {
         Files.writeString(temporary.resolve("machines.txt"), "");
-        assertThat(Page.of(temporary)).contains("There are no results yet").doesNotContain("box");
+        assertThat(Page.of(temporary)).contains("There are no results yet").doesNotContain("### box");
     }
 
     @Test
