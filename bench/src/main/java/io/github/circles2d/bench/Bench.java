@@ -11,6 +11,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.logging.Level;
+import java.util.logging.Logger;
 
 /** The main class of {@code benchmarks.jar}. */
 public final class Bench {
@@ -33,6 +35,9 @@ public final class Bench {
             "-p",
             "scene=packed");
 
+    /** Held, or it would be forgotten with its level. */
+    private static final Logger LIBRARY_LOG = Logger.getLogger("io.github.circles2d");
+
     private Bench() {}
 
     /**
@@ -42,6 +47,8 @@ public final class Bench {
      */
     public static void main(String[] arguments) throws IOException {
         System.setProperty("java.awt.headless", "true");
+        // What the library warns of, wrong slots above all, is what the tables say.
+        LIBRARY_LOG.setLevel(Level.SEVERE);
         List<String> all = List.of(arguments);
         List<String> rest = all.isEmpty() ? all : all.subList(1, all.size());
         try {

@@ -36,15 +36,18 @@ public final class Page {
         this.folders = folders;
     }
 
-    /** The page for all folders in {@code results}, which it links as {@code ../bench/results}. */
+    /**
+     * The page for the folders that {@code machines.txt} in {@code results} names, one a line and in this order; it links
+     * them as {@code ../bench/results}. Other folders are someone's own and stay out of it.
+     */
     public static String of(Path results) throws IOException {
         List<ResultsFolder> folders = new ArrayList<>();
-        if (Files.isDirectory(results)) {
-            try (Stream<Path> paths = Files.list(results)) {
-                for (Path path : paths.filter(Files::isDirectory).sorted().collect(Collectors.toList())) {
-                    folders.add(ResultsFolder.open(path));
-                }
+        for (String name : Files.readAllLines(results.resolve("machines.txt"))) {
+            if (!Files.isDirectory(results.resolve(name))) {
+                throw new IllegalArgumentException(
+                        "machines.txt names " + name + ", but there is no such folder in " + results);
             }
+            folders.add(ResultsFolder.open(results.resolve(name)));
         }
         return new Page(folders).fill(template());
     }

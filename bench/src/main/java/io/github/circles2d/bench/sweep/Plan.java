@@ -92,9 +92,12 @@ final class Plan {
     }
 
     private void addAccuracy() {
-        List<Integer> sizes = options.sizes(THESIS_SIZES);
-        devices.forEach(
-                (name, device) -> work.add(new AccuracyWork(name, device, sizes, options.quick() ? 5 : 120, folder)));
+        List<Integer> sizes = new ArrayList<>(THESIS_SIZES);
+        if (!options.quick()) {
+            sizes.addAll(BEYOND);
+        }
+        devices.forEach((name, device) ->
+                work.add(new AccuracyWork(name, device, options.sizes(sizes), options.quick() ? 5 : 120, folder)));
     }
 
     private void addStrategies() {

@@ -30,6 +30,7 @@ class PageTest {
 
     @BeforeEach
     void measure() throws IOException {
+        Files.writeString(temporary.resolve("machines.txt"), "box\n");
         folder = ResultsFolder.open(temporary.resolve("box"));
         folder.put(
                 Kind.MACHINE,
@@ -154,7 +155,16 @@ class PageTest {
 
     @Test
     void aPageWithoutResultsSaysSo() throws IOException {
-        assertThat(Page.of(temporary.resolve("none"))).contains("There are no results yet");
+        Files.writeString(temporary.resolve("machines.txt"), "");
+        assertThat(Page.of(temporary)).contains("There are no results yet").doesNotContain("### box");
+    }
+
+    @Test
+    void aMachineThatIsNamedButNotThereIsAnError() throws IOException {
+        Files.writeString(temporary.resolve("machines.txt"), "box\nattic\n");
+        assertThatThrownBy(() -> Page.of(temporary))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("attic");
     }
 
     @Test
