@@ -26,11 +26,9 @@ HELPER int2 collision_map_exact(uint c, int potential_collisions, int circles) {
 // The MTV of every pair. One work-item a slot: a square root for the pair and one for its distance.
 __kernel void detect_collisions_exact(
     __global const float4 *circle, __global float2 *collision, int potential_collisions, int circles) {
-    const size_t c = get_global_id(0);
-    if (c >= (uint)potential_collisions) {
-        return;
+    FOR_EACH_SLOT(c, potential_collisions) {
+        detect_pair(circle, collision, c, collision_map_exact((uint)c, potential_collisions, circles));
     }
-    detect_pair(circle, collision, c, collision_map_exact((uint)c, potential_collisions, circles));
 }
 
 // The response of every overlapping pair, as resolve_collisions. One work-item a slot: a read where the slot is empty.
@@ -41,12 +39,10 @@ __kernel void resolve_collisions_exact(
     int potential_collisions,
     int circles,
     float restitution) {
-    const size_t c = get_global_id(0);
-    if (c >= (uint)potential_collisions) {
-        return;
-    }
-    const float2 mtv = collision[c];
-    if (has_mtv(mtv)) {
-        resolve_pair(circle, velocities, mtv, collision_map_exact((uint)c, potential_collisions, circles), restitution);
+    FOR_EACH_SLOT(c, potential_collisions) {
+        const float2 mtv = collision[c];
+        if (has_mtv(mtv)) {
+            resolve_pair(circle, velocities, mtv, collision_map_exact((uint)c, potential_collisions, circles), restitution);
+        }
     }
 }

@@ -16,7 +16,10 @@
         __global int2 *pairs, __global const int2 *TABLE, int potential_collisions, int circles) {     \
         const uint c = (uint)get_global_id(0);                                                         \
         if (c < (uint)potential_collisions) {                                                          \
-            pairs[c] = MAP;                                                                            \
+            const int2 pair = MAP;                                                                     \
+            __global int *target = (__global int *)(pairs + c);                                        \
+            target[0] = pair.x;                                                                        \
+            target[1] = pair.y;                                                                        \
         }                                                                                              \
     }
 

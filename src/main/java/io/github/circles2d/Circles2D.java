@@ -167,7 +167,7 @@ public final class Circles2D implements AutoCloseable {
         MemoryNeed.of(strategy, circles.size()).requireRoom(session.device(), session.freeBytes() + held);
         Program program;
         try {
-            program = session.build(strategy.source(circles.size()), BUILD_OPTION);
+            program = session.build(Simulation.source(strategy, circles.size(), session.device()), BUILD_OPTION);
         } catch (UncheckedIOException e) {
             throw e.getCause();
         }

@@ -8,9 +8,9 @@ package io.github.circles2d;
  */
 public enum PairIndexing {
     /**
-     * Strategy 0: the root of a quadratic, in single precision and without a table. From 2,050 circles on, rounding maps
-     * some slots wrongly, which ones depending on the device; such slots are skipped, so that their pairs pass through
-     * each other. {@link Circles2D#wrongSlots} counts them.
+     * Strategy 0: the root of a quadratic, in single precision and without a table. Above 2,049 circles rounding can map
+     * slots wrongly: from 2,050 on an NVIDIA H200, somewhere above 2,500 on POCL 3.1 for x86-64. Such slots are skipped, so
+     * that their pairs pass through each other. {@link Circles2D#wrongSlots} counts them.
      */
     COMPUTED,
 

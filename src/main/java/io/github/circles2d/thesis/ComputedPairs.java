@@ -1,11 +1,10 @@
 package io.github.circles2d.thesis;
 
-import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
-import java.nio.IntBuffer;
 
 /**
  * Strategy 0, computed: no table. The single-precision formula maps some slots wrongly from 2,050 circles on; they are
@@ -42,13 +41,19 @@ public final class ComputedPairs extends PairStrategy {
 
     @Override
     long countWrongSlots(Session session, Program program, State state) {
-        try (DeviceBuffer wrong = session.allocate("number of wrong slots", Integer.BYTES);
+        if (state.slots == 0) {
+            return 0;
+        }
+        // Before the first step the collision buffer is free: its first int holds the count.
+        try (HostBuffer number = session.hostBuffer(Integer.BYTES);
                 Kernel count = program.kernel("count_wrong_slots")) {
-            IntBuffer number = IntBuffer.allocate(1);
-            wrong.write(0, number);
-            count.arg(0, wrong).arg(1, state.slots).arg(2, state.circles).run(state.slots);
-            wrong.read(number);
-            return number.get(0);
+            state.collision.write(0, number, 0, Integer.BYTES);
+            count.arg(0, state.collision)
+                    .arg(1, state.slots)
+                    .arg(2, state.circles)
+                    .run(state.slots);
+            state.collision.read(0, number, 0, Integer.BYTES);
+            return number.ints().get(0);
         }
     }
 }

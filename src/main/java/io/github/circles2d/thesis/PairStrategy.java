@@ -39,7 +39,7 @@ public abstract class PairStrategy implements AutoCloseable {
     /** Makes the kernel that parts overlapping pairs and exchanges their impulses, with its arguments. */
     abstract Kernel resolve(Program program, State state, float restitution);
 
-    /** Counts the slots that are mapped wrongly, on the device. */
+    /** Counts the slots that are mapped wrongly, on the device; may leave anything in the collision buffer. */
     long countWrongSlots(Session session, Program program, State state) {
         return 0;
     }

@@ -1,8 +1,10 @@
 package io.github.circles2d.thesis;
 
+import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 
@@ -14,7 +16,7 @@ public final class Simulation implements AutoCloseable {
     private final Session session;
     private final PairStrategy strategy;
     private final int size;
-    private final long slots;
+    private final long slotItems;
     private final float[] interleaved;
     private DeviceBuffer circle;
     private DeviceBuffer velocities;
@@ -26,19 +28,42 @@ public final class Simulation implements AutoCloseable {
     private Kernel resolve;
     private long wrongSlots;
 
+    /** How many work-items a compute unit of a GPU runs at once, at most. */
+    private static final int ITEMS_OF_A_UNIT = 2048;
+
     private Simulation(Session session, PairStrategy strategy, int size) {
         this.session = session;
         this.strategy = strategy;
         this.size = size;
-        slots = PairSlots.count(size);
+        slotItems = slotItems(session.device(), PairSlots.count(size));
         interleaved = new float[CircleList.BODY * size];
+    }
+
+    /**
+     * Returns what to compile for a strategy on a device.
+     *
+     * @param strategy the strategy
+     * @param size number of circles
+     * @param device the device
+     * @return the source, with what suits the device defined
+     */
+    public static KernelSource source(PairStrategy strategy, int size, Device device) {
+        KernelSource source = strategy.source(size);
+        return device.kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source;
+    }
+
+    /** Work-items for the slots: what {@link #source} has the kernels expect. */
+    private static long slotItems(Device device, long slots) {
+        return device.kind() == Device.Kind.GPU
+                ? Math.min(slots, (long) device.computeUnits() * ITEMS_OF_A_UNIT)
+                : slots;
     }
 
     /**
      * Builds a simulation. Whether it fits has been checked.
      *
      * @param session where to build it
-     * @param program the compiled {@link PairStrategy#source} of the strategy for this number of circles
+     * @param program the compiled {@link #source} of the strategy for this number of circles
      * @param strategy the strategy, which the simulation closes
      * @param circles the circles to start from
      * @param parameters time step, restitution, gravity
@@ -90,8 +115,8 @@ public final class Simulation implements AutoCloseable {
     /** Enqueues a step: update, detect, resolve. */
     public void step() {
         update.run(size);
-        detect.run(slots);
-        resolve.run(slots);
+        detect.run(slotItems);
+        resolve.run(slotItems);
     }
 
     /**

@@ -82,7 +82,7 @@ class DocumentationTest {
                 .map(match -> match.group(1))
                 .distinct()
                 .collect(Collectors.toList());
-        assertThat(commands).contains("demo", "test", "doctor");
+        assertThat(commands).contains("demo", "test", "bench", "doctor");
         String launcher = read("circles2d");
         for (String command : commands) {
             assertThat(launcher).containsPattern("(?m)^  (help \\| .*|" + command + "\\))");
@@ -90,13 +90,23 @@ class DocumentationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"})
+    @ValueSource(
+            strings = {
+                "README.md",
+                "ARCHITECTURE.md",
+                "CONTRIBUTING.md",
+                "CHANGELOG.md",
+                "bench/README.md",
+                "docs/benchmarks.md"
+            })
     void everyLinkToAFileLeadsToOne(String document) throws IOException {
         Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));
         while (links.find()) {
             String target = links.group(1);
             if (!target.startsWith("http")) {
-                assertThat(Path.of(target)).as("link in " + document).exists();
+                assertThat(Path.of(document).resolveSibling(target))
+                        .as("link in " + document)
+                        .exists();
             }
         }
     }

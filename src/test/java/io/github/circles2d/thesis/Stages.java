@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import java.util.List;
 
 /** The three kernels of a strategy, run one by one on state that the test can set and see. */
@@ -50,7 +51,7 @@ final class Stages implements AutoCloseable {
         set(scene.x, scene.y, scene.radius, scene.mass, scene.vx, scene.vy);
         // Rubbish, which the detect kernels must clear away.
         float[] rubbish = new float[2 * slots];
-        java.util.Arrays.fill(rubbish, 0.25f);
+        Arrays.fill(rubbish, 0.25f);
         collision.write(FloatBuffer.wrap(rubbish));
     }
 
