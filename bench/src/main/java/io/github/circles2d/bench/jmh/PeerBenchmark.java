@@ -23,8 +23,8 @@ import org.openjdk.jmh.annotations.Warmup;
 import org.openjdk.jmh.infra.BenchmarkParams;
 
 /**
- * Ms a step of the engines on the same scenes. An iteration loads the scene, runs {@link #SKIPPED} steps that do not count
- * (the crowd starts with overlaps that no engine meets in use), then the steps that do, and measures the quality.
+ * Ms a step of the engines on the same scenes. An iteration loads the scene, runs some steps that do not count (the crowd
+ * starts with overlaps that no engine meets in use), then the steps that do, and measures the quality.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SingleShotTime)
@@ -34,9 +34,6 @@ import org.openjdk.jmh.infra.BenchmarkParams;
 @Measurement(iterations = 4)
 @Fork(value = 1, jvmArgsAppend = "--enable-native-access=ALL-UNNAMED")
 public class PeerBenchmark {
-    /** Steps before the measured ones. */
-    public static final int SKIPPED = 100;
-
     /** A name out of {@link Engines}. */
     @Param({"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", "circles2d-lookup-table", "circles2d-exact"})
     public String engine;
@@ -48,6 +45,10 @@ public class PeerBenchmark {
     /** Number of circles. */
     @Param({"1250", "2500", "5000"})
     public int n;
+
+    /** Steps before the measured ones. */
+    @Param("100")
+    public int skipped;
 
     private Engine running;
     private Scene start;
@@ -70,7 +71,7 @@ public class PeerBenchmark {
     @Setup(Level.Iteration)
     public void load() {
         running.load(start);
-        for (int step = 0; step < SKIPPED; step++) {
+        for (int step = 0; step < skipped; step++) {
             running.step();
         }
         running.finish();

@@ -27,6 +27,9 @@ final class JmhRun {
     /** The first line of a stack trace: class and message. */
     private static final Pattern FAILURE = Pattern.compile("(?m)^(?:Caused by: )?([\\w.$]+(?:Exception|Error)): (.*)$");
 
+    /** How the failure of a run begins that took too long. */
+    static final String GIVEN_UP = "given up";
+
     private final RunResult result;
     private final String failure;
 
@@ -40,13 +43,13 @@ final class JmhRun {
      *
      * @param warmups iterations that do not count
      * @param runs iterations that count
-     * @param timeoutSeconds after which an iteration is given up
+     * @param timeoutSeconds after which the run is given up and its JVM killed
      */
     static JmhRun of(Task task, int warmups, int runs, long timeoutSeconds) throws IOException {
         Path log = Files.createTempFile("circles2d-jmh", ".log");
         PrintStream console = System.err;
         ByteArrayOutputStream errors = new ByteArrayOutputStream();
-        try {
+        try (Watchdog watchdog = new Watchdog(timeoutSeconds)) {
             // JMH passes on what the other JVM writes to its standard error, past the log.
             System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
             ChainedOptionsBuilder options = new OptionsBuilder()
@@ -54,12 +57,16 @@ final class JmhRun {
                     .operationsPerInvocation(task.steps())
                     .warmupIterations(warmups)
                     .measurementIterations(runs)
-                    .timeout(TimeValue.seconds(timeoutSeconds))
+                    // not JMH's to give up: it would interrupt the run and go on waiting for it
+                    .timeout(TimeValue.seconds(2 * timeoutSeconds + 600))
                     .output(log.toString());
             for (Map.Entry<String, String> parameter : task.parameters().entrySet()) {
                 options.param(parameter.getKey(), parameter.getValue());
             }
             Collection<RunResult> results = new Runner(options.build()).run();
+            if (watchdog.fired()) {
+                return new JmhRun(null, GIVEN_UP + " after " + timeoutSeconds + " s");
+            }
             if (results.isEmpty()) {
                 String said = Files.readString(log, StandardCharsets.UTF_8) + errors.toString(StandardCharsets.UTF_8);
                 return new JmhRun(null, reason(said));

@@ -8,7 +8,6 @@ import io.github.circles2d.bench.results.Table;
 import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import java.util.Set;
 
 /** A JMH run within its share of the time. */
 final class JmhWork implements Work {
@@ -38,18 +37,18 @@ final class JmhWork implements Work {
     private final Task task;
     private final Effort effort;
     private final ResultsFolder folder;
-    private final Set<String> tooLarge;
+    private final Map<String, String> hopeless;
 
     /**
      * Creates the work.
      *
-     * @param tooLarge series and benchmarks that have met a size which did not fit; shared by all work
+     * @param hopeless why larger sizes of a series need not be tried, by series; shared by all work
      */
-    JmhWork(Task task, Effort effort, ResultsFolder folder, Set<String> tooLarge) {
+    JmhWork(Task task, Effort effort, ResultsFolder folder, Map<String, String> hopeless) {
         this.task = task;
         this.effort = effort;
         this.folder = folder;
-        this.tooLarge = tooLarge;
+        this.hopeless = hopeless;
     }
 
     private static Map<String, String> columns() {
@@ -81,8 +80,8 @@ final class JmhWork implements Work {
 
     @Override
     public String run(Pace pace, double secondsLeft) throws IOException {
-        if (tooLarge.contains(task.series())) {
-            return without("does not fit: a smaller size does not");
+        if (hopeless.containsKey(task.series())) {
+            return without(hopeless.get(task.series()));
         }
         double limit = Math.min(secondsLeft, effort.maxSeconds);
         double iteration = pace.iterationSeconds(task);
@@ -91,7 +90,9 @@ final class JmhWork implements Work {
         if (affordable < MIN_RUNS) {
             return leaveOut(pace.seconds(task, warmups + MIN_RUNS), limit);
         }
-        return measure(pace, warmups, affordable);
+        // A guess may be wrong, a budget must hold.
+        double patience = Math.min(30 + 3 * pace.seconds(task, warmups + affordable), 15 + secondsLeft);
+        return measure(pace, warmups, affordable, (long) patience);
     }
 
     private int warmups(Pace pace) {
@@ -112,22 +113,28 @@ final class JmhWork implements Work {
         return status;
     }
 
-    private String measure(Pace pace, int warmups, int runs) throws IOException {
+    private String measure(Pace pace, int warmups, int runs, long timeout) throws IOException {
         long before = System.nanoTime();
-        long timeout = (long) Math.max(120, 5 * pace.iterationSeconds(task));
         JmhRun run = JmhRun.of(task, warmups, runs, timeout);
         if (!run.succeeded()) {
-            boolean memory = run.failure().startsWith("DeviceMemoryException");
-            if (memory) {
-                tooLarge.add(task.series());
-            }
-            return without((memory ? "does not fit: " : "failed: ") + run.failure());
+            return explain(run.failure());
         }
         Statistics millis = run.millis();
         pace.learn(task, millis.mean(), (System.nanoTime() - before) / 1e9, warmups + runs);
         folder.put(run.result());
         folder.put(task.kind(), row(run, millis));
         return Numbers.brief(millis.mean()) + " ms +/- " + Numbers.brief(millis.standardError());
+    }
+
+    private String explain(String failure) throws IOException {
+        if (failure.startsWith("DeviceMemoryException")) {
+            hopeless.put(task.series(), "does not fit: a smaller size does not");
+            return without("does not fit: " + failure);
+        }
+        if (failure.startsWith(JmhRun.GIVEN_UP)) {
+            hopeless.put(task.series(), "left out: a smaller size was given up");
+        }
+        return without("failed: " + failure);
     }
 
     private Map<String, String> row(JmhRun run, Statistics millis) {

@@ -5,19 +5,24 @@ import java.util.Map;
 
 /** Foretells how long a task takes from those that ran. */
 final class Pace {
-    private final Map<String, long[]> sizes = new HashMap<>();
+    private final Map<String, Long> sizes = new HashMap<>();
     private final Map<String, Double> costs = new HashMap<>();
     private double forkSeconds = 2;
     private int forks;
 
     /** Learns from a run. */
     void learn(Task task, double msPerStep, double wallSeconds, int iterations) {
-        sizes.put(task.series(), new long[] {task.n()});
-        costs.put(task.series(), msPerStep);
+        remember(task.series(), task.n(), msPerStep);
         double overhead = wallSeconds - iterations * iterationSeconds(task);
         // A mean over the forks so far, begun by one at the first guess.
         forks++;
         forkSeconds += (Math.max(0.3, overhead) - forkSeconds) / (forks + 1);
+    }
+
+    /** Takes a series' cost from an earlier sweep. Call it in the order of the sizes. */
+    void remember(String series, long n, double msPerStep) {
+        sizes.put(series, n);
+        costs.put(series, msPerStep);
     }
 
     /** Ms a step. */
@@ -26,7 +31,7 @@ final class Pace {
         if (cost == null) {
             return task.firstGuess();
         }
-        return cost * Math.pow(task.n() / (double) sizes.get(task.series())[0], task.growth());
+        return cost * Math.pow(task.n() / (double) sizes.get(task.series()), task.growth());
     }
 
     /** Seconds of an iteration. */

@@ -5,14 +5,16 @@ import io.github.circles2d.bench.engines.Engines;
 import io.github.circles2d.bench.jmh.CopyBenchmark;
 import io.github.circles2d.bench.jmh.PeerBenchmark;
 import io.github.circles2d.bench.jmh.StrategyBenchmark;
+import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.Table;
 import io.github.circles2d.opencl.Device;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /** The list of a sweep's work. Small sizes come first: they tell how long the large ones will take. */
 final class Plan {
@@ -29,7 +31,7 @@ final class Plan {
     private final Map<String, Device> devices;
     private final ResultsFolder folder;
     private final JmhWork.Effort effort;
-    private final Set<String> tooLarge = new HashSet<>();
+    private final Map<String, String> hopeless = new HashMap<>();
     private final List<Work> work = new ArrayList<>();
 
     private Plan(Options options, Map<String, Device> devices, ResultsFolder folder) {
@@ -61,6 +63,36 @@ final class Plan {
             }
         }
         return plan.work;
+    }
+
+    /** Tells what earlier sweeps have left in the folder about how long things take. */
+    static void remember(ResultsFolder folder, Pace pace) {
+        for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.STRATEGIES))) {
+            pace.remember(
+                    strategySeries(row.get("indexing"), row.get("device")),
+                    Long.parseLong(row.get("n")),
+                    Numbers.parse(row.get("mean_ms")));
+        }
+        for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.PEERS))) {
+            pace.remember(
+                    peerSeries(row.get("engine"), row.get("scene")),
+                    Long.parseLong(row.get("n")),
+                    Numbers.parse(row.get("mean_ms")));
+        }
+    }
+
+    private static List<Map<String, String>> bySize(Table table) {
+        List<Map<String, String>> rows = table.rows("status", "ok");
+        rows.sort(Comparator.comparingLong(row -> Long.parseLong(row.get("n"))));
+        return rows;
+    }
+
+    private static String strategySeries(String indexing, String device) {
+        return "strategy " + indexing + " on " + device;
+    }
+
+    private static String peerSeries(String engine, String scene) {
+        return engine + " " + scene;
     }
 
     private void addCopies() {
@@ -134,7 +166,7 @@ final class Plan {
         return new Task(
                 ResultsFolder.Kind.STRATEGIES,
                 key,
-                "strategy " + indexing + " on " + name,
+                strategySeries(indexing.name(), name),
                 n,
                 2,
                 StrategyBenchmark.class.getName() + "." + mode,
@@ -155,37 +187,48 @@ final class Plan {
         List<String> engines = new ArrayList<>(Engines.PEERS);
         devices.keySet().forEach(device -> engines.addAll(Engines.own(device)));
         List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES);
-        for (String scene : options.quick() ? List.of("packed") : List.of("packed", "thesis")) {
-            for (int n : sizes) {
-                // At 1,250 the two scenes are the same.
-                if (scene.equals("packed") || n != 1250) {
-                    engines.forEach(engine -> add(peer(engine, scene, n)));
-                }
-            }
+        for (int n : sizes) {
+            engines.forEach(engine -> add(packed(engine, n)));
+        }
+        if (!options.quick()) {
+            // At 1,250 the two scenes are the same.
+            sizes.stream().filter(n -> n != 1250).forEach(n -> engines.forEach(engine -> add(overfull(engine, n))));
         }
     }
 
-    private Task peer(String engine, String scene, int n) {
-        int steps = options.quick() ? 100 : 500;
+    private Task packed(String engine, int n) {
+        double small = List.of("jbox2d", "dyn4j").contains(engine) ? 12 : 3;
+        return peer(engine, "packed", n, 100, options.quick() ? 100 : 500, small * Math.pow(n / 1250.0, 2));
+    }
+
+    /** Few steps: engines that solve their contacts take a second for one of them, and it never comes to rest anyway. */
+    private Task overfull(String engine, int n) {
+        return peer(engine, "thesis", n, 10, 20, 100 * Math.pow(n / 2500.0, 2));
+    }
+
+    private static Task peer(String engine, String scene, int n, int skipped, int steps, double guess) {
         Map<String, String> key = new LinkedHashMap<>();
         key.put("engine", engine);
         key.put("scene", scene);
         key.put("n", Integer.toString(n));
         key.put("steps", Integer.toString(steps));
+        Map<String, String> parameters = new LinkedHashMap<>(key);
+        parameters.remove("steps");
+        parameters.put("skipped", Integer.toString(skipped));
         return new Task(
                 ResultsFolder.Kind.PEERS,
                 key,
-                engine + " " + scene,
+                peerSeries(engine, scene),
                 n,
                 2,
                 PeerBenchmark.class.getName() + ".step",
-                Map.of("engine", engine, "scene", scene, "n", Integer.toString(n)),
-                PeerBenchmark.SKIPPED,
+                parameters,
+                skipped,
                 steps,
-                3 * Math.pow(n / 1250.0, 2));
+                guess);
     }
 
     private void add(Task task) {
-        work.add(new JmhWork(task, effort, folder, tooLarge));
+        work.add(new JmhWork(task, effort, folder, hopeless));
     }
 }

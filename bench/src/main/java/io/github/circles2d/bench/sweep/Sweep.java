@@ -35,6 +35,7 @@ public final class Sweep {
         String machine = options.machine().isEmpty() ? Machine.name(devices) : options.machine();
         ResultsFolder folder = ResultsFolder.open(options.out().resolve(machine));
         List<Work> work = Plan.of(options, devices, folder);
+        Plan.remember(folder, pace);
         devices.forEach((name, device) -> out.println("device " + name + ": " + device));
         if (options.list()) {
             work.forEach(entry -> out.println(entry.label()));

@@ -7,10 +7,9 @@ import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -48,11 +47,40 @@ class SweepPartsTest {
     }
 
     @Test
+    void anEarlierSweepTellsTheCostOfALaterOne() throws IOException {
+        ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
+        for (int n : new int[] {5000, 2500}) {
+            folder.put(
+                    Kind.PEERS,
+                    Map.of(
+                            "engine",
+                            "dyn4j",
+                            "scene",
+                            "packed",
+                            "n",
+                            Integer.toString(n),
+                            "steps",
+                            "500",
+                            "mean_ms",
+                            n == 5000 ? "80" : "1",
+                            "status",
+                            "ok"));
+        }
+        Work work = Plan.of(Options.parse(List.of("--only", "peers", "--sizes", "10000", "--quick")), Map.of(), folder)
+                .get(3);
+        Pace pace = new Pace();
+        Plan.remember(folder, pace);
+        // 320 ms a step at 10,000: an iteration of 201 steps is 64 s
+        assertThat(work.label()).startsWith("dyn4j");
+        assertThat(work.run(pace, 60)).startsWith("left out: it would take about 131 s");
+    }
+
+    @Test
     void whatDoesNotFitIntoTheTimeIsLeftOutAndNamed() throws IOException {
         ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
         Pace pace = new Pace();
         pace.learn(task(1000), 5000, 10, 1);
-        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, new HashSet<>());
+        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, new HashMap<>());
         assertThat(work.run(pace, 60)).startsWith("left out: it would take about");
         assertThat(folder.table(Kind.STRATEGIES).rows().get(0))
                 .containsEntry("n", "1000")
@@ -66,7 +94,7 @@ class SweepPartsTest {
         folder.put(
                 Kind.STRATEGIES,
                 Map.of("device", "d", "strategy", "0", "n", "1000", "mode", "loop", "mean_ms", "5", "status", "ok"));
-        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, new HashSet<>());
+        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, new HashMap<>());
         assertThat(work.run(new Pace(), -1))
                 .startsWith("left out: the time was up")
                 .endsWith("stays");
@@ -76,8 +104,24 @@ class SweepPartsTest {
     @Test
     void sizesAboveOneThatDidNotFitAreNotTried() throws IOException {
         ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
-        JmhWork work = new JmhWork(task(1000), JmhWork.Effort.FULL, folder, Set.of("s"));
+        JmhWork work = new JmhWork(
+                task(1000), JmhWork.Effort.FULL, folder, Map.of("s", "does not fit: a smaller size does not"));
         assertThat(work.run(new Pace(), 60)).startsWith("does not fit");
+    }
+
+    @Test
+    void aWatchdogEndsAProcessThatRunsForTooLong() throws Exception {
+        try (Watchdog watchdog = new Watchdog(60)) {
+            assertThat(watchdog.fired()).isFalse();
+        }
+        // a JVM that waits for its standard input
+        Process waiting = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "jshell")
+                        .toString())
+                .start();
+        try (Watchdog watchdog = new Watchdog(1)) {
+            assertThat(waiting.waitFor()).isNotZero();
+            assertThat(watchdog.fired()).isTrue();
+        }
     }
 
     @Test
