@@ -30,8 +30,10 @@ class KernelsAgainstOracleTest {
         List<Arguments> cases = new ArrayList<>();
         for (Device device : TestDevices.all()) {
             for (int strategy = 0; strategy < 4; strategy++) {
-                for (float restitution : new float[] {0, 0.5f, 1}) {
-                    cases.add(Arguments.of(device, strategy, restitution));
+                for (boolean fewWorkItems : new boolean[] {false, true}) {
+                    for (float restitution : new float[] {0, 0.5f, 1}) {
+                        cases.add(Arguments.of(device, strategy, fewWorkItems, restitution));
+                    }
                 }
             }
         }
@@ -40,15 +42,15 @@ class KernelsAgainstOracleTest {
 
     static Stream<Arguments> everyElasticStrategyOnEveryDevice() {
         return everyStrategyOnEveryDevice().stream()
-                .filter(arguments -> (float) arguments.get()[2] > 0);
+                .filter(arguments -> (float) arguments.get()[3] > 0);
     }
 
     @ParameterizedTest
     @MethodSource("everyStrategyOnEveryDevice")
-    void updatePositionMovesAndReflectsAsTheOracleDoes(Device device, int strategy, float e) {
+    void updatePositionMovesAndReflectsAsTheOracleDoes(Device device, int strategy, boolean few, float e) {
         TestScene scene = TestScene.atTheWalls(500, 7);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, GX, GY);
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), scene, STEP, e, GX, GY)) {
+        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             oracle.update();
             assertThat(oracle.takeMargin()).isGreaterThan(10 * STAGE_TOLERANCE);
             stages.update();
@@ -58,13 +60,13 @@ class KernelsAgainstOracleTest {
 
     @ParameterizedTest
     @MethodSource("everyStrategyOnEveryDevice")
-    void detectFindsTheMtvOfEveryPairAndClearsTheSlotsOfAllOthers(Device device, int strategy, float e) {
+    void detectFindsTheMtvOfEveryPairAndClearsTheSlotsOfAllOthers(Device device, int strategy, boolean few, float e) {
         TestScene scene = TestScene.isolatedPairs(16, 11);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, GX, GY);
         oracle.detect();
         assertThat(oracle.takeMargin()).isGreaterThan(10 * STAGE_TOLERANCE);
         assertThat(oracle.contacts()).hasSizeBetween(80, 220);
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), scene, STEP, e, GX, GY)) {
+        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             stages.detect();
             float[][] mtv = stages.collisions();
             for (int c = 0; c < oracle.mtvX.length; c++) {
@@ -81,12 +83,12 @@ class KernelsAgainstOracleTest {
 
     @ParameterizedTest
     @MethodSource("everyStrategyOnEveryDevice")
-    void resolvePartsOverlappingPairsAndExchangesTheirImpulses(Device device, int strategy, float e) {
+    void resolvePartsOverlappingPairsAndExchangesTheirImpulses(Device device, int strategy, boolean few, float e) {
         TestScene scene = TestScene.isolatedPairs(16, 13);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, GX, GY);
         oracle.detect();
         assertThat(oracle.someCircleHasTwoContacts()).isFalse();
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), scene, STEP, e, GX, GY)) {
+        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             stages.setCollisionsOf(oracle);
             stages.resolve();
             oracle.resolve();
@@ -100,11 +102,11 @@ class KernelsAgainstOracleTest {
      */
     @ParameterizedTest
     @MethodSource("everyElasticStrategyOnEveryDevice")
-    void twentyWholeStepsFollowTheOracle(Device device, int strategy, float e) {
+    void twentyWholeStepsFollowTheOracle(Device device, int strategy, boolean few, float e) {
         TestScene scene = TestScene.isolatedPairs(8, 480);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, 0, 0);
         int contacts = 0;
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), scene, STEP, e, 0, 0)) {
+        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, 0, 0)) {
             for (int k = 0; k < 20; k++) {
                 oracle.update();
                 oracle.detect();

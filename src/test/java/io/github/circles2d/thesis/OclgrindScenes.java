@@ -42,14 +42,16 @@ final class OclgrindScenes {
     }
 
     private static void runEveryStrategy(Device device, TestScene scene) {
-        for (PairStrategy strategy : Stages.strategies()) {
-            try (Stages stages = new Stages(device, strategy, scene, 1 / 60f, 0.5f, 0, -0.01f)) {
-                for (int k = 0; k < 2; k++) {
-                    stages.update();
-                    stages.detect();
-                    stages.resolve();
+        for (boolean fewWorkItems : new boolean[] {false, true}) {
+            for (PairStrategy strategy : Stages.strategies()) {
+                try (Stages stages = new Stages(device, strategy, fewWorkItems, scene, 1 / 60f, 0.5f, 0, -0.01f)) {
+                    for (int k = 0; k < 2; k++) {
+                        stages.update();
+                        stages.detect();
+                        stages.resolve();
+                    }
+                    stages.circles();
                 }
-                stages.circles();
             }
         }
     }

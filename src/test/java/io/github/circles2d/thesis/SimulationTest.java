@@ -26,7 +26,7 @@ class SimulationTest {
         CircleList circles = TestScene.crowd(70, 0.05f, 1).circles();
         for (PairStrategy strategy : Stages.strategies()) {
             try (Session session = Session.open(device)) {
-                Program program = session.build(strategy.source(70));
+                Program program = session.build(Simulation.source(strategy, 70, device));
                 Simulation simulation = Simulation.start(session, program, strategy, circles, PARAMETERS);
                 simulation.step();
                 assertThat(session.allocatedBytes()).isEqualTo(simulation.deviceBytes());
@@ -47,7 +47,7 @@ class SimulationTest {
         for (Failing.Stage stage : Failing.Stage.values()) {
             try (Session session = Session.open(device)) {
                 Failing strategy = new Failing(stage);
-                Program program = session.build(strategy.source(70));
+                Program program = session.build(Simulation.source(strategy, 70, device));
                 assertThatThrownBy(() -> Simulation.start(session, program, strategy, circles, PARAMETERS))
                         .isInstanceOf(OpenClException.class)
                         .hasMessage(stage.name());

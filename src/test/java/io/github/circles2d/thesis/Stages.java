@@ -3,6 +3,7 @@ package io.github.circles2d.thesis;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import java.nio.FloatBuffer;
@@ -12,7 +13,11 @@ import java.util.List;
 /** The three kernels of a strategy, run one by one on state that the test can set and see. */
 final class Stages implements AutoCloseable {
     private final Session session;
+    /** Fewer than most scenes have slots, so that each work-item has several; and not a divisor of their number. */
+    private static final int FEW = 256;
+
     private final int slots;
+    private final int slotItems;
     private final DeviceBuffer circle;
     private final DeviceBuffer velocities;
     private final DeviceBuffer collision;
@@ -26,7 +31,21 @@ final class Stages implements AutoCloseable {
         return List.of(new ComputedPairs(), new LookupTablePairs(), new RowSearchPairs(), new ExactPairs());
     }
 
+    /** The kernels as they are compiled for the device's kind. */
     Stages(Device device, PairStrategy strategy, TestScene scene, float h, float e, float gx, float gy) {
+        this(device, strategy, device.kind() == Device.Kind.GPU, scene, h, e, gx, gy);
+    }
+
+    /** The kernels with few work-items, each for several slots, or with one a slot. */
+    Stages(
+            Device device,
+            PairStrategy strategy,
+            boolean fewWorkItems,
+            TestScene scene,
+            float h,
+            float e,
+            float gx,
+            float gy) {
         session = Session.open(device);
         this.strategy = strategy;
         int n = scene.size();
@@ -37,7 +56,10 @@ final class Stages implements AutoCloseable {
         DeviceBuffer gravity = session.allocate("gravity", MemoryNeed.GRAVITY_BYTES);
         gravity.write(FloatBuffer.wrap(new float[] {gx, gy}));
         strategy.open(session, n);
-        Program program = session.build(strategy.source(n), "-cl-finite-math-only");
+        slotItems = fewWorkItems ? Math.min(slots, FEW) : slots;
+        KernelSource source = strategy.source(n);
+        Program program =
+                session.build(fewWorkItems ? source.define("FEW_WORK_ITEMS", true) : source, "-cl-finite-math-only");
         PairStrategy.State state = new PairStrategy.State(n, circle, velocities, collision);
         update = program.kernel("update_position")
                 .arg(0, circle)
@@ -74,11 +96,11 @@ final class Stages implements AutoCloseable {
     }
 
     void detect() {
-        detect.run(slots);
+        detect.run(slotItems);
     }
 
     void resolve() {
-        resolve.run(slots);
+        resolve.run(slotItems);
     }
 
     /** Returns x, y, radius, mass. */
