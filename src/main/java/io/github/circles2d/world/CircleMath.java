@@ -11,6 +11,15 @@ package io.github.circles2d.world;
  * along n, negative where they approach; w an inverse mass, 0 for a fixed circle.
  */
 public final class CircleMath {
+    /** Solve the contact. */
+    public static final int SOLVE = 0;
+
+    /** Leave the contact alone. */
+    public static final int LEAVE = 1;
+
+    /** Let the pair bounce, and store no impulse. */
+    public static final int BOUNCE = 2;
+
     private CircleMath() {}
 
     // ---- geometry
@@ -105,43 +114,166 @@ public final class CircleMath {
      * @return after
      */
     public static float afterImpulse(float v, float w, float impulse) {
-        return clamp(v + w * impulse, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+        return limitSpeed(v + w * impulse);
+    }
+
+    /**
+     * A component of a velocity, kept below the greatest speed.
+     *
+     * @param v component
+     * @return the component
+     */
+    public static float limitSpeed(float v) {
+        return clamp(v, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
     }
 
     // ---- broad phase
     // -------------------------------------------------------------------------------------------------
 
     /**
+     * What a circle moves in a step if nothing comes in its way, one component.
+     *
+     * @param v velocity
+     * @param dt length of the step
+     * @param fall what gravity adds in the sub-steps of a step
+     * @return a displacement
+     */
+    public static float plan(float v, float dt, float fall) {
+        return v * dt + fall;
+    }
+
+    /**
      * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
      * Two circles are listed as a contact where the distance of their centres is less than the sum of their reaches.
      *
      * @param r radius
-     * @param vx velocity
-     * @param vy velocity
-     * @param dt length of the step
-     * @param margin margin, in radii
-     * @param cap greatest motion looked ahead for, in radii
+     * @param path length of what it moves in a step
      * @return the reach
      */
-    public static float reach(float r, float vx, float vy, float dt, float margin, float cap) {
-        return (r + margin * r) + least(length(vx, vy) * dt, cap * r);
+    public static float reach(float r, float path) {
+        return (r + Tuning.MARGIN * r) + least(path, Tuning.CAP * r);
     }
 
     /**
-     * The level of a radius: level k holds radii in (rmax / 2^(k+1), rmax / 2^k], the last level all smaller ones too.
+     * Whether a circle is fast: it moves farther than its radius in a step, so it might pass through another unseen.
+     *
+     * @param path length of what it moves in a step
+     * @param r radius
+     * @return true where it is
+     */
+    public static boolean isFast(float path, float r) {
+        return path > r;
+    }
+
+    /**
+     * The share of its path that a circle goes at most.
+     *
+     * @param path length of what it moves in a step
+     * @param r radius
+     * @return 1, or less for a path of very many radii
+     */
+    public static float travelShare(float path, float r) {
+        float most = Tuning.TRAVEL * r;
+        return path > most ? most / path : 1f;
+    }
+
+    /**
+     * Whether a fast circle looks out for another: not for one so much smaller that it would push it aside.
+     *
+     * @param r radius of the fast circle
+     * @param other radius of the other
+     * @return true where it does
+     */
+    public static boolean sweeps(float r, float other) {
+        return other * Tuning.SWEEP_RATIO >= r;
+    }
+
+    /**
+     * Whether two circles could pass through each other: they move against each other by more than half the sum of their
+     * radii, and neither is much smaller.
+     *
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param r radius of the fast circle
+     * @param other radius of the other
+     * @return true where they could
+     */
+    public static boolean mayPass(float ux, float uy, float r, float other) {
+        float half = 0.5f * (r + other);
+        return ux * ux + uy * uy > half * half && sweeps(r, other);
+    }
+
+    /**
+     * Whether some path in a range differs from a given one by more than a length.
+     *
+     * @param px the path
+     * @param py the path
+     * @param lowX least x in the range
+     * @param highX greatest x
+     * @param lowY least y
+     * @param highY greatest y
+     * @param length the length
+     * @return false where none can; false for an empty range, whose least is greater than its greatest
+     */
+    public static boolean differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
+        if (lowX > highX) {
+            return false;
+        }
+        float ux = greatest(px - lowX, highX - px);
+        float uy = greatest(py - lowY, highY - py);
+        return ux * ux + uy * uy > length * length;
+    }
+
+    /**
+     * When two circles touch that move evenly, as the share of their motion, or a number greater than 1 where they do not.
+     *
+     * @param dx second position minus first
+     * @param dy second position minus first
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param sum sum of the radii
+     * @return the share, at least 0
+     */
+    public static float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
+        float b = dx * ux + dy * uy;
+        float a = ux * ux + uy * uy;
+        float c = (dx * dx + dy * dy) - sum * sum;
+        float disc = b * b - a * c;
+        if (!(b > 0f) || !(disc >= 0f)) {
+            return 2f;
+        }
+        return greatest(c, 0f) / (b + (float) Math.sqrt(disc));
+    }
+
+    /**
+     * Where on a path a displacement is nearest, as a share of the path.
+     *
+     * @param dx displacement
+     * @param dy displacement
+     * @param px path
+     * @param py path
+     * @return 0 to 1
+     */
+    public static float nearest(float dx, float dy, float px, float py) {
+        float square = px * px + py * py;
+        return square > 0f ? clamp((dx * px + dy * py) / square, 0f, 1f) : 0f;
+    }
+
+    /**
+     * The size class of a radius: class k holds radii in (rmax / 2^(k+1), rmax / 2^k], the last class all smaller ones too.
      *
      * @param r radius
      * @param rmax greatest radius of all circles
      * @return 0 to {@link Levels#COUNT} - 1
      */
-    public static int level(float r, float rmax) {
-        int level = 0;
+    public static int sizeClass(float r, float rmax) {
+        int k = 0;
         float half = rmax * 0.5f;
-        while (r <= half && level < Levels.COUNT - 1) {
-            level++;
+        while (r <= half && k < Levels.COUNT - 1) {
+            k++;
             half *= 0.5f;
         }
-        return level;
+        return k;
     }
 
     /**
@@ -222,25 +354,24 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a speed is an approach fast enough to bounce.
+     * What to do with a contact that does not carry, of circles that are in free flight: nothing where they part faster than
+     * the threshold, a bounce where they meet faster than it, else solve it as any other.
      *
      * @param vn normal speed
+     * @param meets whether they touch, or would within the sub-step
      * @param thr2 square of the bounce threshold
-     * @return vn is less than minus the threshold
+     * @return {@link #SOLVE}, {@link #LEAVE} or {@link #BOUNCE}
      */
-    public static boolean approaches(float vn, float thr2) {
-        return vn < 0f && vn * vn > thr2;
-    }
-
-    /**
-     * Whether a speed is a separation that no contact should brake.
-     *
-     * @param vn normal speed
-     * @param thr2 square of the bounce threshold
-     * @return vn is greater than the threshold
-     */
-    public static boolean separates(float vn, float thr2) {
-        return vn > 0f && vn * vn > thr2;
+    public static int freeFlight(float vn, boolean meets, float thr2) {
+        if (vn * vn > thr2) {
+            if (vn > 0f) {
+                return LEAVE;
+            }
+            if (meets) {
+                return BOUNCE;
+            }
+        }
+        return SOLVE;
     }
 
     /**
@@ -267,7 +398,7 @@ public final class CircleMath {
      * @return a speed greater than 0, or 0
      */
     public static float bounceSpeed(float e, float vn, float s, float h, float thr2) {
-        return approaches(vn, thr2) && s + vn * h < 0f ? -e * vn : 0f;
+        return vn < 0f && vn * vn > thr2 && s + vn * h < 0f ? -e * vn : 0f;
     }
 
     /**

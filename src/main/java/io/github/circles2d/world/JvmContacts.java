@@ -143,7 +143,7 @@ final class JvmContacts {
         for (int slot = from; slot < to; slot++) {
             int level = grid.level[slot];
             findInOwnLevel(f, slot, level);
-            for (int k = 0; k < levels.usedCount && levels.used[k] < level; k++) {
+            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
                 findInCoarserLevel(f, slot, levels.used[k]);
             }
         }
@@ -211,19 +211,16 @@ final class JvmContacts {
     /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
     private void scan(Found f, int slot, int level, int column, int row, int from, int to) {
         float[] circle = state.circle;
-        float[] motion = state.motion;
         float[] reach = grid.reach;
         float x = circle[4 * slot];
         float y = circle[4 * slot + 1];
-        float dx = motion[4 * slot];
-        float dy = motion[4 * slot + 1];
         float own = reach[slot];
         f.tested += Math.max(0, to - from);
         for (int other = from; other < to; other++) {
-            float ux = CircleMath.difference(circle[4 * other] - x, dx, motion[4 * other]);
-            float uy = CircleMath.difference(circle[4 * other + 1] - y, dy, motion[4 * other + 1]);
+            float dx = circle[4 * other] - x;
+            float dy = circle[4 * other + 1] - y;
             float limit = own + reach[other];
-            if (ux * ux + uy * uy < limit * limit) {
+            if (dx * dx + dy * dy < limit * limit) {
                 add(f, slot, other, level, column, row);
             }
         }

@@ -30,6 +30,9 @@ final class JvmGrid {
     /** By slot: how far the circle looks for contacts. */
     float[] reach = new float[0];
 
+    /** By slot: length of what the circle would move in the step. */
+    float[] path = new float[0];
+
     /** By slot: the level. */
     byte[] level = new byte[0];
 
@@ -37,6 +40,7 @@ final class JvmGrid {
     int[] start = new int[1];
 
     private volatile boolean moved;
+    private volatile boolean fast;
 
     JvmGrid(JvmState state, Levels levels, Team team) {
         this.state = state;
@@ -52,12 +56,14 @@ final class JvmGrid {
             order = new int[c];
             bucketOf = new int[c];
             reach = new float[c];
+            path = new float[c];
             level = new byte[c];
         }
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
         }
         moved = false;
+        fast = false;
     }
 
     void build(int worker, StepConstants constants) {
@@ -92,7 +98,7 @@ final class JvmGrid {
         boolean shared = team.size() > 1;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
-            int bucket = bucket(circle[s], circle[s + 1], CircleMath.level(circle[s + 2], levels.rmax));
+            int bucket = bucket(circle[s], circle[s + 1], levels.level(circle[s + 2]));
             bucketBefore[slot] = bucket;
             rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
@@ -162,11 +168,28 @@ final class JvmGrid {
     private void describe(int from, int to, StepConstants constants) {
         float[] circle = state.circle;
         float[] motion = state.motion;
+        float[] plan = state.plan;
+        boolean some = false;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float r = circle[s + 2];
-            level[slot] = (byte) CircleMath.level(r, levels.rmax);
-            reach[slot] = CircleMath.reach(r, motion[s + 2], motion[s + 3], constants.dt, Tuning.MARGIN, Tuning.CAP);
+            boolean fixed = state.traits[s] == 0f;
+            float px = CircleMath.plan(motion[s + 2], constants.dt, fixed ? 0f : constants.fallX);
+            float py = CircleMath.plan(motion[s + 3], constants.dt, fixed ? 0f : constants.fallY);
+            plan[2 * slot] = px;
+            plan[2 * slot + 1] = py;
+            level[slot] = (byte) levels.level(r);
+            path[slot] = CircleMath.length(px, py);
+            reach[slot] = CircleMath.reach(r, path[slot]);
+            some |= !fixed && CircleMath.isFast(path[slot], r);
         }
+        if (some) {
+            fast = true;
+        }
+    }
+
+    /** Whether any circle is fast in this step. */
+    boolean anyFast() {
+        return fast;
     }
 }

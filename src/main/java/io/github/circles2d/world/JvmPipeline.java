@@ -9,6 +9,7 @@ public final class JvmPipeline implements Pipeline {
     private JvmGrid grid;
     private JvmContacts contacts;
     private JvmSolver solver;
+    private JvmSweep sweep;
     private Levels levels;
 
     /**
@@ -34,12 +35,16 @@ public final class JvmPipeline implements Pipeline {
             levels = shape;
             grid = new JvmGrid(state, shape, team);
             contacts = new JvmContacts(state, grid, shape, team);
+            sweep = new JvmSweep(state, grid, shape, team);
             solver = new JvmSolver(state, contacts, shape, team);
         }
         for (int step = 0; step < steps; step++) {
             grid.ensure();
             contacts.ensure();
+            sweep.ensure();
             grid.build(0, constants);
+            if (!Boolean.getBoolean("NOSWEEP")) sweep.sweep(0);
+            else for (int i = 0; i < 4 * state.n; i++) state.leash[i] = 1e9f;
             contacts.list(0);
             solver.solve(0, constants);
             constants.warmScale = 1f;

@@ -164,10 +164,14 @@ final class JvmSolver {
                 bounce = CircleMath.bounceSpeed(e, before, s, k.h, thr2);
             }
             q[o + JvmContacts.BOUNCE] = bounce;
-            if (e > 0f && !loaded && lambda == 0f && CircleMath.separates(vn, thr2)) {
+            int visit = CircleMath.SOLVE;
+            if (e > 0f && !loaded && lambda == 0f) {
+                visit = CircleMath.freeFlight(vn, s * k.inverseH + vn < 0f, thr2);
+            }
+            if (visit == CircleMath.LEAVE) {
                 continue;
             }
-            if (e > 0f && !loaded && lambda == 0f && CircleMath.approaches(vn, thr2) && s * k.inverseH + vn < 0f) {
+            if (visit == CircleMath.BOUNCE) {
                 p = CircleMath.freeBounce(e, vn, mass);
             } else {
                 float next;
@@ -220,22 +224,14 @@ final class JvmSolver {
             q[o + JvmContacts.S] = s;
             float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
             float thr2 = k.thresholdRate * sum;
+            int visit = CircleMath.SOLVE;
             if (lambda == 0f && bounce == 0f) {
                 if (s > 0f) {
                     continue;
                 }
                 if (e > 0f && load[i + 2] + load[j + 2] == 0f) {
-                    if (CircleMath.separates(vn, thr2)) {
-                        continue;
-                    }
-                    if (CircleMath.approaches(vn, thr2)) {
-                        float wi = q[o + JvmContacts.W_LO];
-                        float wj = q[o + JvmContacts.W_HI];
-                        float p = CircleMath.freeBounce(e, vn, 1f / (wi + wj));
-                        m[i + 2] -= nx * (wi * p);
-                        m[i + 3] -= ny * (wi * p);
-                        m[j + 2] += nx * (wj * p);
-                        m[j + 3] += ny * (wj * p);
+                    visit = CircleMath.freeFlight(vn, true, thr2);
+                    if (visit == CircleMath.LEAVE) {
                         continue;
                     }
                 }
@@ -243,6 +239,14 @@ final class JvmSolver {
             float wi = q[o + JvmContacts.W_LO];
             float wj = q[o + JvmContacts.W_HI];
             float mass = 1f / (wi + wj);
+            if (visit == CircleMath.BOUNCE) {
+                float p = CircleMath.freeBounce(e, vn, mass);
+                m[i + 2] -= nx * (wi * p);
+                m[i + 3] -= ny * (wi * p);
+                m[j + 2] += nx * (wj * p);
+                m[j + 3] += ny * (wj * p);
+                continue;
+            }
             float b = bounce > 0f ? -bounce : s > 0f ? s * k.inverseH : 0f;
             float next = CircleMath.rigid(lambda, mass, vn, b);
             float p = next - lambda;
@@ -275,106 +279,65 @@ final class JvmSolver {
     private void accelerate(int from, int to, StepConstants k) {
         float[] m = state.motion;
         float[] traits = state.traits;
-        float[] circle = state.circle;
         float[] load = state.load;
-        Bounds bounds = k.bounds;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float w = traits[s];
-            float vx = m[s + 2];
-            float vy = m[s + 3];
             if (w == 0f) {
-                load[s] = vx;
-                load[s + 1] = vy;
+                load[s] = m[s + 2];
+                load[s + 1] = m[s + 3];
                 load[s + 2] = 0f;
                 continue;
             }
-            vx += k.gravityStepX;
-            vy += k.gravityStepY;
-            float wallX = traits[s + 2];
-            float wallY = traits[s + 3];
-            boolean loaded = load[s + 3] > 0f || wallX != 0f || wallY != 0f;
-            float e = traits[s + 1];
-            float r = circle[s + 2];
-            float thr2 = k.thresholdRate * (2f * r);
-            float push = CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot);
-            float nextX = vx + w * load[s];
-            float nextY = vy + w * load[s + 1];
-
-            // x axis
-            {
-                float side = CircleMath.wallSide(circle[s], bounds.minX(), bounds.maxX());
-                float gap = CircleMath.wallGap(circle[s], m[s], r, side, bounds.minX(), bounds.maxX());
-                float lambda = CircleMath.wallImpulse(wallX, side);
-                float bounce = e > 0f && loaded ? CircleMath.bounceSpeed(e, side * vx, gap, k.h, thr2) : 0f;
-                nextX += side * lambda;
-                float vn = side * nextX;
-                float p;
-                if (e > 0f && !loaded && CircleMath.separates(vn, thr2)) {
-                    p = 0f;
-                } else if (e > 0f && !loaded && CircleMath.approaches(vn, thr2) && gap * k.inverseH + vn < 0f) {
-                    p = CircleMath.freeBounce(e, vn, 1f);
-                } else {
-                    float next = bounce > 0f
-                            ? CircleMath.rigid(lambda, 1f, vn, -bounce)
-                            : gap > 0f
-                                    ? CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH)
-                                    : CircleMath.soft(
-                                            lambda,
-                                            1f,
-                                            vn,
-                                            gap,
-                                            push,
-                                            k.wallBiasRate,
-                                            k.wallMassScale,
-                                            k.wallImpulseScale);
-                    p = next - lambda;
-                    lambda = next;
-                }
-                nextX += side * p;
-                traits[s + 2] = side * lambda;
-                state.wallBounce[2 * slot] = bounce;
-            }
-            // y axis
-            {
-                float side = CircleMath.wallSide(circle[s + 1], bounds.minY(), bounds.maxY());
-                float gap = CircleMath.wallGap(circle[s + 1], m[s + 1], r, side, bounds.minY(), bounds.maxY());
-                float lambda = CircleMath.wallImpulse(wallY, side);
-                float bounce = e > 0f && loaded ? CircleMath.bounceSpeed(e, side * vy, gap, k.h, thr2) : 0f;
-                nextY += side * lambda;
-                float vn = side * nextY;
-                float p;
-                if (e > 0f && !loaded && CircleMath.separates(vn, thr2)) {
-                    p = 0f;
-                } else if (e > 0f && !loaded && CircleMath.approaches(vn, thr2) && gap * k.inverseH + vn < 0f) {
-                    p = CircleMath.freeBounce(e, vn, 1f);
-                } else {
-                    float next = bounce > 0f
-                            ? CircleMath.rigid(lambda, 1f, vn, -bounce)
-                            : gap > 0f
-                                    ? CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH)
-                                    : CircleMath.soft(
-                                            lambda,
-                                            1f,
-                                            vn,
-                                            gap,
-                                            push,
-                                            k.wallBiasRate,
-                                            k.wallMassScale,
-                                            k.wallImpulseScale);
-                    p = next - lambda;
-                    lambda = next;
-                }
-                nextY += side * p;
-                traits[s + 3] = side * lambda;
-                state.wallBounce[2 * slot + 1] = bounce;
-            }
+            boolean loaded = load[s + 3] > 0f || traits[s + 2] != 0f || traits[s + 3] != 0f;
+            float vx = m[s + 2] + k.gravityStepX;
+            float vy = m[s + 3] + k.gravityStepY;
+            m[s + 2] = CircleMath.limitSpeed(vx + w * load[s]);
+            m[s + 3] = CircleMath.limitSpeed(vy + w * load[s + 1]);
             load[s] = vx;
             load[s + 1] = vy;
             load[s + 2] = loaded ? 1f : 0f;
-            m[s + 2] = CircleMath.clamp(nextX, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            m[s + 3] = CircleMath.clamp(nextY, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            pushWall(s, 0, k.bounds.minX(), k.bounds.maxX(), loaded, k);
+            pushWall(s, 1, k.bounds.minY(), k.bounds.maxY(), loaded, k);
         }
+    }
+
+    /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */
+    private void pushWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float base = state.circle[s + axis];
+        float r = state.circle[s + 2];
+        float side = CircleMath.wallSide(base, min, max);
+        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
+        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
+        float v = m[s + 2 + axis] + side * lambda;
+        float vn = side * v;
+        float e = traits[s + 1];
+        float thr2 = k.thresholdRate * (2f * r);
+        float bounce = 0f;
+        if (e > 0f && loaded) {
+            bounce = CircleMath.bounceSpeed(e, side * state.load[s + axis], gap, k.h, thr2);
+        }
+        state.wallBounce[(s >> 1) + axis] = bounce;
+        float next = lambda;
+        float p;
+        int visit = e > 0f && !loaded ? CircleMath.freeFlight(vn, gap * k.inverseH + vn < 0f, thr2) : CircleMath.SOLVE;
+        if (visit == CircleMath.SOLVE) {
+            if (bounce > 0f) {
+                next = CircleMath.rigid(lambda, 1f, vn, -bounce);
+            } else if (gap > 0f) {
+                next = CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH);
+            } else {
+                float push = CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot);
+                next = CircleMath.soft(lambda, 1f, vn, gap, push, k.wallBiasRate, k.wallMassScale, k.wallImpulseScale);
+            }
+            p = next - lambda;
+        } else {
+            p = visit == CircleMath.BOUNCE ? CircleMath.freeBounce(e, vn, 1f) : 0f;
+        }
+        m[s + 2 + axis] = v + side * p;
+        traits[s + 2 + axis] = side * next;
     }
 
     /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
@@ -383,19 +346,33 @@ final class JvmSolver {
         float[] traits = state.traits;
         float[] circle = state.circle;
         float[] load = state.load;
+        float[] leash = state.leash;
         Bounds bounds = k.bounds;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float w = traits[s];
-            float vx = CircleMath.clamp(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            float vy = CircleMath.clamp(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            float dx = m[s] + vx * k.h;
-            float dy = m[s + 1] + vy * k.h;
-            float margin = w == 0f ? 0f : circle[s + 2];
-            dx = CircleMath.within(circle[s], dx, bounds.minX() + margin, bounds.maxX() - margin);
-            dy = CircleMath.within(circle[s + 1], dy, bounds.minY() + margin, bounds.maxY() - margin);
-            m[s] = dx;
-            m[s + 1] = dy;
+            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
+            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
+            float dx = m[s] + m[s + 2] * k.h;
+            float dy = m[s + 1] + m[s + 3] * k.h;
+            float r = circle[s + 2];
+            if (w != 0f && dx * dx + dy * dy > 0f) {
+                float allowance = leash[s + 2];
+                if (dx * dx + dy * dy > allowance * allowance) {
+                    float share = CircleMath.nearest(dx, dy, leash[s], leash[s + 1]);
+                    float offX = dx - share * leash[s];
+                    float offY = dy - share * leash[s + 1];
+                    float off = CircleMath.length(offX, offY);
+                    if (off > allowance) {
+                        float keep = allowance / off;
+                        dx = share * leash[s] + keep * offX;
+                        dy = share * leash[s + 1] + keep * offY;
+                    }
+                }
+            }
+            float margin = w == 0f ? 0f : r;
+            m[s] = CircleMath.within(circle[s], dx, bounds.minX() + margin, bounds.maxX() - margin);
+            m[s + 1] = CircleMath.within(circle[s + 1], dy, bounds.minY() + margin, bounds.maxY() - margin);
             boolean loaded = load[s + 2] > 0f;
             load[s] = 0f;
             load[s + 1] = 0f;
@@ -405,48 +382,39 @@ final class JvmSolver {
                 state.fresh[slot] = false;
             }
             if (w != 0f) {
-                float e = traits[s + 1];
-                float r = circle[s + 2];
-                float thr2 = k.thresholdRate * (2f * r);
-                float side = CircleMath.wallSide(circle[s], bounds.minX(), bounds.maxX());
-                float gap = CircleMath.wallGap(circle[s], dx, r, side, bounds.minX(), bounds.maxX());
-                float lambda = CircleMath.wallImpulse(traits[s + 2], side);
-                float bounce = state.wallBounce[2 * slot];
-                float vn = side * vx;
-                if (lambda != 0f || bounce != 0f || gap <= 0f) {
-                    boolean free = lambda == 0f && bounce == 0f && e > 0f && !loaded;
-                    if (free && CircleMath.separates(vn, thr2)) {
-                        // leaves by itself
-                    } else if (free && CircleMath.approaches(vn, thr2)) {
-                        vx += side * CircleMath.freeBounce(e, vn, 1f);
-                    } else {
-                        float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
-                        float next = CircleMath.rigid(lambda, 1f, vn, b);
-                        vx += side * (next - lambda);
-                        traits[s + 2] = bounce > 0f ? 0f : side * next;
-                    }
-                }
-                side = CircleMath.wallSide(circle[s + 1], bounds.minY(), bounds.maxY());
-                gap = CircleMath.wallGap(circle[s + 1], dy, r, side, bounds.minY(), bounds.maxY());
-                lambda = CircleMath.wallImpulse(traits[s + 3], side);
-                bounce = state.wallBounce[2 * slot + 1];
-                vn = side * vy;
-                if (lambda != 0f || bounce != 0f || gap <= 0f) {
-                    boolean free = lambda == 0f && bounce == 0f && e > 0f && !loaded;
-                    if (free && CircleMath.separates(vn, thr2)) {
-                        // leaves by itself
-                    } else if (free && CircleMath.approaches(vn, thr2)) {
-                        vy += side * CircleMath.freeBounce(e, vn, 1f);
-                    } else {
-                        float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
-                        float next = CircleMath.rigid(lambda, 1f, vn, b);
-                        vy += side * (next - lambda);
-                        traits[s + 3] = bounce > 0f ? 0f : side * next;
-                    }
-                }
+                relaxWall(s, 0, bounds.minX(), bounds.maxX(), loaded, k);
+                relaxWall(s, 1, bounds.minY(), bounds.maxY(), loaded, k);
             }
-            m[s + 2] = vx;
-            m[s + 3] = vy;
+        }
+    }
+
+    /** The relaxing pass over the nearer wall of an axis. */
+    private void relaxWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float base = state.circle[s + axis];
+        float r = state.circle[s + 2];
+        float side = CircleMath.wallSide(base, min, max);
+        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
+        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
+        float bounce = state.wallBounce[(s >> 1) + axis];
+        if (lambda == 0f && bounce == 0f && gap > 0f) {
+            return;
+        }
+        float v = m[s + 2 + axis];
+        float vn = side * v;
+        float e = traits[s + 1];
+        int visit = CircleMath.SOLVE;
+        if (lambda == 0f && bounce == 0f && e > 0f && !loaded) {
+            visit = CircleMath.freeFlight(vn, true, k.thresholdRate * (2f * r));
+        }
+        if (visit == CircleMath.SOLVE) {
+            float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
+            float next = CircleMath.rigid(lambda, 1f, vn, b);
+            m[s + 2 + axis] = v + side * (next - lambda);
+            traits[s + 2 + axis] = bounce > 0f ? 0f : side * next;
+        } else if (visit == CircleMath.BOUNCE) {
+            m[s + 2 + axis] = v + side * CircleMath.freeBounce(e, vn, 1f);
         }
     }
 
@@ -466,8 +434,8 @@ final class JvmSolver {
             m[s + 1] = keptY == y ? CircleMath.remainder(circle[s + 1], m[s + 1], y) : 0f;
             circle[s] = keptX;
             circle[s + 1] = keptY;
-            m[s + 2] = CircleMath.clamp(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            m[s + 3] = CircleMath.clamp(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
+            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
         }
     }
 }

@@ -40,6 +40,12 @@ final class JvmState {
     /** By slot, within a sub-step: speed that the walls bounce the circle to, x, y; 0 for none. */
     float[] wallBounce = new float[0];
 
+    /** By slot, within a step: what the circle would move in a step, x, y. */
+    float[] plan = new float[0];
+
+    /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
+    float[] leash = new float[0];
+
     /** By id: the slot, or -1. */
     int[] slotOf = new int[0];
 
@@ -65,6 +71,8 @@ final class JvmState {
             fresh = Arrays.copyOf(fresh, c);
             load = new float[4 * c];
             wallBounce = new float[2 * c];
+            plan = new float[2 * c];
+            leash = new float[4 * c];
             circleSpare = new float[4 * c];
             motionSpare = new float[4 * c];
             traitsSpare = new float[4 * c];

@@ -1,7 +1,9 @@
 package io.github.circles2d.world;
 
 /**
- * The shape of the grids: one a level of radii, each on a torus. Decided on the host from the bounds, the greatest radius
+ * The shape of the grids: one a level of radii, each on a torus. A level is a size class, a factor of two, or two of them where
+ * the smaller does not outnumber the larger by far: fewer levels are fewer stages, but many small circles in a grid made for
+ * a few large ones would be many neighbours. Decided on the host from the bounds, the greatest radius
  * and the number of circles of each level; the same for every back end.
  *
  * <p>A level has W x H buckets, powers of two of at least 4, no more than the arena needs and about as many to twice as
@@ -13,10 +15,13 @@ package io.github.circles2d.world;
  * (ox mod 2) + 2 (oy mod 2) and is number (oy / 2)(W / 2) + ox / 2 within its colour.
  */
 public final class Levels {
-    /** Number of levels: with factors of two, they span all radii that a world takes. */
+    /** Number of size classes, and so of levels at most: with factors of two, they span all radii that a world takes. */
     public static final int COUNT = 20;
 
     private static final int LEAST_SIDE_LOG = 2;
+
+    /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
+    final int[] levelOf = new int[COUNT];
 
     /** Circles of each level. */
     final int[] population = new int[COUNT];
@@ -30,13 +35,17 @@ public final class Levels {
     /** log2 of the number of rows, by level. */
     final int[] rowsLog = new int[COUNT];
 
-    /** Number of the first bucket, and of the first group, of each level; the last element is the number of all. */
-    final int[] first = new int[COUNT + 1];
+    /** Number of the first bucket, and of the first group, of each level. */
+    final int[] first = new int[COUNT];
 
-    /** Numbers of the levels that have circles, coarsest first. */
+    /** Numbers of the levels that have circles, finest first: the order in which their buckets are numbered. */
     final int[] used = new int[COUNT];
 
+    /** Greatest radius of each level. */
+    final float[] top = new float[COUNT];
+
     int usedCount;
+    int buckets;
     float minX;
     float minY;
     float rmax;
@@ -46,40 +55,53 @@ public final class Levels {
      *
      * @param bounds the arena
      * @param greatestRadius greatest radius of all circles
-     * @param counts number of circles of each level, by {@link CircleMath#level}
+     * @param counts number of circles of each size class
      */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts) {
         minX = bounds.minX();
         minY = bounds.minY();
         rmax = greatestRadius;
         usedCount = 0;
-        int next = 0;
-        float top = greatestRadius;
-        for (int level = 0; level < COUNT; level++) {
-            int count = counts[level];
-            population[level] = count;
-            first[level] = next;
-            if (count > 0) {
-                used[usedCount++] = level;
-                float edge = edge(top, bounds);
-                inverseEdge[level] = 1f / edge;
-                int columns = sideLog((bounds.maxX() - bounds.minX()) / edge);
-                int rows = sideLog((bounds.maxY() - bounds.minY()) / edge);
-                int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(count));
-                while (columns + rows > budget) {
-                    if (columns >= rows) {
-                        columns--;
-                    } else {
-                        rows--;
-                    }
-                }
-                columnsLog[level] = columns;
-                rowsLog[level] = rows;
-                next += 1 << (columns + rows);
-            }
-            top *= 0.5f;
+        join(counts);
+        top[0] = greatestRadius;
+        for (int level = 1; level < COUNT; level++) {
+            top[level] = top[level - 1] * 0.5f;
         }
-        first[COUNT] = next;
+        buckets = 0;
+        for (int level = COUNT - 1; level >= 0; level--) {
+            first[level] = buckets;
+            if (population[level] > 0) {
+                used[usedCount++] = level;
+                layOutLevel(level, bounds);
+                buckets += 1 << (columnsLog[level] + rowsLog[level]);
+            }
+        }
+    }
+
+    private void join(int[] counts) {
+        for (int k = 0; k < COUNT; k++) {
+            boolean joins = k > 0 && levelOf[k - 1] == k - 1 && counts[k] <= (long) Tuning.JOIN * counts[k - 1];
+            levelOf[k] = joins ? k - 1 : k;
+            population[k] = 0;
+            population[levelOf[k]] += counts[k];
+        }
+    }
+
+    private void layOutLevel(int level, Bounds bounds) {
+        float edge = edge(top[level], bounds);
+        inverseEdge[level] = 1f / edge;
+        int columns = sideLog((bounds.maxX() - bounds.minX()) / edge);
+        int rows = sideLog((bounds.maxY() - bounds.minY()) / edge);
+        int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
+        while (columns + rows > budget) {
+            if (columns >= rows) {
+                columns--;
+            } else {
+                rows--;
+            }
+        }
+        columnsLog[level] = columns;
+        rowsLog[level] = rows;
     }
 
     /**
@@ -100,7 +122,12 @@ public final class Levels {
     }
 
     int buckets() {
-        return first[COUNT];
+        return buckets;
+    }
+
+    /** Level of a radius. */
+    int level(float r) {
+        return levelOf[CircleMath.sizeClass(r, rmax)];
     }
 
     /** Number of a group. */

@@ -147,12 +147,12 @@ public final class Roster {
             if (r == greatestRadius) {
                 withGreatestRadius++;
             }
-            population[CircleMath.level(r, greatestRadius)]++;
+            population[CircleMath.sizeClass(r, greatestRadius)]++;
         }
     }
 
     private void leave(float r) {
-        population[CircleMath.level(r, greatestRadius)]--;
+        population[CircleMath.sizeClass(r, greatestRadius)]--;
         if (r == greatestRadius && --withGreatestRadius == 0) {
             radiiChanged = true;
         }
@@ -184,7 +184,7 @@ public final class Roster {
     }
 
     /**
-     * The number of circles of each level, by {@link CircleMath#level}.
+     * The number of circles of each size class, by {@link CircleMath#sizeClass}.
      *
      * @return the numbers; valid until the next change
      */
@@ -214,7 +214,7 @@ public final class Roster {
         Arrays.fill(population, 0);
         for (int id = 0; id < end; id++) {
             if (lives(id)) {
-                population[CircleMath.level(radius[id], greatestRadius)]++;
+                population[CircleMath.sizeClass(radius[id], greatestRadius)]++;
             }
         }
     }

@@ -23,6 +23,12 @@ public final class StepConstants {
     /** Gain of speed in a sub-step. */
     float gravityStepY;
 
+    /** What gravity moves a circle in the sub-steps of a step. */
+    float fallX;
+
+    /** What gravity moves a circle in the sub-steps of a step. */
+    float fallY;
+
     /** Softness of contacts: push-out speed per depth. */
     float biasRate;
 
@@ -74,6 +80,8 @@ public final class StepConstants {
         inverseH = subSteps / dt;
         gravityStepX = gravityX * h;
         gravityStepY = gravityY * h;
+        fallX = gravityStepX * h * (0.5f * subSteps * (subSteps + 1));
+        fallY = gravityStepY * h * (0.5f * subSteps * (subSteps + 1));
         warmScale = dt / previousDt;
 
         float omega = 2f * 3.14159265f * Tuning.FREQUENCY; // times h: a pure number, the same for every step

@@ -10,17 +10,29 @@ final class Tuning {
     /** Motion within a step that is looked ahead for, in radii of the circle that moves. */
     static final float CAP = 0.25f;
 
+    /** A circle goes no farther in a step, in its own radii. */
+    static final float TRAVEL = 64f;
+
+    /** Fast circles do not look out for others that are this many times smaller. */
+    static final float SWEEP_RATIO = 16f;
+
+    /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
+    static final float LEASH = 0.5f;
+
+    /** A size class joins the level of the next larger class where it has at most this many times as many circles. */
+    static final int JOIN = 2;
+
     /** Damping ratio of a soft contact. */
-    static final float DAMPING = 10f;
+    static final float DAMPING = 4f;
 
     /** Stiffness of a soft contact: its frequency is this over the length of a sub-step. */
-    static final float FREQUENCY = 0.25f;
+    static final float FREQUENCY = 0.28f;
 
     /** Walls are stiffer than contacts by this factor. */
     static final float WALL_STIFFNESS = 2f;
 
     /** Greatest push-out speed without gravity, in mean radii of the pair a second. */
-    static final float PUSH = 2.4f;
+    static final float PUSH = 4f;
 
     /** Greatest push-out speed under gravity, in units of sqrt(gravity x mean radius of the pair). */
     static final float PUSH_GRAVITY = 2.7f;
