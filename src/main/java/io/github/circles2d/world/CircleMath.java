@@ -318,6 +318,19 @@ public final class CircleMath {
     }
 
     /**
+     * Whether a pair in a crowd is kept: all pairs where one of the two has few candidates, else a share of them, drawn by the
+     * hash of the pair. So one point that holds all circles has a number of contacts that grows with theirs, not with its
+     * square.
+     *
+     * @param hash the hash of the pair
+     * @param fewer the number of candidates of the one that has fewer
+     * @return true where it is kept
+     */
+    public static boolean keeps(int hash, int fewer) {
+        return fewer <= Tuning.CROWD || (hash >>> 16) * (long) fewer < (long) Tuning.CROWD << 16;
+    }
+
+    /**
      * x of the direction in which two circles with one centre part; not of unit length, never zero.
      *
      * @param hash the hash of the pair

@@ -52,6 +52,16 @@ final class JvmContacts {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
     private static final int SHORT = 48;
 
+    /** Pairs a circle for which a list has room, before it is given up. */
+    private static final int ROOM_PER_CIRCLE = 24;
+
+    private static final int LEAST_ROOM = 4096;
+
+    /** Modes of finding: list all pairs, or what is left of crowds. */
+    private static final int LIST = 0;
+
+    private static final int THIN = 1;
+
     private final JvmState state;
     private final JvmGrid grid;
     private final Levels levels;
@@ -63,6 +73,9 @@ final class JvmContacts {
 
     /** By group: its first contact; one more element for the end. */
     int[] start = new int[1];
+
+    /** By slot: number of pairs with circles of its own level and of coarser ones. */
+    private int[] candidates = new int[0];
 
     /** By contact: slot of the circle of lower id times 4, slot of the other times 4. */
     int[] pair = new int[0];
@@ -96,24 +109,40 @@ final class JvmContacts {
     }
 
     void ensure() {
+        if (candidates.length < state.capacity()) {
+            candidates = new int[state.capacity()];
+        }
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
         }
     }
 
-    /** Lists the contacts and puts them in order. */
-    void list(int worker) {
+    /**
+     * Lists the contacts and puts them in order. Where circles crowd, so that a list of all pairs would take too much memory,
+     * it stops half-way: {@link #overflowed} then says so.
+     *
+     * @param thinned whether to keep only a share of the pairs of a crowd, whose candidates have been counted before
+     */
+    void list(int worker, boolean thinned) {
         int groups = levels.buckets();
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        Found f = found[worker];
         Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
+        if (!thinned) {
+            Arrays.fill(candidates, from, to, 0);
+        }
         team.sync(worker);
-        found[worker].count = 0;
-        found[worker].tested = 0;
-        find(found[worker], team.part(state.n, worker), team.part(state.n, worker + 1));
+        f.reset(thinned ? THIN : LIST, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
+        find(f, from, to);
         team.sync(worker);
+        if (overflowed()) {
+            return;
+        }
         if (worker == 0) {
             count = 0;
-            for (Found f : found) {
-                count += f.count;
+            for (Found part : found) {
+                count += part.count;
             }
             ensureContacts();
             JvmGrid.sumUp(start, 0, groups, count);
@@ -121,6 +150,77 @@ final class JvmContacts {
         team.sync(worker);
         scatter(found[worker]);
         team.sync(worker);
+    }
+
+    /** Whether the list was given up because there are too many pairs. */
+    boolean overflowed() {
+        for (Found f : found) {
+            if (f.count > f.room) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Counts the candidates of each circle, without a list: every circle looks at all cells around it. */
+    void countCandidates(int worker) {
+        int to = team.part(state.n, worker + 1);
+        for (int slot = team.part(state.n, worker); slot < to; slot++) {
+            int level = grid.level[slot];
+            int sum = 0;
+            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
+                sum += countInLevel(slot, levels.used[k]);
+            }
+            candidates[slot] = sum;
+        }
+        team.sync(worker);
+    }
+
+    private int countInLevel(int slot, int level) {
+        int[] bucketStart = grid.start;
+        int column = grid.column(state.circle[4 * slot], level);
+        int row = grid.row(state.circle[4 * slot + 1], level);
+        int w = levels.columnsLog[level];
+        int mask = (1 << w) - 1;
+        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        int sum = 0;
+        for (int v = -1; v <= 1; v++) {
+            int rowStart = levels.first[level] + (((row + v) & rowMask) << w);
+            for (int u = -1; u <= 1; u++) {
+                int b = rowStart + ((column + u) & mask);
+                sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
+            }
+        }
+        return sum;
+    }
+
+    private int countIn(int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
+        boolean fixed = state.traits[4 * slot] == 0f;
+        int sum = 0;
+        for (int other = from; other < to; other++) {
+            float dx = circle[4 * other] - x;
+            float dy = circle[4 * other + 1] - y;
+            float limit = own + reach[other];
+            if (dx * dx + dy * dy < limit * limit && other != slot && !(fixed && state.traits[4 * other] == 0f)) {
+                sum++;
+            }
+        }
+        return sum;
+    }
+
+    /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all groups are filled. */
+    boolean crowded() {
+        for (Found f : found) {
+            if (f.most > Tuning.CROWD) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private void ensureContacts() {
@@ -140,7 +240,7 @@ final class JvmContacts {
     // -----------------------------------------------------------------------------------------------------
 
     private void find(Found f, int from, int to) {
-        for (int slot = from; slot < to; slot++) {
+        for (int slot = from; slot < to && f.count <= f.room; slot++) {
             int level = grid.level[slot];
             findInOwnLevel(f, slot, level);
             for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
@@ -230,12 +330,23 @@ final class JvmContacts {
         if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
             return;
         }
+        f.count++;
+        if (f.count > f.room) {
+            return;
+        }
+        boolean lower = state.id[slot] < state.id[other];
+        if (f.mode == THIN) {
+            int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
+            if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
+                f.count--;
+                return;
+            }
+        }
         int w = levels.columnsLog[level];
         int bucket = grid.bucketOf[other] - levels.first[level];
         int ox = CircleMath.ringFirst(column, bucket & ((1 << w) - 1), (1 << w) - 1);
         int oy = CircleMath.ringFirst(row, bucket >> w, (1 << levels.rowsLog[level]) - 1);
         int group = levels.group(level, ox, oy);
-        boolean lower = state.id[slot] < state.id[other];
         int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
         f.add(lower ? slot : other, lower ? other : slot, group, rank);
     }
@@ -256,13 +367,33 @@ final class JvmContacts {
     // -----------------------------------------------------------------------------------------------------
 
     /** Orders the contacts of a group, and fills them. */
-    void fillGroup(int group, StepConstants constants) {
+    void fillGroup(int worker, int group, StepConstants constants) {
         int from = start[group];
         int to = start[group + 1];
         sort(from, to);
         for (int c = from; c < to; c++) {
             fill(c, constants);
         }
+        if (found[worker].mode == LIST) {
+            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
+        }
+    }
+
+    /** Counts the candidates that circles have among some contacts, where no other thread has any of the same circles. */
+    private int countCandidates(int from, int to) {
+        int most = 0;
+        for (int c = from; c < to; c++) {
+            int lo = pair[2 * c] >> 2;
+            int hi = pair[2 * c + 1] >> 2;
+            // a circle counts those of its own level and of coarser ones, which have lower numbers
+            if (grid.level[lo] >= grid.level[hi]) {
+                most = Math.max(most, ++candidates[lo]);
+            }
+            if (grid.level[hi] >= grid.level[lo]) {
+                most = Math.max(most, ++candidates[hi]);
+            }
+        }
+        return most;
     }
 
     private void sort(int from, int to) {
@@ -371,8 +502,23 @@ final class JvmContacts {
         private long tested;
         private int[] records = new int[1024];
 
+        private int room;
+        private int mode;
+
+        /** Greatest number of candidates of one circle, of those that this thread has filled last. */
+        private int most;
+
+        void reset(int newMode, int newRoom) {
+            mode = newMode;
+            room = newRoom;
+            count = 0;
+            tested = 0;
+            most = 0;
+        }
+
+        /** Keeps a pair, which has been counted. */
         void add(int lo, int hi, int group, int rank) {
-            int k = 4 * count++;
+            int k = 4 * (count - 1);
             if (k == records.length) {
                 records = Arrays.copyOf(records, 2 * records.length);
             }

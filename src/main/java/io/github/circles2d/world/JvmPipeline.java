@@ -43,9 +43,19 @@ public final class JvmPipeline implements Pipeline {
             contacts.ensure();
             sweep.ensure();
             grid.build(0, constants);
-            if (!Boolean.getBoolean("NOSWEEP")) sweep.sweep(0);
-            else for (int i = 0; i < 4 * state.n; i++) state.leash[i] = 1e9f;
-            contacts.list(0);
+            sweep.sweep(0);
+            contacts.list(0, false);
+            boolean overflowed = contacts.overflowed();
+            if (!overflowed) {
+                solver.prepare(0, constants);
+            }
+            if (overflowed) {
+                contacts.countCandidates(0);
+            }
+            if (overflowed || contacts.crowded()) {
+                contacts.list(0, true);
+                solver.prepare(0, constants);
+            }
             solver.solve(0, constants);
             constants.warmScale = 1f;
         }

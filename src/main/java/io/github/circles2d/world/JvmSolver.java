@@ -21,10 +21,9 @@ final class JvmSolver {
         this.team = team;
     }
 
-    void solve(int worker, StepConstants k) {
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
-        clear(from, to);
+    /** Fills the contacts, and measures them for the first sub-step. */
+    void prepare(int worker, StepConstants k) {
+        clear(team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
             for (int colour = 0; colour < 4; colour++) {
@@ -32,6 +31,11 @@ final class JvmSolver {
                 team.sync(worker);
             }
         }
+    }
+
+    void solve(int worker, StepConstants k) {
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
         for (int sub = 0; sub < k.subSteps; sub++) {
             boolean last = sub == k.subSteps - 1;
             accelerate(from, to, k);
@@ -85,12 +89,11 @@ final class JvmSolver {
         return low;
     }
 
-    /** Fills the contacts of a colour, and measures them for the first sub-step. */
     private void prepare(int worker, int level, int colour, StepConstants k) {
         int groupEnd = shareGroup(level, colour, worker + 1);
         for (int group = shareGroup(level, colour, worker); group < groupEnd; group++) {
             if (contacts.start[group] < contacts.start[group + 1]) {
-                contacts.fillGroup(group, k);
+                contacts.fillGroup(worker, group, k);
                 for (int c = contacts.start[group]; c < contacts.start[group + 1]; c++) {
                     prepareContact(c, k);
                 }

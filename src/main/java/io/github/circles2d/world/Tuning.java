@@ -19,6 +19,9 @@ final class Tuning {
     /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
     static final float LEASH = 0.5f;
 
+    /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
+    static final int CROWD = 32;
+
     /** A size class joins the level of the next larger class where it has at most this many times as many circles. */
     static final int JOIN = 2;
 
