@@ -99,6 +99,20 @@ public final class Levels {
         return side;
     }
 
+    /** Takes the shape of another. */
+    void copy(Levels other) {
+        System.arraycopy(other.population, 0, population, 0, COUNT);
+        System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
+        System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
+        System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
+        System.arraycopy(other.first, 0, first, 0, COUNT + 1);
+        System.arraycopy(other.used, 0, used, 0, COUNT);
+        usedCount = other.usedCount;
+        minX = other.minX;
+        minY = other.minY;
+        rmax = other.rmax;
+    }
+
     int buckets() {
         return first[COUNT];
     }

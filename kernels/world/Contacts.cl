@@ -1,0 +1,266 @@
+// Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
+// level of the larger circle, colour, group, lower id, higher id. The Java class JvmContacts explains groups and colours.
+
+// What a circle looks with.
+typedef struct {
+    float x, y, dx, dy, reach, inverseMass;
+    int slot, id, level, column, row;
+} Seeker;
+
+// What a visit of neighbours is for.
+#define TESTING 0  // to know how many there are
+#define COUNTING 1 // to count the contacts of each group
+#define LISTING 2  // to list them
+
+// Visits the slots [from, to) of the seeker's level.
+void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
+    if (purpose == TESTING) {
+        w->rank[s->slot] += to - from;
+        return;
+    }
+    for (int other = from; other < to; other++) {
+        float4 c = w->circle[other];
+        float4 m = w->motion[other];
+        float ux = difference(c.x - s->x, s->dx, m.x);
+        float uy = difference(c.y - s->y, s->dy, m.y);
+        float limit = s->reach + w->reachOf[other];
+        if (!(ux * ux + uy * uy < limit * limit)) continue;
+        if (s->inverseMass == 0.0f && w->traits[other].x == 0.0f) continue;
+        int cl = w->levels->columnsLog[s->level];
+        int bucket = w->bucketOf[other] - w->levels->first[s->level];
+        int ox = ringFirst(s->column, bucket & ((1 << cl) - 1), (1 << cl) - 1);
+        int oy = ringFirst(s->row, bucket >> cl, (1 << w->levels->rowsLog[s->level]) - 1);
+        int group = groupOf(w, s->level, ox, oy);
+        if (purpose == COUNTING) {
+            atomic_inc(&w->groupStart[group]);
+            continue;
+        }
+        int place = w->groupStart[group] + atomic_inc(&w->groupFill[group]);
+        uint otherId = (uint) w->id[other];
+        bool lower = (uint) s->id < otherId;
+        w->key[place] = lower ? (ulong) (uint) s->id << 32 | otherId : (ulong) otherId << 32 | (uint) s->id;
+        w->pair[place] = lower ? (uint2)((uint) s->slot, (uint) other) : (uint2)((uint) other, (uint) s->slot);
+    }
+}
+
+// Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above.
+void seekInOwnLevel(const World *w, const Seeker *s, int purpose) {
+    int cl = w->levels->columnsLog[s->level];
+    int mask = (1 << cl) - 1;
+    int first = w->levels->first[s->level];
+    int row = first + (s->row << cl);
+    int above = first + (((s->row + 1) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
+    if (s->column > 0 && s->column < mask) {
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], purpose);
+        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], purpose);
+    } else {
+        int next = row + ((s->column + 1) & mask);
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], purpose);
+        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], purpose);
+        for (int d = -1; d <= 1; d++) {
+            int b = above + ((s->column + d) & mask);
+            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+        }
+    }
+}
+
+void seekInCoarserLevel(const World *w, const Seeker *s, int purpose) {
+    int cl = w->levels->columnsLog[s->level];
+    int mask = (1 << cl) - 1;
+    int rowMask = (1 << w->levels->rowsLog[s->level]) - 1;
+    for (int v = -1; v <= 1; v++) {
+        int row = w->levels->first[s->level] + (((s->row + v) & rowMask) << cl);
+        if (s->column > 0 && s->column < mask) {
+            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], purpose);
+        } else {
+            for (int u = -1; u <= 1; u++) {
+                int b = row + ((s->column + u) & mask);
+                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+            }
+        }
+    }
+}
+
+void seekAll(const World *w, int slot, int purpose) {
+    float4 c = w->circle[slot];
+    float4 m = w->motion[slot];
+    Seeker s;
+    s.x = c.x;
+    s.y = c.y;
+    s.dx = m.x;
+    s.dy = m.y;
+    s.reach = w->reachOf[slot];
+    s.inverseMass = w->traits[slot].x;
+    s.slot = slot;
+    s.id = w->id[slot];
+    int own = level(c.z, w->levels->rmax);
+    for (int l = 0; l < w->levels->usedCount && w->levels->used[l] <= own; l++) {
+        s.level = w->levels->used[l];
+        s.column = columnOf(w, s.level, c.x);
+        s.row = rowOf(w, s.level, c.y);
+        if (s.level == own) {
+            seekInOwnLevel(w, &s, purpose);
+        } else {
+            seekInCoarserLevel(w, &s, purpose);
+        }
+    }
+}
+
+// Counts the contacts of each group. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+kernel void contacts_count(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot < circles) seekAll(&w, slot, COUNTING);
+}
+
+// Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
+// Index space: a working slot a work-item. Cost: as contacts_count.
+kernel void contacts_list(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles) return;
+    int needed = groupStart[levels->first[LEVELS]];
+    if (needed > contactRoom) {
+        if (slot == 0) {
+            status[OUT_OF_ROOM] = 1;
+            status[CONTACTS_NEEDED] = needed;
+        }
+        return;
+    }
+    if (!outOfRoom(&w)) seekAll(&w, slot, LISTING);
+}
+
+void siftContactDown(global ulong *key, global uint2 *pair, int top, int size) {
+    ulong key1 = key[top];
+    uint2 pair1 = pair[top];
+    for (int child = 2 * top + 1; child < size; child = 2 * top + 1) {
+        if (child + 1 < size && key[child + 1] > key[child]) child++;
+        if (key[child] <= key1) break;
+        key[top] = key[child];
+        pair[top] = pair[child];
+        top = child;
+    }
+    key[top] = key1;
+    pair[top] = pair1;
+}
+
+// Orders contacts by (lower id, higher id): insertion sort, or heap sort where they are many.
+void sortContacts(global ulong *key, global uint2 *pair, int size) {
+    if (size > 48) {
+        for (int top = size / 2 - 1; top >= 0; top--) siftContactDown(key, pair, top, size);
+        for (int end = size - 1; end > 0; end--) {
+            ulong key1 = key[end];
+            uint2 pair1 = pair[end];
+            key[end] = key[0];
+            pair[end] = pair[0];
+            key[0] = key1;
+            pair[0] = pair1;
+            siftContactDown(key, pair, 0, end);
+        }
+        return;
+    }
+    for (int i = 1; i < size; i++) {
+        ulong key1 = key[i];
+        uint2 pair1 = pair[i];
+        int p = i;
+        while (p > 0 && key[p - 1] > key1) {
+            key[p] = key[p - 1];
+            pair[p] = pair[p - 1];
+            p--;
+        }
+        key[p] = key1;
+        pair[p] = pair1;
+    }
+}
+
+// The impulse with which a contact ended the step before, or 0.
+float remembered(const World *w, int first, int hi) {
+    for (int c = first; c >= 0; c = w->oldNext[c]) {
+        if (w->oldHi[c] == hi) return w->oldLambda[c];
+    }
+    return 0.0f;
+}
+
+// Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
+void gatherLoad(const World *w, uint2 p, float nx, float ny, float lambda, bool carrying) {
+    float4 lo = w->load[p.x];
+    float4 hi = w->load[p.y];
+    lo.x -= nx * lambda;
+    lo.y -= ny * lambda;
+    hi.x += nx * lambda;
+    hi.y += ny * lambda;
+    if (carrying) {
+        lo.w = 1.0f;
+        hi.w = 1.0f;
+    }
+    w->load[p.x] = lo;
+    w->load[p.y] = hi;
+}
+
+// Fills a contact and measures it for the first sub-step.
+void fillContact(const World *w, int c) {
+    uint2 p = w->pair[c];
+    ulong ids = w->key[c];
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    float4 ti = w->traits[p.x];
+    float4 tj = w->traits[p.y];
+    float4 mi = w->motion[p.x];
+    float4 mj = w->motion[p.y];
+    float sum = ci.z + cj.z;
+    float ex = cj.x - ci.x;
+    float ey = cj.y - ci.y;
+    w->base[c] = (float4)(ex, ey, sum, greatest(ti.y, tj.y));
+    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 0.0f);
+    float dx = difference(ex, mi.x, mj.x);
+    float dy = difference(ey, mi.y, mj.y);
+    float d = norm(dx, dy);
+    float nx, ny;
+    if (d > COINCIDENT * sum) {
+        nx = dx / d;
+        ny = dy / d;
+    } else {
+        int hash = pairHash((int) (ids >> 32), (int) ids);
+        float px = partingX(hash);
+        float py = partingY(hash);
+        float l = norm(px, py);
+        nx = px / l;
+        ny = py / l;
+    }
+    float lambda = 0.0f;
+    if (w->memory[p.y] != FRESH) lambda = remembered(w, w->memory[p.x], (int) ids) * w->k->warmScale;
+    float s = d - sum;
+    w->contact[c] = (float4)(nx, ny, s, lambda);
+    float vn = along(nx, ny, mj.z - mi.z, mj.w - mi.w);
+    gatherLoad(w, p, nx, ny, lambda, carries(lambda, s, vn, w->k->thresholdRate * sum));
+}
+
+// Orders and fills the contacts of the groups of one colour. Index space: a group a work-item. Cost: its contacts.
+kernel void contacts_fill(WORLD_PARAMETERS, int firstGroup, int groups) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groups || outOfRoom(&w)) return;
+    int from = groupStart[firstGroup + g];
+    int to = groupStart[firstGroup + g + 1];
+    if (from == to) return;
+    sortContacts(key + from, pair + from, to - from);
+    for (int c = from; c < to; c++) fillContact(&w, c);
+}
+
+// How many pairs the broad phase tested for each circle in the last step: into rank. Index space: a working slot a
+// work-item.
+kernel void contacts_candidates(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles) return;
+    rank[slot] = 0;
+    seekAll(&w, slot, TESTING);
+}
+
+// How many contacts each circle had in the last step. Index space: a contact a work-item.
+kernel void contacts_degrees(global const uint2 *pair, int contacts, global int *degree) {
+    int c = (int) get_global_id(0);
+    if (c >= contacts) return;
+    atomic_inc(&degree[pair[c].x]);
+    atomic_inc(&degree[pair[c].y]);
+}

@@ -1,0 +1,77 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The compiled stages, and the one argument list that all their kernels share. */
+final class ClKernels {
+    private final Program program;
+    private final List<Kernel> staged = new ArrayList<>();
+    private int boundVersion = -1;
+    private int boundSlots = -1;
+    private int boundCircles = -1;
+
+    ClKernels(Session session) {
+        program = session.build(source(), options(session.device()));
+    }
+
+    /** The source of all stages; the numbers that host and device share are defined from their one place in Java. */
+    static KernelSource source() {
+        return KernelSource.of(
+                        "world/CircleMath.cl",
+                        "world/World.cl",
+                        "world/Scan.cl",
+                        "world/Commands.cl",
+                        "world/Grid.cl",
+                        "world/Contacts.cl",
+                        "world/Solver.cl",
+                        "world/Readback.cl")
+                .define("LEVELS", Levels.COUNT)
+                .define("MARGIN", Tuning.MARGIN)
+                .define("CAP", Tuning.CAP)
+                .define("COINCIDENT", Tuning.COINCIDENT)
+                .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
+    }
+
+    /** Without this option a device may round divisions and square roots as it likes, and some do. */
+    static String[] options(Device device) {
+        return device.correctlyRounded() ? new String[] {"-cl-fp32-correctly-rounded-divide-sqrt"} : new String[0];
+    }
+
+    /** A kernel with an argument list of its own. */
+    Kernel plain(String name) {
+        return program.kernel(name);
+    }
+
+    /** A kernel of a stage: its first {@link ClBuffers#COUNT} arguments are WORLD_PARAMETERS. */
+    Kernel staged(String name) {
+        Kernel kernel = program.kernel(name);
+        staged.add(kernel);
+        return kernel;
+    }
+
+    /** Brings the shared arguments up to date. */
+    void bind(ClBuffers buffers, int slots, int circles) {
+        boolean replaced = boundVersion != buffers.version();
+        for (Kernel kernel : staged) {
+            if (replaced) {
+                buffers.bind(kernel);
+                kernel.arg(ClBuffers.CONTACT_ROOM, buffers.contactRoom());
+            }
+            if (replaced || boundSlots != slots) {
+                kernel.arg(ClBuffers.SLOTS, slots);
+            }
+            if (replaced || boundCircles != circles) {
+                kernel.arg(ClBuffers.CIRCLES, circles);
+            }
+        }
+        boundVersion = buffers.version();
+        boundSlots = slots;
+        boundCircles = circles;
+    }
+}
