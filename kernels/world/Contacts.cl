@@ -110,7 +110,16 @@ void seekAll(const World *w, int slot, int purpose) {
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles) seekAll(&w, slot, COUNTING);
+    if (slot < circles && !outOfRoom(&w)) seekAll(&w, slot, COUNTING);
+}
+
+// Whether the contacts that were counted do not fit.
+bool lackContactRoom(const World *w) { return w->groupStart[w->levels->first[LEVELS]] > w->contactRoom; }
+
+void noteContactsNeeded(const World *w) {
+    if (outOfRoom(w)) return;
+    w->status[CONTACTS_NEEDED] = w->groupStart[w->levels->first[LEVELS]];
+    w->status[OUT_OF_ROOM] = 1;
 }
 
 // Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
@@ -119,12 +128,8 @@ kernel void contacts_list(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
-    int needed = groupStart[levels->first[LEVELS]];
-    if (needed > contactRoom) {
-        if (slot == 0) {
-            status[OUT_OF_ROOM] = 1;
-            status[CONTACTS_NEEDED] = needed;
-        }
+    if (lackContactRoom(&w)) {
+        if (slot == 0) noteContactsNeeded(&w);
         return;
     }
     if (!outOfRoom(&w)) seekAll(&w, slot, LISTING);
@@ -197,42 +202,57 @@ void gatherLoad(const World *w, uint2 p, float nx, float ny, float lambda, bool 
     w->load[p.y] = hi;
 }
 
-// Fills a contact and measures it for the first sub-step.
-void fillContact(const World *w, int c) {
-    uint2 p = w->pair[c];
-    ulong ids = w->key[c];
+// Measures a contact: sets the separation of n, and the normal where there is a direction; returns whether there is.
+// ex, ey: difference of the bases; from, to: displacements.
+bool measure(float4 *n, float ex, float ey, float sum, float2 from, float2 to) {
+    float dx = difference(ex, from.x, to.x);
+    float dy = difference(ey, from.y, to.y);
+    float d = norm(dx, dy);
+    n->z = d - sum;
+    if (!(d > COINCIDENT * sum)) return false;
+    n->x = dx / d;
+    n->y = dy / d;
+    return true;
+}
+
+// A contact as it starts the step: normal, separation, the impulse with which it ended the step before; and whether it
+// carries.
+float4 newContact(const World *w, uint2 p, ulong ids, bool *carrying) {
     float4 ci = w->circle[p.x];
     float4 cj = w->circle[p.y];
-    float4 ti = w->traits[p.x];
-    float4 tj = w->traits[p.y];
     float4 mi = w->motion[p.x];
     float4 mj = w->motion[p.y];
     float sum = ci.z + cj.z;
-    float ex = cj.x - ci.x;
-    float ey = cj.y - ci.y;
-    w->base[c] = (float4)(ex, ey, sum, greatest(ti.y, tj.y));
-    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 0.0f);
-    float dx = difference(ex, mi.x, mj.x);
-    float dy = difference(ey, mi.y, mj.y);
-    float d = norm(dx, dy);
-    float nx, ny;
-    if (d > COINCIDENT * sum) {
-        nx = dx / d;
-        ny = dy / d;
-    } else {
+    float4 n;
+    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, sum, mi.xy, mj.xy)) {
         int hash = pairHash((int) (ids >> 32), (int) ids);
         float px = partingX(hash);
         float py = partingY(hash);
         float l = norm(px, py);
-        nx = px / l;
-        ny = py / l;
+        n.x = px / l;
+        n.y = py / l;
     }
-    float lambda = 0.0f;
-    if (w->memory[p.y] != FRESH) lambda = remembered(w, w->memory[p.x], (int) ids) * w->k->warmScale;
-    float s = d - sum;
-    w->contact[c] = (float4)(nx, ny, s, lambda);
-    float vn = along(nx, ny, mj.z - mi.z, mj.w - mi.w);
-    gatherLoad(w, p, nx, ny, lambda, carries(lambda, s, vn, w->k->thresholdRate * sum));
+    n.w = 0.0f;
+    if (w->memory[p.y] != FRESH) n.w = remembered(w, w->memory[p.x], (int) ids) * w->k->warmScale;
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    *carrying = carries(n.w, n.z, vn, w->k->thresholdRate * sum);
+    return n;
+}
+
+// Fills a contact and measures it for the first sub-step.
+void fillContact(const World *w, int c) {
+    uint2 p = w->pair[c];
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    float4 ti = w->traits[p.x];
+    float4 tj = w->traits[p.y];
+    float sum = ci.z + cj.z;
+    bool carrying;
+    float4 n = newContact(w, p, w->key[c], &carrying);
+    w->base[c] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, greatest(ti.y, tj.y));
+    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 0.0f);
+    w->contact[c] = n;
+    gatherLoad(w, p, n.x, n.y, n.w, carrying);
 }
 
 // Orders and fills the contacts of the groups of one colour. Index space: a group a work-item. Cost: its contacts.

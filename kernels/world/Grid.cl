@@ -14,7 +14,7 @@ kernel void grid_clear(WORLD_PARAMETERS) {
 kernel void grid_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= slots) return;
+    if (slot >= slots || outOfRoom(&w)) return;
     if (homeId[slot] < 0) {
         bucketBefore[slot] = NONE;
         return;
@@ -28,8 +28,9 @@ kernel void grid_count(WORLD_PARAMETERS) {
 
 // Puts each circle at a place of its bucket. Index space: a slot at home a work-item.
 kernel void grid_scatter(WORLD_PARAMETERS) {
+    World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= slots) return;
+    if (slot >= slots || outOfRoom(&w)) return;
     int bucket = bucketBefore[slot];
     if (bucket >= 0) order[bucketStart[bucket] + rank[slot]] = slot;
 }
@@ -47,8 +48,9 @@ void siftDown(global int *order, global const int *id, int top, int size) {
 
 // Orders each bucket by id: insertion sort, or heap sort where a bucket is long. Index space: a bucket a work-item.
 kernel void grid_sort(WORLD_PARAMETERS) {
+    World w = WORLD;
     int bucket = (int) get_global_id(0);
-    if (bucket >= levels->first[LEVELS]) return;
+    if (bucket >= levels->first[LEVELS] || outOfRoom(&w)) return;
     int from = bucketStart[bucket];
     int size = bucketStart[bucket + 1] - from;
     global int *part = order + from;
@@ -76,8 +78,9 @@ kernel void grid_sort(WORLD_PARAMETERS) {
 
 // Copies the circles in their new order. Index space: a working slot a work-item.
 kernel void grid_gather(WORLD_PARAMETERS) {
+    World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= circles) return;
+    if (slot >= circles || outOfRoom(&w)) return;
     int from = order[slot];
     float4 c = homeCircle[from];
     float4 m = homeMotion[from];

@@ -37,33 +37,48 @@ float pushFromWall(const World *w, float x, float dx, float before, float next, 
     return next + side * p;
 }
 
-// Gravity, the impulses of the sub-step before, and the biased pass over the walls. Index space: a working slot a
-// work-item.
+// Gravity, the impulses of the sub-step before, and the biased pass over the walls, for one circle: changes motion m and
+// the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
+// before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
+void accelerate(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce, bool *loaded) {
+    constant StepConstants *k = w->k;
+    if (t->x == 0.0f) {
+        *before = (float2)(m->z, m->w);
+        *bounce = (float2)(0.0f);
+        *loaded = false;
+        return;
+    }
+    float vx = m->z + k->gravityStepX;
+    float vy = m->w + k->gravityStepY;
+    *before = (float2)(vx, vy);
+    *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
+    float bounceX, bounceY;
+    float wallX = t->z;
+    float wallY = t->w;
+    float nextX = pushFromWall(w, c.x, m->x, vx, vx + t->x * l.x, c.z, t->y, *loaded, k->minX, k->maxX, &wallX, &bounceX);
+    float nextY = pushFromWall(w, c.y, m->y, vy, vy + t->x * l.y, c.z, t->y, *loaded, k->minY, k->maxY, &wallY, &bounceY);
+    t->z = wallX;
+    t->w = wallY;
+    *bounce = (float2)(bounceX, bounceY);
+    m->z = bounded(nextX, -GREATEST_SPEED, GREATEST_SPEED);
+    m->w = bounded(nextY, -GREATEST_SPEED, GREATEST_SPEED);
+}
+
+// Index space: a working slot a work-item.
 kernel void solver_accelerate(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || outOfRoom(&w)) return;
-    float4 t = traits[slot];
     float4 m = motion[slot];
+    float4 t = traits[slot];
     float4 l = load[slot];
-    if (t.x == 0.0f) {
-        load[slot] = (float4)(m.z, m.w, 0.0f, l.w);
-        return;
-    }
-    float4 c = circle[slot];
-    float vx = m.z + k->gravityStepX;
-    float vy = m.w + k->gravityStepY;
-    bool loaded = l.w > 0.0f || t.z != 0.0f || t.w != 0.0f;
-    float bounceX, bounceY;
-    float wallX = t.z;
-    float wallY = t.w;
-    float nextX = pushFromWall(&w, c.x, m.x, vx, vx + t.x * l.x, c.z, t.y, loaded, k->minX, k->maxX, &wallX, &bounceX);
-    float nextY = pushFromWall(&w, c.y, m.y, vy, vy + t.x * l.y, c.z, t.y, loaded, k->minY, k->maxY, &wallY, &bounceY);
-    traits[slot] = (float4)(t.x, t.y, wallX, wallY);
-    wallBounce[slot] = (float2)(bounceX, bounceY);
-    load[slot] = (float4)(vx, vy, loaded ? 1.0f : 0.0f, l.w);
-    motion[slot] = (float4)(m.x, m.y, bounded(nextX, -GREATEST_SPEED, GREATEST_SPEED),
-                            bounded(nextY, -GREATEST_SPEED, GREATEST_SPEED));
+    float2 before, bounce;
+    bool loaded;
+    accelerate(&w, circle[slot], &m, &t, l, &before, &bounce, &loaded);
+    motion[slot] = m;
+    traits[slot] = t;
+    wallBounce[slot] = bounce;
+    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
 }
 
 void applyImpulse(const World *w, uint2 pr, float4 mi, float4 mj, float nx, float ny, float wi, float wj, float p) {
@@ -75,9 +90,34 @@ void applyImpulse(const World *w, uint2 pr, float4 mi, float4 mj, float nx, floa
     w->motion[pr.y] = mj;
 }
 
-// The biased pass over one contact: stops approaches, pushes overlaps out, bounces.
-void pushContact(const World *w, int c) {
+// The biased pass over one contact: stops approaches, pushes overlaps out, bounces. n: normal x, y, separation, accumulated
+// impulse; vn: normal speed; before: the same before any impulse; push: greatest push-out speed. Gives the new accumulated
+// impulse, the target speed of a bounce, and the impulse p to apply; returns false where there is none to apply.
+bool pushImpulse(const World *w, float4 n, float e, float thr2, float mass, float push, float vn, float before,
+                 bool loaded, float *next, float *bounce, float *p) {
     constant StepConstants *k = w->k;
+    float s = n.z;
+    float lambda = n.w;
+    *next = lambda;
+    *bounce = e > 0.0f && loaded ? bounceSpeed(e, before, s, k->h, thr2) : 0.0f;
+    bool freeFlight = e > 0.0f && !loaded && lambda == 0.0f;
+    if (freeFlight && separates(vn, thr2)) return false;
+    if (freeFlight && approaches(vn, thr2) && s * k->inverseH + vn < 0.0f) {
+        *p = freeBounce(e, vn, mass);
+        return true;
+    }
+    if (*bounce > 0.0f) {
+        *next = rigid(lambda, mass, vn, -*bounce);
+    } else if (s > 0.0f) {
+        *next = rigid(lambda, mass, vn, s * k->inverseH);
+    } else {
+        *next = soft(lambda, mass, vn, s, push, k->biasRate, k->massScale, k->impulseScale);
+    }
+    *p = *next - lambda;
+    return true;
+}
+
+void pushContact(const World *w, int c) {
     uint2 pr = w->pair[c];
     float4 b = w->base[c];
     float4 q = w->masses[c];
@@ -86,37 +126,14 @@ void pushContact(const World *w, int c) {
     float4 mj = w->motion[pr.y];
     float4 li = w->load[pr.x];
     float4 lj = w->load[pr.y];
-    float e = b.w;
-    float s = n.z;
-    float lambda = n.w;
-    float thr2 = k->thresholdRate * b.z;
-    float mass = 1.0f / (q.x + q.y);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float bounce = 0.0f;
-    bool loaded = li.z + lj.z > 0.0f;
-    if (e > 0.0f && loaded) {
-        float before = along(n.x, n.y, lj.x - li.x, lj.y - li.y);
-        bounce = bounceSpeed(e, before, s, k->h, thr2);
-    }
+    float before = along(n.x, n.y, lj.x - li.x, lj.y - li.y);
+    float next, bounce, p;
+    bool moves = pushImpulse(w, n, b.w, w->k->thresholdRate * b.z, 1.0f / (q.x + q.y), q.z, vn, before,
+                             li.z + lj.z > 0.0f, &next, &bounce, &p);
     w->masses[c].w = bounce;
-    bool freeFlight = e > 0.0f && !loaded && lambda == 0.0f;
-    if (freeFlight && separates(vn, thr2)) return;
-    float p;
-    if (freeFlight && approaches(vn, thr2) && s * k->inverseH + vn < 0.0f) {
-        p = freeBounce(e, vn, mass);
-    } else {
-        float next;
-        if (bounce > 0.0f) {
-            next = rigid(lambda, mass, vn, -bounce);
-        } else if (s > 0.0f) {
-            next = rigid(lambda, mass, vn, s * k->inverseH);
-        } else {
-            next = soft(lambda, mass, vn, s, q.z, k->biasRate, k->massScale, k->impulseScale);
-        }
-        p = next - lambda;
-        w->contact[c].w = next;
-    }
-    applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, p);
+    w->contact[c].w = next;
+    if (moves) applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, p);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -147,32 +164,39 @@ float relaxAtWall(const World *w, float x, float dx, float v, float r, float e, 
     return v + side * (next - lambda);
 }
 
-// Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. Index space: a working slot
-// a work-item.
+// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
+// impulses in traits t.
+void moveCircle(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+    constant StepConstants *k = w->k;
+    float vx = bounded(m->z, -GREATEST_SPEED, GREATEST_SPEED);
+    float vy = bounded(m->w, -GREATEST_SPEED, GREATEST_SPEED);
+    float edge = t->x == 0.0f ? 0.0f : c.z;
+    float dx = within(c.x, m->x + vx * k->h, k->minX + edge, k->maxX - edge);
+    float dy = within(c.y, m->y + vy * k->h, k->minY + edge, k->maxY - edge);
+    if (t->x != 0.0f) {
+        float wallX = t->z;
+        float wallY = t->w;
+        vx = relaxAtWall(w, c.x, dx, vx, c.z, t->y, loaded, bounce.x, k->minX, k->maxX, &wallX);
+        vy = relaxAtWall(w, c.y, dy, vy, c.z, t->y, loaded, bounce.y, k->minY, k->maxY, &wallY);
+        t->z = wallX;
+        t->w = wallY;
+    }
+    *m = (float4)(dx, dy, vx, vy);
+}
+
+// Index space: a working slot a work-item.
 kernel void solver_move(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || outOfRoom(&w)) return;
-    float4 c = circle[slot];
     float4 m = motion[slot];
     float4 t = traits[slot];
-    bool loaded = load[slot].z > 0.0f;
-    float vx = bounded(m.z, -GREATEST_SPEED, GREATEST_SPEED);
-    float vy = bounded(m.w, -GREATEST_SPEED, GREATEST_SPEED);
-    float edge = t.x == 0.0f ? 0.0f : c.z;
-    float dx = within(c.x, m.x + vx * k->h, k->minX + edge, k->maxX - edge);
-    float dy = within(c.y, m.y + vy * k->h, k->minY + edge, k->maxY - edge);
-    load[slot] = (float4)(0.0f, 0.0f, load[slot].z, 0.0f);
+    float loaded = load[slot].z;
+    moveCircle(&w, circle[slot], &m, &t, wallBounce[slot], loaded > 0.0f);
+    motion[slot] = m;
+    traits[slot] = t;
+    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
     memory[slot] = NONE;
-    if (t.x != 0.0f) {
-        float2 bounce = wallBounce[slot];
-        float wallX = t.z;
-        float wallY = t.w;
-        vx = relaxAtWall(&w, c.x, dx, vx, c.z, t.y, loaded, bounce.x, k->minX, k->maxX, &wallX);
-        vy = relaxAtWall(&w, c.y, dy, vy, c.z, t.y, loaded, bounce.y, k->minY, k->maxY, &wallY);
-        traits[slot] = (float4)(t.x, t.y, wallX, wallY);
-    }
-    motion[slot] = (float4)(dx, dy, vx, vy);
 }
 
 // Remembers a contact's impulse for the step to come.
@@ -183,51 +207,54 @@ void remember(const World *w, int c, uint2 pr, float lambda) {
     w->memory[pr.x] = c;
 }
 
-// The relaxing pass over one contact: measures it anew, takes the push-out speed away again, and sums up for what follows.
+// The relaxing pass over one contact, measured anew: takes the push-out speed away again. unloaded: neither circle is
+// loaded. Gives the new accumulated impulse, the impulse p to apply, and whether the contact was solved rather than left
+// alone or bounced; returns false where there is no impulse to apply.
+bool relaxImpulse(const World *w, float4 n, float e, float thr2, float mass, float vn, float bounce, bool unloaded,
+                  float *next, float *p, bool *solved) {
+    float s = n.z;
+    float lambda = n.w;
+    *next = lambda;
+    *solved = false;
+    if (lambda == 0.0f && bounce == 0.0f) {
+        if (s > 0.0f) return false;
+        if (e > 0.0f && unloaded) {
+            if (separates(vn, thr2)) return false;
+            if (approaches(vn, thr2)) {
+                *p = freeBounce(e, vn, mass);
+                return true;
+            }
+        }
+    }
+    float bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k->inverseH : 0.0f;
+    *next = rigid(lambda, mass, vn, bias);
+    *p = *next - lambda;
+    if (bounce > 0.0f) *next = 0.0f;
+    *solved = true;
+    return true;
+}
+
+// Measures a contact anew, makes the relaxing pass over it, and sums up for what follows.
 void relaxContact(const World *w, int c, bool last) {
-    constant StepConstants *k = w->k;
     uint2 pr = w->pair[c];
     float4 b = w->base[c];
     float4 q = w->masses[c];
     float4 n = w->contact[c];
     float4 mi = w->motion[pr.x];
     float4 mj = w->motion[pr.y];
-    float e = b.w;
-    float sum = b.z;
-    float bounce = q.w;
-    float lambda = n.w;
-    float dx = difference(b.x, mi.x, mj.x);
-    float dy = difference(b.y, mi.y, mj.y);
-    float d = norm(dx, dy);
-    if (d > COINCIDENT * sum) {
-        n.x = dx / d;
-        n.y = dy / d;
-    }
-    float s = d - sum;
-    n.z = s;
-    w->contact[c] = n;
+    measure(&n, b.x, b.y, b.z, mi.xy, mj.xy);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float thr2 = k->thresholdRate * sum;
-    float mass = 1.0f / (q.x + q.y);
-    if (lambda == 0.0f && bounce == 0.0f) {
-        if (s > 0.0f) return;
-        if (e > 0.0f && w->load[pr.x].z + w->load[pr.y].z == 0.0f) {
-            if (separates(vn, thr2)) return;
-            if (approaches(vn, thr2)) {
-                applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, freeBounce(e, vn, mass));
-                return;
-            }
-        }
-    }
-    float bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * k->inverseH : 0.0f;
-    float next = rigid(lambda, mass, vn, bias);
-    float p = next - lambda;
-    applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, p);
-    if (bounce > 0.0f) next = 0.0f;
-    w->contact[c].w = next;
+    float thr2 = w->k->thresholdRate * b.z;
+    float next, p;
+    bool solved;
+    bool moves = relaxImpulse(w, n, b.w, thr2, 1.0f / (q.x + q.y), vn, q.w, w->load[pr.x].z + w->load[pr.y].z == 0.0f,
+                              &next, &p, &solved);
+    w->contact[c] = (float4)(n.x, n.y, n.z, next);
+    if (moves) applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, p);
+    if (!solved) return;
     if (last) {
         if (next > 0.0f) remember(w, c, pr, next);
-    } else if (carries(next, s, vn + p * (q.x + q.y), thr2)) {
+    } else if (carries(next, n.z, vn + p * (q.x + q.y), thr2)) {
         gatherLoad(w, pr, n.x, n.y, next, true);
     }
 }
@@ -241,28 +268,31 @@ kernel void solver_relax(WORLD_PARAMETERS, int firstGroup, int groups, int last)
     for (int c = groupStart[firstGroup + g]; c < to; c++) relaxContact(&w, c, last != 0);
 }
 
-// Ends the step: the base takes the displacement, the displacement what that lost, and all of it goes home. Index space: a
-// working slot a work-item.
-kernel void solver_finish(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || outOfRoom(&w)) return;
-    float4 c = circle[slot];
-    float4 m = motion[slot];
-    float4 t = traits[slot];
+// Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
+void goHome(const World *w, int slot, float4 c, float4 m, float4 t) {
+    constant StepConstants *k = w->k;
     float edge = t.x == 0.0f ? 0.0f : c.z;
     float x = c.x + m.x;
     float y = c.y + m.y;
     float keptX = bounded(x, k->minX + edge, k->maxX - edge);
     float keptY = bounded(y, k->minY + edge, k->maxY - edge);
-    homeMotion[slot] = (float4)(keptX == x ? lostByRounding(c.x, m.x, x) : 0.0f,
-                                keptY == y ? lostByRounding(c.y, m.y, y) : 0.0f,
-                                bounded(m.z, -GREATEST_SPEED, GREATEST_SPEED),
-                                bounded(m.w, -GREATEST_SPEED, GREATEST_SPEED));
-    homeCircle[slot] = (float4)(keptX, keptY, c.z, c.w);
-    homeTraits[slot] = t;
-    homeId[slot] = id[slot];
+    int id = w->id[slot];
+    w->homeMotion[slot] = (float4)(keptX == x ? lostByRounding(c.x, m.x, x) : 0.0f,
+                                   keptY == y ? lostByRounding(c.y, m.y, y) : 0.0f,
+                                   bounded(m.z, -GREATEST_SPEED, GREATEST_SPEED),
+                                   bounded(m.w, -GREATEST_SPEED, GREATEST_SPEED));
+    w->homeCircle[slot] = (float4)(keptX, keptY, c.z, c.w);
+    w->homeTraits[slot] = t;
+    w->homeId[slot] = id;
+    w->slotOf[id] = slot;
+}
+
+// Index space: a working slot a work-item.
+kernel void solver_finish(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || outOfRoom(&w)) return;
+    goHome(&w, slot, circle[slot], motion[slot], traits[slot]);
     homeMemory[slot] = memory[slot];
-    slotOf[id[slot]] = slot;
     if (slot == 0) status[STEPS_DONE]++;
 }
