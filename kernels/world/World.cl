@@ -5,7 +5,7 @@
 // copies it, sorted, into the working arrays; stage Solver ends the step by writing it home. A step that found no room for
 // its contacts writes nothing home: the host makes room and asks for it again.
 
-// Filled by the host class StepConstants, in this order.
+// Filled by the host class ClParameters, in this order.
 typedef struct {
     float dt, h, inverseH, gravityStepX, gravityStepY;
     float biasRate, massScale, impulseScale, wallBiasRate, wallMassScale, wallImpulseScale;
@@ -14,19 +14,21 @@ typedef struct {
     int subSteps;
 } StepConstants;
 
-// Filled by the host class Levels, in this order.
+// Filled by the host class ClParameters, in this order.
 typedef struct {
     float minX, minY, rmax;
     int usedCount;
     float inverseEdge[LEVELS];
     int columnsLog[LEVELS], rowsLog[LEVELS], used[LEVELS];
     int first[LEVELS + 1];
+    int tileColumnsLog, tileRowsLog; // cells of a tile (Tiles.cl)
 } Levels;
 
 // status
 #define OUT_OF_ROOM 0     // set by a step that found more contacts than there is room for, until the host makes room
 #define CONTACTS_NEEDED 1 // how many it found
 #define STEPS_DONE 2      // steps written home
+#define TILE_PEAK 3       // most circles of a tile's region
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
@@ -34,8 +36,10 @@ typedef struct {
         global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
         global int *bucketStart, global int *bucketOf, global float *reachOf, global float4 *circle,                   \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
-        global float2 *wallBounce, global int *groupStart, global int *groupFill, global ulong *key,                   \
-        global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global int *oldHi,     \
+        global float2 *wallBounce, global float4 *pushedMotion, global float4 *pushedTraits,                           \
+        global float4 *pushedWalls, global int *groupStart, global int *groupFill, global ulong *key,                   \
+        global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact,                       \
+        global uint *link, global float2 *impulse, global int *oldHi,     \
         global float *oldLambda, global int *oldNext, global int *blockSums
 
 typedef struct {
@@ -63,6 +67,7 @@ typedef struct {
     global int *id, *memory;
     global float4 *load; // see the Java class JvmState
     global float2 *wallBounce;
+    global float4 *pushedMotion, *pushedTraits, *pushedWalls; // between the passes of a sub-step, by tiles
 
     // stage Contacts: by group, then by contact
     global int *groupStart, *groupFill;
@@ -71,6 +76,8 @@ typedef struct {
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
     global float4 *contact; // normal x, y, separation, accumulated impulse
+    global uint *link;      // by tiles: see linkOf
+    global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
     // remembered contacts of the step before
     global int *oldHi;
@@ -84,7 +91,7 @@ typedef struct {
     {                                                                                                                  \
         k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
-            load, wallBounce, groupStart, groupFill, key, pair, base, masses, contact, oldHi, oldLambda, oldNext,      \
+            load, wallBounce, pushedMotion, pushedTraits, pushedWalls, groupStart, groupFill, key, pair, base, masses, contact, link, impulse, oldHi, oldLambda, oldNext,      \
             blockSums                                                                                                  \
     }
 

@@ -37,20 +37,25 @@ final class ClBuffers implements AutoCloseable {
     static final int MEMORY = 22;
     static final int LOAD = 23;
     static final int WALL_BOUNCE = 24;
-    static final int GROUP_START = 25;
-    static final int GROUP_FILL = 26;
-    static final int KEY = 27;
-    static final int PAIR = 28;
-    static final int BASE = 29;
-    static final int MASSES = 30;
-    static final int CONTACT = 31;
-    static final int OLD_HI = 32;
-    static final int OLD_LAMBDA = 33;
-    static final int OLD_NEXT = 34;
-    static final int BLOCK_SUMS = 35;
+    static final int PUSHED_MOTION = 25;
+    static final int PUSHED_TRAITS = 26;
+    static final int PUSHED_WALLS = 27;
+    static final int GROUP_START = 28;
+    static final int GROUP_FILL = 29;
+    static final int KEY = 30;
+    static final int PAIR = 31;
+    static final int BASE = 32;
+    static final int MASSES = 33;
+    static final int CONTACT = 34;
+    static final int LINK = 35;
+    static final int IMPULSE = 36;
+    static final int OLD_HI = 37;
+    static final int OLD_LAMBDA = 38;
+    static final int OLD_NEXT = 39;
+    static final int BLOCK_SUMS = 40;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 36;
+    static final int COUNT = 41;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -81,6 +86,9 @@ final class ClBuffers implements AutoCloseable {
         "working memories",
         "loads",
         "wall bounces",
+        "pushed motions",
+        "pushed traits",
+        "pushed walls",
         "group starts",
         "group fills",
         "contact keys",
@@ -88,6 +96,8 @@ final class ClBuffers implements AutoCloseable {
         "contact bases",
         "contact masses",
         "contacts",
+        "contact links",
+        "contact impulses",
         "remembered ids",
         "remembered impulses",
         "remembered links",
@@ -99,11 +109,25 @@ final class ClBuffers implements AutoCloseable {
 
     private static final int[] BY_SLOT_KEPT = {HOME_CIRCLE, HOME_MOTION, HOME_TRAITS, HOME_ID, HOME_MEMORY};
     private static final int[] BY_SLOT = {
-        BUCKET_BEFORE, RANK, ORDER, BUCKET_OF, REACH, CIRCLE, MOTION, TRAITS, ID, MEMORY, LOAD, WALL_BOUNCE
+        BUCKET_BEFORE,
+        RANK,
+        ORDER,
+        BUCKET_OF,
+        REACH,
+        CIRCLE,
+        MOTION,
+        TRAITS,
+        ID,
+        MEMORY,
+        LOAD,
+        WALL_BOUNCE,
+        PUSHED_MOTION,
+        PUSHED_TRAITS,
+        PUSHED_WALLS
     };
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD_HI, OLD_LAMBDA, OLD_NEXT};
-    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
+    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT, LINK, IMPULSE};
 
     private final Session session;
     private final DeviceBuffer[] buffers = new DeviceBuffer[COUNT];
@@ -128,9 +152,21 @@ final class ClBuffers implements AutoCloseable {
 
     private static int elementBytes(int parameter) {
         switch (parameter) {
-            case HOME_CIRCLE, HOME_MOTION, HOME_TRAITS, CIRCLE, MOTION, TRAITS, LOAD, BASE, MASSES, CONTACT:
+            case HOME_CIRCLE,
+                    HOME_MOTION,
+                    HOME_TRAITS,
+                    CIRCLE,
+                    MOTION,
+                    TRAITS,
+                    LOAD,
+                    PUSHED_MOTION,
+                    PUSHED_TRAITS,
+                    PUSHED_WALLS,
+                    BASE,
+                    MASSES,
+                    CONTACT:
                 return 16;
-            case WALL_BOUNCE, KEY, PAIR:
+            case WALL_BOUNCE, KEY, PAIR, IMPULSE:
                 return 8;
             default:
                 return 4;

@@ -30,11 +30,15 @@ final class ClKernels {
                         "world/Grid.cl",
                         "world/Contacts.cl",
                         "world/Solver.cl",
+                        "world/Tiles.cl",
+                        "world/TileContacts.cl",
+                        "world/TileSolver.cl",
                         "world/Readback.cl")
                 .define("LEVELS", Levels.COUNT)
                 .define("MARGIN", Tuning.MARGIN)
                 .define("CAP", Tuning.CAP)
                 .define("COINCIDENT", Tuning.COINCIDENT)
+                .define("TILE_CIRCLES", ClTiles.CIRCLES)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }
 

@@ -7,7 +7,7 @@ import java.util.Arrays;
 /** Packs the constants of a step and the shape of the grids as the structs of {@code World.cl}, and sends what changed. */
 final class ClParameters {
     static final int CONSTANT_INTS = 20;
-    static final int LEVEL_INTS = 4 + 5 * Levels.COUNT + 1;
+    static final int LEVEL_INTS = 4 + 5 * Levels.COUNT + 3;
 
     private static final int WARM_SCALE = 14;
 
@@ -20,6 +20,12 @@ final class ClParameters {
     void set(StepConstants k, Levels shape) {
         packConstants(k);
         packLevels(shape);
+    }
+
+    /** Sets the size of a tile: log2 of its columns and rows of cells. */
+    void setTile(int columnsLog, int rowsLog) {
+        levels[LEVEL_INTS - 2] = columnsLog;
+        levels[LEVEL_INTS - 1] = rowsLog;
     }
 
     /** Sets what impulses of the step before are multiplied by. */

@@ -14,6 +14,7 @@ import java.util.TreeMap;
 public final class ClPipeline implements Pipeline {
     private static final int CONTACTS_NEEDED = 1;
     private static final int STEPS_DONE = 2;
+    private static final int TILE_PEAK = 3;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -27,6 +28,8 @@ public final class ClPipeline implements Pipeline {
     private final ClGrid grid;
     private final ClContacts contacts;
     private final ClSolver solver;
+    private final ClTiles tiles;
+    private final ClPlan plan;
     private final ClReadback readback;
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
@@ -50,7 +53,12 @@ public final class ClPipeline implements Pipeline {
      * @param profiling whether to measure the time of each stage
      */
     public ClPipeline(Device device, int capacity, boolean profiling) {
+        this(device, capacity, profiling, ClPlan.choose(device));
+    }
+
+    ClPipeline(Device device, int capacity, boolean profiling, ClPlan plan) {
         this.profiling = profiling;
+        this.plan = plan;
         session = Session.open(device, profiling);
         try {
             buffers = new ClBuffers(session, capacity);
@@ -60,6 +68,7 @@ public final class ClPipeline implements Pipeline {
             grid = new ClGrid(kernels, buffers, scan);
             contacts = new ClContacts(kernels, buffers, scan);
             solver = new ClSolver(kernels);
+            tiles = new ClTiles(kernels, buffers, scan, device);
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             resetStatus();
@@ -103,6 +112,7 @@ public final class ClPipeline implements Pipeline {
     }
 
     private void enqueue() {
+        boolean tiled = plan == ClPlan.TILES && tiles.choose(levels, parameters);
         int from = slots;
         for (int step = 0; step < pendingSteps; step++) {
             // From the second step on, the length of the step before is that of the step.
@@ -110,8 +120,13 @@ public final class ClPipeline implements Pipeline {
             parameters.send(buffers);
             kernels.bind(buffers, from, circles);
             grid.build(levels, from, circles);
-            contacts.list(levels, circles);
-            solver.solve(levels, circles, subSteps);
+            if (tiled) {
+                tiles.list(levels, circles);
+                tiles.solve(subSteps);
+            } else {
+                contacts.list(levels, circles);
+                solver.solve(levels, circles, subSteps);
+            }
             from = circles;
         }
     }
@@ -126,6 +141,7 @@ public final class ClPipeline implements Pipeline {
                 warmScale = 1f;
             }
             pendingSteps -= done;
+            tiles.learn(status[TILE_PEAK]);
             resetStatus();
             if (pendingSteps > 0) {
                 buffers.ensureContacts(status[CONTACTS_NEEDED]);

@@ -88,7 +88,11 @@ class PipelinesAgreeTest {
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene[] scenes = {Scenes.thesis(1250, 1), Scenes.gas(1250, 1), Scenes.pyramid()};
         for (Scene scene : scenes) {
-            try (Twins twins = load(scene, new JvmPipeline(1, 0, false), new ClPipeline(device, 0, false))) {
+            try (Twins twins = load(
+                    scene,
+                    new JvmPipeline(1, 0, false),
+                    new ClPipeline(device, 0, false, ClPlan.COLOURS),
+                    new ClPipeline(device, 0, false, ClPlan.TILES))) {
                 for (int k = 0; k < 20; k++) {
                     twins.step(1 / 60f, 5);
                     twins.assertEqual(scene.name() + " after " + 5 * (k + 1) + " steps");

@@ -1,0 +1,117 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+
+/**
+ * The stages Contacts and Solver on a device, where all circles are of one level: a launch a pass instead of a launch a
+ * colour; {@code kernels/world/Tiles.cl} tells how. Chooses the size of a tile: as large as gives the device enough tiles to
+ * work on at once, but so that the circles around none of them exceed {@link #CIRCLES}, which a step finds out.
+ */
+final class ClTiles {
+    /** Circles that the local memory of a work-group has room for. */
+    static final int CIRCLES = 1024;
+
+    /** Local memory that a work-group takes. */
+    private static final int LOCAL_BYTES = 48 << 10;
+
+    private static final int GROUP = 128;
+
+    /** Tiles that were given up are tried again after so many calls for the state. */
+    private static final int RETRY = 256;
+
+    /** Sizes of a tile, largest first: log2 of its columns and rows. */
+    private static final int[][] SIZES = {{4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
+
+    private final ClBuffers buffers;
+    private final ClScan scan;
+    private final Device device;
+    private final Kernel count;
+    private final Kernel list;
+    private final Kernel link;
+    private final Kernel pushFirst;
+    private final Kernel push;
+    private final Kernel relax;
+    private final Kernel relaxLast;
+
+    /** The largest size that may be chosen: larger ones held too many circles. None may where it is the number of sizes. */
+    private int largestSize;
+
+    /** How often there has been something to learn since tiles were given up. */
+    private int without;
+
+    private int size;
+    private int columnsLog;
+    private int rowsLog;
+    private int tiles;
+
+    ClTiles(ClKernels kernels, ClBuffers buffers, ClScan scan, Device device) {
+        this.buffers = buffers;
+        this.scan = scan;
+        this.device = device;
+        count = kernels.staged("contacts_countGroups");
+        list = kernels.staged("contacts_listGroups");
+        link = kernels.staged("contacts_link");
+        pushFirst = kernels.staged("solver_pushTileFirst");
+        push = kernels.staged("solver_pushTile");
+        relax = kernels.staged("solver_relaxTile");
+        relaxLast = kernels.staged("solver_relaxTileLast");
+    }
+
+    /** Whether a device can run the tiles at all. */
+    static boolean fit(Device device) {
+        return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= GROUP;
+    }
+
+    /** Chooses the size of a tile for the next steps; false where no tile would do. */
+    boolean choose(Levels levels, ClParameters parameters) {
+        if (levels.usedCount != 1 || largestSize == SIZES.length) {
+            return false;
+        }
+        int columns = levels.columnsLog[levels.used[0]];
+        int rows = levels.rowsLog[levels.used[0]];
+        size = largestSize;
+        while (size < 2 && 1 << (columns + rows - SIZES[size][0] - SIZES[size][1]) < 3 * device.computeUnits()) {
+            size++;
+        }
+        columnsLog = Math.min(SIZES[size][0], columns);
+        rowsLog = Math.min(SIZES[size][1], rows);
+        tiles = 1 << (columns + rows - columnsLog - rowsLog);
+        parameters.setTile(columnsLog, rowsLog);
+        return true;
+    }
+
+    /**
+     * Takes note of how many circles were counted around a tile: tiles become smaller where these were too many, and larger
+     * where there is room again.
+     *
+     * @param peak the most around any tile; 0 where no tiles were used
+     */
+    void learn(int peak) {
+        if (peak > CIRCLES) {
+            largestSize = size + 1;
+            without = 0;
+        } else if (largestSize == SIZES.length) {
+            if (++without == RETRY) {
+                largestSize--;
+            }
+        } else if (size == largestSize && size > 0 && peak > 0 && peak < CIRCLES * 2 / 5) {
+            largestSize--;
+        }
+    }
+
+    void list(Levels levels, int circles) {
+        count.run(levels.buckets());
+        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
+        list.run(levels.buckets());
+        link.run(2L * circles);
+    }
+
+    void solve(int subSteps) {
+        long items = (long) tiles * GROUP;
+        for (int sub = 0; sub < subSteps; sub++) {
+            (sub == 0 ? pushFirst : push).run(items, GROUP);
+            (sub == subSteps - 1 ? relaxLast : relax).run(items, GROUP);
+        }
+    }
+}
