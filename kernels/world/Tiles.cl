@@ -15,6 +15,8 @@
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
+#define TILE_CONTACTS 512 // most contacts of a group: a crowd is better put in order by Contacts.cl
+#define CROWDED 0x7fffffff // TILE_PEAK where a group has more
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
@@ -28,9 +30,6 @@ typedef struct {
 
 // A region's circles in local memory, numbered row by row, and how to find them.
 typedef struct {
-    float2 centre[TILE_CIRCLES]; // base
-    float2 shape[TILE_CIRCLES];  // radius, restitution
-    float2 displacement[TILE_CIRCLES];
     float2 velocity[TILE_CIRCLES];
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
     float inverseMass[TILE_CIRCLES];

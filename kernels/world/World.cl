@@ -36,10 +36,11 @@ typedef struct {
         global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
         global int *bucketStart, global int *bucketOf, global float *reachOf, global float4 *circle,                   \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
-        global float2 *wallBounce, global float4 *pushedMotion, global float4 *pushedTraits,                           \
-        global float4 *pushedWalls, global int *groupStart, global int *groupFill, global ulong *key,                   \
+        global float2 *wallBounce, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
+        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,                   \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact,                       \
-        global uint *link, global float2 *impulse, global int *oldHi,     \
+        global uint *link, global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse,      \
+        global int *oldHi,     \
         global float *oldLambda, global int *oldNext, global int *blockSums
 
 typedef struct {
@@ -67,7 +68,9 @@ typedef struct {
     global int *id, *memory;
     global float4 *load; // see the Java class JvmState
     global float2 *wallBounce;
-    global float4 *pushedMotion, *pushedTraits, *pushedWalls; // between the passes of a sub-step, by tiles
+    global float4 *pushedTraits;       // by tiles: every other sub-step's traits
+    global float4 *pushedVelocity;     // by tiles, between the passes: velocity x, y, inverse mass, 1 where loaded
+    global float2 *pushedDisplacement; // by tiles, between the passes
 
     // stage Contacts: by group, then by contact
     global int *groupStart, *groupFill;
@@ -77,6 +80,9 @@ typedef struct {
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
     global float4 *contact; // normal x, y, separation, accumulated impulse
     global uint *link;      // by tiles: see linkOf
+    global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
+    global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
+    global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
     // remembered contacts of the step before
@@ -91,7 +97,7 @@ typedef struct {
     {                                                                                                                  \
         k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
-            load, wallBounce, pushedMotion, pushedTraits, pushedWalls, groupStart, groupFill, key, pair, base, masses, contact, link, impulse, oldHi, oldLambda, oldNext,      \
+            load, wallBounce, pushedTraits, pushedVelocity, pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, oldHi, oldLambda, oldNext,      \
             blockSums                                                                                                  \
     }
 

@@ -37,9 +37,9 @@ final class ClBuffers implements AutoCloseable {
     static final int MEMORY = 22;
     static final int LOAD = 23;
     static final int WALL_BOUNCE = 24;
-    static final int PUSHED_MOTION = 25;
-    static final int PUSHED_TRAITS = 26;
-    static final int PUSHED_WALLS = 27;
+    static final int PUSHED_TRAITS = 25;
+    static final int PUSHED_VELOCITY = 26;
+    static final int PUSHED_DISPLACEMENT = 27;
     static final int GROUP_START = 28;
     static final int GROUP_FILL = 29;
     static final int KEY = 30;
@@ -48,14 +48,17 @@ final class ClBuffers implements AutoCloseable {
     static final int MASSES = 33;
     static final int CONTACT = 34;
     static final int LINK = 35;
-    static final int IMPULSE = 36;
-    static final int OLD_HI = 37;
-    static final int OLD_LAMBDA = 38;
-    static final int OLD_NEXT = 39;
-    static final int BLOCK_SUMS = 40;
+    static final int ORDERED = 36;
+    static final int SHAPE = 37;
+    static final int HELD = 38;
+    static final int IMPULSE = 39;
+    static final int OLD_HI = 40;
+    static final int OLD_LAMBDA = 41;
+    static final int OLD_NEXT = 42;
+    static final int BLOCK_SUMS = 43;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 41;
+    static final int COUNT = 44;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -86,9 +89,9 @@ final class ClBuffers implements AutoCloseable {
         "working memories",
         "loads",
         "wall bounces",
-        "pushed motions",
         "pushed traits",
-        "pushed walls",
+        "pushed velocities",
+        "pushed displacements",
         "group starts",
         "group fills",
         "contact keys",
@@ -97,6 +100,9 @@ final class ClBuffers implements AutoCloseable {
         "contact masses",
         "contacts",
         "contact links",
+        "contact pairs in order",
+        "contact shapes",
+        "held impulses",
         "contact impulses",
         "remembered ids",
         "remembered impulses",
@@ -121,13 +127,13 @@ final class ClBuffers implements AutoCloseable {
         MEMORY,
         LOAD,
         WALL_BOUNCE,
-        PUSHED_MOTION,
+        PUSHED_VELOCITY,
         PUSHED_TRAITS,
-        PUSHED_WALLS
+        PUSHED_DISPLACEMENT
     };
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD_HI, OLD_LAMBDA, OLD_NEXT};
-    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT, LINK, IMPULSE};
+    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT, LINK, ORDERED, SHAPE, HELD, IMPULSE};
 
     private final Session session;
     private final DeviceBuffer[] buffers = new DeviceBuffer[COUNT];
@@ -159,14 +165,14 @@ final class ClBuffers implements AutoCloseable {
                     MOTION,
                     TRAITS,
                     LOAD,
-                    PUSHED_MOTION,
                     PUSHED_TRAITS,
-                    PUSHED_WALLS,
+                    PUSHED_VELOCITY,
                     BASE,
                     MASSES,
-                    CONTACT:
+                    CONTACT,
+                    SHAPE:
                 return 16;
-            case WALL_BOUNCE, KEY, PAIR, IMPULSE:
+            case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
                 return 8;
             default:
                 return 4;

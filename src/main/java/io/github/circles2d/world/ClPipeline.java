@@ -122,7 +122,7 @@ public final class ClPipeline implements Pipeline {
             grid.build(levels, from, circles);
             if (tiled) {
                 tiles.list(levels, circles);
-                tiles.solve(subSteps);
+                tiles.solve(circles, subSteps);
             } else {
                 contacts.list(levels, circles);
                 solver.solve(levels, circles, subSteps);

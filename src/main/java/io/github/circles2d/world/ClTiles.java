@@ -12,8 +12,11 @@ final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
     static final int CIRCLES = 1024;
 
+    /** A peak that says that no tile would do. */
+    private static final int CROWDED = Integer.MAX_VALUE;
+
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 48 << 10;
+    private static final int LOCAL_BYTES = 24 * CIRCLES;
 
     private static final int GROUP = 128;
 
@@ -31,6 +34,7 @@ final class ClTiles {
     private final Kernel link;
     private final Kernel pushFirst;
     private final Kernel push;
+    private final Kernel measure;
     private final Kernel relax;
     private final Kernel relaxLast;
 
@@ -49,10 +53,11 @@ final class ClTiles {
         this.buffers = buffers;
         this.scan = scan;
         this.device = device;
-        count = kernels.staged("contacts_countGroups");
-        list = kernels.staged("contacts_listGroups");
+        count = kernels.staged("contacts_count");
+        list = kernels.staged("contacts_list");
         link = kernels.staged("contacts_link");
         pushFirst = kernels.staged("solver_pushTileFirst");
+        measure = kernels.staged("solver_measure");
         push = kernels.staged("solver_pushTile");
         relax = kernels.staged("solver_relaxTile");
         relaxLast = kernels.staged("solver_relaxTileLast");
@@ -89,7 +94,7 @@ final class ClTiles {
      */
     void learn(int peak) {
         if (peak > CIRCLES) {
-            largestSize = size + 1;
+            largestSize = peak == CROWDED ? SIZES.length : size + 1;
             without = 0;
         } else if (largestSize == SIZES.length) {
             if (++without == RETRY) {
@@ -101,17 +106,20 @@ final class ClTiles {
     }
 
     void list(Levels levels, int circles) {
-        count.run(levels.buckets());
+        count.run(circles);
         scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
-        list.run(levels.buckets());
-        link.run(2L * circles);
+        list.run(circles);
+        link.run(Math.max(2L * circles, tiles));
     }
 
-    void solve(int subSteps) {
+    void solve(int circles, int subSteps) {
         long items = (long) tiles * GROUP;
         for (int sub = 0; sub < subSteps; sub++) {
-            (sub == 0 ? pushFirst : push).run(items, GROUP);
-            (sub == subSteps - 1 ? relaxLast : relax).run(items, GROUP);
+            Kernel first = sub == 0 ? pushFirst : push.arg(ClBuffers.COUNT, sub);
+            first.run(items, GROUP);
+            measure.run(2L * circles);
+            Kernel second = sub == subSteps - 1 ? relaxLast : relax;
+            second.arg(ClBuffers.COUNT, sub).run(items, GROUP);
         }
     }
 }
