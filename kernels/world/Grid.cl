@@ -1,38 +1,48 @@
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
 // sort: clear, count, sum up (Scan.cl), scatter, order each bucket, which undoes whatever order the work-items met in.
 
+void clearBucket(const World *w, int i) {
+    w->bucketStart[i] = 0;
+    w->groupStart[i] = 0;
+    w->groupFill[i] = 0;
+}
+
 // Index space: a bucket a work-item, and one more for the end.
 kernel void grid_clear(WORLD_PARAMETERS) {
+    World w = WORLD;
     int i = (int) get_global_id(0);
-    if (i > levels->first[LEVELS]) return;
-    bucketStart[i] = 0;
-    groupStart[i] = 0;
-    groupFill[i] = 0;
+    if (i <= levels->first[LEVELS]) clearBucket(&w, i);
+}
+
+void countSlot(const World *w, int slot) {
+    if (w->homeId[slot] < 0) {
+        w->bucketBefore[slot] = NONE;
+        return;
+    }
+    float4 c = w->homeCircle[slot];
+    int l = level(c.z, w->levels->rmax);
+    int bucket = w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+    w->bucketBefore[slot] = bucket;
+    w->rank[slot] = atomic_inc(&w->bucketStart[bucket]);
 }
 
 // Counts the circles of each bucket. Index space: a slot at home a work-item.
 kernel void grid_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= slots || outOfRoom(&w)) return;
-    if (homeId[slot] < 0) {
-        bucketBefore[slot] = NONE;
-        return;
-    }
-    float4 c = homeCircle[slot];
-    int l = level(c.z, levels->rmax);
-    int bucket = levels->first[l] + columnOf(&w, l, c.x) + (rowOf(&w, l, c.y) << levels->columnsLog[l]);
-    bucketBefore[slot] = bucket;
-    rank[slot] = atomic_inc(&bucketStart[bucket]);
+    if (slot < slots && !outOfRoom(&w)) countSlot(&w, slot);
+}
+
+void scatterSlot(const World *w, int slot) {
+    int bucket = w->bucketBefore[slot];
+    if (bucket >= 0) w->order[w->bucketStart[bucket] + w->rank[slot]] = slot;
 }
 
 // Puts each circle at a place of its bucket. Index space: a slot at home a work-item.
 kernel void grid_scatter(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= slots || outOfRoom(&w)) return;
-    int bucket = bucketBefore[slot];
-    if (bucket >= 0) order[bucketStart[bucket] + rank[slot]] = slot;
+    if (slot < slots && !outOfRoom(&w)) scatterSlot(&w, slot);
 }
 
 void siftDown(global int *order, global const int *id, int top, int size) {
@@ -46,14 +56,12 @@ void siftDown(global int *order, global const int *id, int top, int size) {
     order[top] = value;
 }
 
-// Orders each bucket by id: insertion sort, or heap sort where a bucket is long. Index space: a bucket a work-item.
-kernel void grid_sort(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int bucket = (int) get_global_id(0);
-    if (bucket >= levels->first[LEVELS] || outOfRoom(&w)) return;
-    int from = bucketStart[bucket];
-    int size = bucketStart[bucket + 1] - from;
-    global int *part = order + from;
+// Orders a bucket by id: insertion sort, or heap sort where it is long.
+void sortBucket(const World *w, int bucket) {
+    int from = w->bucketStart[bucket];
+    int size = w->bucketStart[bucket + 1] - from;
+    global int *part = w->order + from;
+    global const int *homeId = w->homeId;
     if (size > 64) {
         for (int top = size / 2 - 1; top >= 0; top--) siftDown(part, homeId, top, size);
         for (int end = size - 1; end > 0; end--) {
@@ -73,22 +81,32 @@ kernel void grid_sort(WORLD_PARAMETERS) {
             part[p] = slot;
         }
     }
-    for (int i = 0; i < size; i++) bucketOf[from + i] = bucket;
+    for (int i = 0; i < size; i++) w->bucketOf[from + i] = bucket;
+}
+
+// Index space: a bucket a work-item. Cost: its circles.
+kernel void grid_sort(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int bucket = (int) get_global_id(0);
+    if (bucket < levels->first[LEVELS] && !outOfRoom(&w)) sortBucket(&w, bucket);
+}
+
+void gatherCircle(const World *w, int slot) {
+    int from = w->order[slot];
+    float4 c = w->homeCircle[from];
+    float4 m = w->homeMotion[from];
+    w->circle[slot] = c;
+    w->motion[slot] = m;
+    w->traits[slot] = w->homeTraits[from];
+    w->id[slot] = w->homeId[from];
+    w->memory[slot] = w->homeMemory[from];
+    w->load[slot] = (float4)(0.0f);
+    w->reachOf[slot] = reach(c.z, m.z, m.w, w->k->dt, MARGIN, CAP);
 }
 
 // Copies the circles in their new order. Index space: a working slot a work-item.
 kernel void grid_gather(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= circles || outOfRoom(&w)) return;
-    int from = order[slot];
-    float4 c = homeCircle[from];
-    float4 m = homeMotion[from];
-    circle[slot] = c;
-    motion[slot] = m;
-    traits[slot] = homeTraits[from];
-    id[slot] = homeId[from];
-    memory[slot] = homeMemory[from];
-    load[slot] = (float4)(0.0f);
-    reachOf[slot] = reach(c.z, m.z, m.w, k->dt, MARGIN, CAP);
+    if (slot < circles && !outOfRoom(&w)) gatherCircle(&w, slot);
 }

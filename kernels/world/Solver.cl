@@ -52,14 +52,26 @@ void accelerate(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2
     float vy = m->w + k->gravityStepY;
     *before = (float2)(vx, vy);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
-    float bounceX, bounceY;
-    float wallX = t->z;
-    float wallY = t->w;
-    float nextX = pushFromWall(w, c.x, m->x, vx, vx + t->x * l.x, c.z, t->y, *loaded, k->minX, k->maxX, &wallX, &bounceX);
-    float nextY = pushFromWall(w, c.y, m->y, vy, vy + t->x * l.y, c.z, t->y, *loaded, k->minY, k->maxY, &wallY, &bounceY);
-    t->z = wallX;
-    t->w = wallY;
-    *bounce = (float2)(bounceX, bounceY);
+    float nextX, nextY;
+    // A loop over the axes: half the instructions to fetch.
+#pragma unroll 1
+    for (int axis = 0; axis < 2; axis++) {
+        bool y = axis != 0;
+        float v = y ? vy : vx;
+        float wall = y ? t->w : t->z;
+        float target;
+        float next = pushFromWall(w, y ? c.y : c.x, y ? m->y : m->x, v, v + t->x * (y ? l.y : l.x), c.z, t->y, *loaded,
+                                  y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall, &target);
+        if (y) {
+            nextY = next;
+            t->w = wall;
+            bounce->y = target;
+        } else {
+            nextX = next;
+            t->z = wall;
+            bounce->x = target;
+        }
+    }
     m->z = bounded(nextX, -GREATEST_SPEED, GREATEST_SPEED);
     m->w = bounded(nextY, -GREATEST_SPEED, GREATEST_SPEED);
 }
@@ -174,12 +186,20 @@ void moveCircle(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, b
     float dx = within(c.x, m->x + vx * k->h, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, m->y + vy * k->h, k->minY + edge, k->maxY - edge);
     if (t->x != 0.0f) {
-        float wallX = t->z;
-        float wallY = t->w;
-        vx = relaxAtWall(w, c.x, dx, vx, c.z, t->y, loaded, bounce.x, k->minX, k->maxX, &wallX);
-        vy = relaxAtWall(w, c.y, dy, vy, c.z, t->y, loaded, bounce.y, k->minY, k->maxY, &wallY);
-        t->z = wallX;
-        t->w = wallY;
+#pragma unroll 1
+        for (int axis = 0; axis < 2; axis++) {
+            bool y = axis != 0;
+            float wall = y ? t->w : t->z;
+            float next = relaxAtWall(w, y ? c.y : c.x, y ? dy : dx, y ? vy : vx, c.z, t->y, loaded,
+                                     y ? bounce.y : bounce.x, y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall);
+            if (y) {
+                vy = next;
+                t->w = wall;
+            } else {
+                vx = next;
+                t->z = wall;
+            }
+        }
     }
     *m = (float4)(dx, dy, vx, vy);
 }

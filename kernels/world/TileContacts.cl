@@ -48,8 +48,8 @@ void linkContact(const World *w, int listed) {
     w->held[c] = n.w;
     w->shape[c] = (float4)(greatest(ti.y, tj.y), w->k->thresholdRate * sum,
                            pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 1.0f / (ti.x + tj.x));
-    w->link[c] = linkOf((lowColumn != column) + 2 * (lowRow != row), (int) p.x - w->bucketStart[low],
-                        (highColumn != column) + 2 * (highRow != row), (int) p.y - w->bucketStart[high], carrying);
+    w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
+                        highRow != row, (int) p.y - w->bucketStart[high], carrying);
 }
 
 // Index space: any number of work-items, but at least a tile each; they take the contacts in turn. Cost: the contacts of a

@@ -3,52 +3,30 @@
 // move and the walls. Measure, a contact a work-item, takes what is costly about a contact out of the chain of dependent
 // contacts. Relax goes back to motion, load and held. Traits change between traits and pushedTraits every sub-step.
 
-// A work-item's group of each colour: its contacts [x, y), read ahead of need.
-typedef struct {
-    int2 contacts[4];
-} Share;
-
-Share shareOf(const World *w, const Region *r, bool sums) {
-    Share share;
-    int column, row;
-#pragma unroll
-    for (int colour = 0; colour < 4; colour++) {
-        bool any = groupOfItem(r, colour, sums, &column, &row);
-        share.contacts[colour] = any ? contactsOf(w, r, column, row) : (int2)(0, 0);
-    }
-    return share;
-}
-
 // Sums up, for each circle of the region, the impulses with which its contacts start the step, in their order.
-void sumRemembered(const World *w, const Region *r, local Tile *t, int circles) {
-    Share share = shareOf(w, r, true);
+void sumRemembered(const World *w, local Tile *t, int circles) {
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
         t->load[i] = (float2)(0.0f);
         t->flags[i] = 0;
     }
-#pragma unroll
+#pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         barrier(CLK_LOCAL_MEM_FENCE);
-        int2 own = share.contacts[colour];
-        if (own.x < own.y) {
-            int column, row;
-            groupOfItem(r, colour, true, &column, &row);
-            int4 cells = cellsOf(r, t, column, row);
-            for (int c = own.x; c < own.y; c++) {
-                float4 n = w->contact[c];
-                uint link = w->link[c];
-                int2 p = circlesOfLink(cells, link);
-                uchar carried = link & LINK_CARRYING ? CARRIED : 0;
-                if (p.x >= 0) {
-                    float2 lo = t->load[p.x];
-                    t->load[p.x] = (float2)(lo.x - n.x * n.w, lo.y - n.y * n.w);
-                    t->flags[p.x] |= carried;
-                }
-                if (p.y >= 0) {
-                    float2 hi = t->load[p.y];
-                    t->load[p.y] = (float2)(hi.x + n.x * n.w, hi.y + n.y * n.w);
-                    t->flags[p.y] |= carried;
-                }
+        int4 share = t->share[colour][get_local_id(0)];
+        for (int c = share.x & ~NOT_OWN; c < share.y; c++) {
+            float4 n = w->contact[c];
+            uint link = w->link[c];
+            int2 p = circlesOfLink(share, link);
+            uchar carried = link & LINK_CARRYING ? CARRIED : 0;
+            if (p.x < TILE_CIRCLES) {
+                float2 lo = t->load[p.x];
+                t->load[p.x] = (float2)(lo.x - n.x * n.w, lo.y - n.y * n.w);
+                t->flags[p.x] |= carried;
+            }
+            if (p.y < TILE_CIRCLES) {
+                float2 hi = t->load[p.y];
+                t->load[p.y] = (float2)(hi.x + n.x * n.w, hi.y + n.y * n.w);
+                t->flags[p.y] |= carried;
             }
         }
     }
@@ -80,54 +58,60 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
     return (float2)(next, bounce);
 }
 
-// The biased pass over a work-item's groups.
-void pushGroups(const World *w, const Region *r, local Tile *t, const Share *share) {
-#pragma unroll
+// What a pass reads of a contact, ahead of need: while one contact is solved, the next is on its way.
+typedef struct {
+    float4 normal, shape;
+    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
+    uint link;
+} Ahead;
+
+// The contact that follows c in a work-item's share of a pass; -1 after the last.
+int following(local const Tile *t, int colour, int c, int end) {
+    if (c + 1 < end) return c + 1;
+    if (colour == 3) return -1;
+    int4 next = t->share[colour + 1][get_local_id(0)];
+    int first = next.x & ~NOT_OWN;
+    return first < next.y ? first : -1;
+}
+
+void lookAhead(const World *w, int c, bool relaxing, Ahead *ahead) {
+    if (c < 0) return;
+    ahead->normal = w->contact[c];
+    ahead->shape = w->shape[c];
+    ahead->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
+    ahead->link = w->link[c];
+}
+
+// The biased pass over the groups of a region.
+void pushGroups(const World *w, local Tile *t) {
+    Ahead ahead;
+    int item = (int) get_local_id(0);
+    lookAhead(w, following(t, -1, 0, 0), false, &ahead);
+#pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         barrier(CLK_LOCAL_MEM_FENCE);
-        int2 own = share->contacts[colour];
-        if (own.x < own.y) {
-            int column, row;
-            groupOfItem(r, colour, false, &column, &row);
-            bool owned = ownsGroup(r, column, row);
-            int4 cells = cellsOf(r, t, column, row);
-            // The next contact is read before this one is solved: they depend on each other by their circles alone.
-            float4 n = w->contact[own.x];
-            float4 shape = w->shape[own.x];
-            float held = w->held[own.x];
-            uint link = w->link[own.x];
-            for (int c = own.x; c < own.y; c++) {
-                float4 n1 = (float4)(n.x, n.y, n.z, held);
-                float4 shape1 = shape;
-                int2 p = circlesOfLink(cells, link);
-                if (c + 1 < own.y) {
-                    n = w->contact[c + 1];
-                    shape = w->shape[c + 1];
-                    held = w->held[c + 1];
-                    link = w->link[c + 1];
-                }
-                float2 after = pushInTile(w, t, p, n1, shape1);
-                if (owned) w->impulse[c] = after;
-            }
+        int4 share = t->share[colour][item];
+        int first = share.x & ~NOT_OWN;
+        if (first >= share.y) lookAhead(w, following(t, colour, first, share.y), false, &ahead);
+        for (int c = first; c < share.y; c++) {
+            Ahead now = ahead;
+            lookAhead(w, following(t, colour, c, share.y), false, &ahead);
+            float4 n = (float4)(now.normal.x, now.normal.y, now.normal.z, now.impulse.x);
+            float2 after = pushInTile(w, t, circlesOfLink(share, now.link), n, now.shape);
+            if (share.x >= 0) w->impulse[c] = after;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
 // The biased pass of a tile: gravity and the walls, four colours of contacts, the circles' move.
-void pushTile(const World *w, local Tile *t, int tile, int subStep) {
-    Region r = regionOf(w, tile);
-    int circles = mapRegion(w, &r, t);
-    if (circles == 0) return;
-    Share share = shareOf(w, &r, false);
+void pushTile(const World *w, local Tile *t, int circles, int subStep) {
     bool first = subStep == 0;
     global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
     global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
-    if (first) sumRemembered(w, &r, t, circles);
-    int row = 0;
+#pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        while (t->rowStart[row + 1] <= i) row++;
-        int slot = slotOfCircle(t, row, i);
+        int slot = t->slot[i] & ~NOT_OWN;
         float4 c = w->circle[slot];
         float4 m = w->motion[slot];
         float4 traits = oldTraits[slot];
@@ -140,18 +124,17 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
         t->load[i] = before;
         t->inverseMass[i] = traits.x;
         t->flags[i] = loaded ? LOADED : 0;
-        if (ownsCircle(&r, t, row, i)) {
+        if (t->slot[i] >= 0) {
             newTraits[slot] = traits;
             w->wallBounce[slot] = bounce;
             if (first) w->homeMemory[slot] = NONE;
         }
     }
-    pushGroups(w, &r, t, &share);
-    row = 0;
+    pushGroups(w, t);
+#pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        while (t->rowStart[row + 1] <= i) row++;
-        if (!ownsCircle(&r, t, row, i)) continue;
-        int slot = slotOfCircle(t, row, i);
+        int slot = t->slot[i];
+        if (slot < 0) continue;
         float4 m = w->motion[slot];
         m.zw = t->velocity[i];
         float4 traits = newTraits[slot];
@@ -216,40 +199,27 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
     return next;
 }
 
-// The relaxing pass over a work-item's groups.
-void relaxGroups(const World *w, const Region *r, local Tile *t, const Share *share, bool last) {
-#pragma unroll
+// The relaxing pass over the groups of a region.
+void relaxGroups(const World *w, local Tile *t, bool last) {
+    Ahead ahead;
+    int item = (int) get_local_id(0);
+    lookAhead(w, following(t, -1, 0, 0), true, &ahead);
+#pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         barrier(CLK_LOCAL_MEM_FENCE);
-        int2 own = share->contacts[colour];
-        if (own.x < own.y) {
-            int column, row;
-            groupOfItem(r, colour, false, &column, &row);
-            bool owned = ownsGroup(r, column, row);
-            int4 cells = cellsOf(r, t, column, row);
-            float4 n = w->contact[own.x];
-            float4 shape = w->shape[own.x];
-            float2 pushed = w->impulse[own.x];
-            uint link = w->link[own.x];
-            for (int c = own.x; c < own.y; c++) {
-                float4 n1 = (float4)(n.x, n.y, n.z, pushed.x);
-                float4 shape1 = shape;
-                float bounce = pushed.y;
-                int2 p = circlesOfLink(cells, link);
-                if (c + 1 < own.y) {
-                    n = w->contact[c + 1];
-                    shape = w->shape[c + 1];
-                    pushed = w->impulse[c + 1];
-                    link = w->link[c + 1];
-                }
-                float next = relaxInTile(w, t, p, n1, shape1, bounce, last);
-                if (owned) {
-                    if (!last) {
-                        w->held[c] = next;
-                    } else if (next > 0.0f) {
-                        rememberShared(w, c, next);
-                    }
-                }
+        int4 share = t->share[colour][item];
+        int first = share.x & ~NOT_OWN;
+        if (first >= share.y) lookAhead(w, following(t, colour, first, share.y), true, &ahead);
+        for (int c = first; c < share.y; c++) {
+            Ahead now = ahead;
+            lookAhead(w, following(t, colour, c, share.y), true, &ahead);
+            float4 n = (float4)(now.normal.x, now.normal.y, now.normal.z, now.impulse.x);
+            float next = relaxInTile(w, t, circlesOfLink(share, now.link), n, now.shape, now.impulse.y, last);
+            if (share.x < 0) continue;
+            if (!last) {
+                w->held[c] = next;
+            } else if (next > 0.0f) {
+                rememberShared(w, c, next);
             }
         }
     }
@@ -257,28 +227,21 @@ void relaxGroups(const World *w, const Region *r, local Tile *t, const Share *sh
 }
 
 // The relaxing pass of a tile: four colours of contacts; in the last sub-step the circles go home.
-void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) {
-    Region r = regionOf(w, tile);
-    if (last && tile == 0 && get_local_id(0) == 0) w->status[STEPS_DONE]++;
-    int circles = mapRegion(w, &r, t);
-    if (circles == 0) return;
-    Share share = shareOf(w, &r, false);
-    int row = 0;
+void relaxTile(const World *w, local Tile *t, int circles, int subStep, bool last) {
+#pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        while (t->rowStart[row + 1] <= i) row++;
-        float4 v = w->pushedVelocity[slotOfCircle(t, row, i)];
+        float4 v = w->pushedVelocity[t->slot[i] & ~NOT_OWN];
         t->velocity[i] = v.xy;
         t->load[i] = (float2)(0.0f);
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    relaxGroups(w, &r, t, &share, last);
+    relaxGroups(w, t, last);
     global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
-    row = 0;
+#pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        while (t->rowStart[row + 1] <= i) row++;
-        if (!ownsCircle(&r, t, row, i)) continue;
-        int slot = slotOfCircle(t, row, i);
+        int slot = t->slot[i];
+        if (slot < 0) continue;
         float2 d = w->pushedDisplacement[slot];
         float2 v = t->velocity[i];
         float4 m = (float4)(d.x, d.y, v.x, v.y);
@@ -292,33 +255,52 @@ void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) 
     }
 }
 
+// Takes a tile: numbers its circles and shares out its groups; at the start of a step, the load of its circles too. Returns
+// how many circles its region has.
+int takeTile(const World *w, local Tile *t, int tile, bool start) {
+    Region r = regionOf(w, tile);
+    int circles = mapRegion(w, &r, t);
+    if (circles == 0) return 0;
+    if (start) {
+        shareGroups(w, &r, t, true);
+        sumRemembered(w, t, circles);
+    }
+    shareGroups(w, &r, t, false);
+    return circles;
+}
+
 // Index space of each: a work-group a tile. Cost: see Tiles.cl. The first and the last sub-step have kernels of their own.
 #define TILE_KERNEL kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
 
 TILE_KERNEL solver_pushTileFirst(WORLD_PARAMETERS) {
     World w = WORLD;
-    local Tile tile;
+    local Tile t;
     if (outOfRoom(&w)) return;
-    pushTile(&w, &tile, (int) get_group_id(0), 0);
+    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), true);
+    if (circlesHere > 0) pushTile(&w, &t, circlesHere, 0);
 }
 
 TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
-    local Tile tile;
-    if (outOfRoom(&w)) return;
-    if (subStep > 0) pushTile(&w, &tile, (int) get_group_id(0), subStep);
+    local Tile t;
+    if (outOfRoom(&w) || subStep == 0) return;
+    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
+    if (circlesHere > 0) pushTile(&w, &t, circlesHere, subStep);
 }
 
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
-    local Tile tile;
+    local Tile t;
     if (outOfRoom(&w)) return;
-    relaxTile(&w, &tile, (int) get_group_id(0), subStep, false);
+    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
+    if (circlesHere > 0) relaxTile(&w, &t, circlesHere, subStep, false);
 }
 
 TILE_KERNEL solver_relaxTileLast(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
-    local Tile tile;
+    local Tile t;
     if (outOfRoom(&w)) return;
-    relaxTile(&w, &tile, (int) get_group_id(0), subStep, true);
+    if (get_global_id(0) == 0) status[STEPS_DONE]++;
+    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
+    if (circlesHere > 0) relaxTile(&w, &t, circlesHere, subStep, true);
 }

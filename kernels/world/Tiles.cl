@@ -10,7 +10,7 @@
 //
 // No kernels here. Cost of a pass: the region's circles are read once, its contacts once.
 
-#define TILE_GROUP 128 // work-items of a work-group; no colour has more groups in a region
+// TILE_GROUP: work-items of a work-group; no colour has more groups in a region. TILE_CIRCLES: room for circles.
 #define TILE_CELLS 400
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
@@ -28,12 +28,16 @@ typedef struct {
     bool ringX, ringY;                   // whether it spans the torus
 } Region;
 
-// A region's circles in local memory, numbered row by row, and how to find them.
+// A region in local memory. Its circles are numbered row by row.
 typedef struct {
     float2 velocity[TILE_CIRCLES];
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
     float inverseMass[TILE_CIRCLES];
+    int slot[TILE_CIRCLES]; // of circles that are not the tile's own: NOT_OWN too
     uchar flags[TILE_CIRCLES];
+
+    int4 share[4][TILE_GROUP]; // by colour and work-item: see shareGroups
+
     ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int rowCount[TILE_ROWS];          // by row: its circles
@@ -41,6 +45,8 @@ typedef struct {
     int rowSplit[TILE_ROWS];          // by row: its circles before the edge of the torus
     int rowWrapped[TILE_ROWS];        // by row: the slot of the first circle behind that edge
 } Tile;
+
+#define NOT_OWN ((int) 0x80000000)
 
 // Flags of a circle.
 #define LOADED 1
@@ -94,50 +100,41 @@ int circlesInRow(const World *w, const Region *r, int row, int *split) {
 // Numbers the circles of a region. All work-items of the work-group; returns how many circles there are.
 int mapRegion(const World *w, const Region *r, local Tile *t) {
     int item = (int) get_local_id(0);
+    int width = 1 << r->columnsLog;
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int row = item; row < r->rows; row += TILE_GROUP) {
+    if (item < r->rows) {
+        int bucket = bucketOfRow(w, r, item);
         int split;
-        int bucket = bucketOfRow(w, r, row);
-        t->rowCount[row] = circlesInRow(w, r, row, &split);
-        t->rowSplit[row] = split;
-        t->rowSlot[row] = w->bucketStart[bucket + r->firstColumn];
-        t->rowWrapped[row] = w->bucketStart[bucket];
+        t->rowCount[item] = circlesInRow(w, r, item, &split);
+        t->rowSplit[item] = split;
+        t->rowSlot[item] = w->bucketStart[bucket + r->firstColumn];
+        t->rowWrapped[item] = w->bucketStart[bucket];
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    for (int row = item; row <= r->rows; row += TILE_GROUP) {
+    if (item <= r->rows) {
         int sum = 0;
-        for (int before = 0; before < row; before++) sum += t->rowCount[before];
-        t->rowStart[row] = sum;
+#pragma unroll 1
+        for (int before = 0; before < item; before++) sum += t->rowCount[before];
+        t->rowStart[item] = sum;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     int cells = r->columns * r->rows;
-    for (int cell = item; cell < cells; cell += TILE_GROUP) {
-        int row = cell / r->columns;
-        int column = r->firstColumn + cell - row * r->columns;
-        int bucket = bucketOfRow(w, r, row);
-        int width = 1 << r->columnsLog;
-        int before = column < width
-                         ? w->bucketStart[bucket + column] - t->rowSlot[row]
-                         : t->rowSplit[row] + w->bucketStart[bucket + column - width] - t->rowWrapped[row];
-        t->cellStart[cell] = (ushort) (t->rowStart[row] + before);
-    }
     int circles = t->rowStart[r->rows];
     if (item == 0) t->cellStart[cells] = (ushort) circles;
+    for (int cell = item; cell < cells; cell += TILE_GROUP) {
+        int row = cell / r->columns;
+        int inRow = cell - row * r->columns;
+        int column = r->firstColumn + inRow;
+        int bucket = bucketOfRow(w, r, row) + (column & r->columnMask);
+        int from = w->bucketStart[bucket];
+        int to = w->bucketStart[bucket + 1];
+        int i = t->rowStart[row] + from - (column < width ? t->rowSlot[row] : t->rowWrapped[row] - t->rowSplit[row]);
+        t->cellStart[cell] = (ushort) i;
+        bool own = row >= r->bottom && row < r->bottom + r->height && inRow >= r->left && inRow < r->left + r->width;
+        for (int slot = from; slot < to; slot++) t->slot[i++] = own ? slot : slot | NOT_OWN;
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     return circles;
-}
-
-// The slot of a circle of a region, which lies in a row of it.
-int slotOfCircle(local const Tile *t, int row, int i) {
-    int at = i - t->rowStart[row];
-    int split = t->rowSplit[row];
-    return at < split ? t->rowSlot[row] + at : t->rowWrapped[row] + at - split;
-}
-
-// Whether a circle of a region, which lies in a row of it, lies in the tile itself.
-bool ownsCircle(const Region *r, local const Tile *t, int row, int i) {
-    int cell = row * r->columns + r->left;
-    return row >= r->bottom && row < r->bottom + r->height && i >= t->cellStart[cell] && i < t->cellStart[cell + r->width];
 }
 
 // The group that a work-item takes of a colour in a pass: its column and row in the region. Returns whether there is one.
@@ -177,42 +174,53 @@ bool ownsGroup(const Region *r, int column, int row) {
     return column >= r->left && column < r->left + r->width && row >= r->bottom && row < r->bottom + r->height;
 }
 
-// The contacts of a group: [x, y).
-int2 contactsOf(const World *w, const Region *r, int column, int row) {
-    int group = groupOf(w, w->levels->used[0], (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
-    return (int2)(w->groupStart[group], w->groupStart[group + 1]);
-}
-
-// The first circle of a cell; outside of the region a number so low that no circle of the cell has one.
+// The first circle of a cell; outside of the region a number that no circle has.
 int cellStartOf(const Region *r, local const Tile *t, int column, int row) {
     if (r->ringX) column &= r->columnMask;
     if (r->ringY) row &= r->rowMask;
     bool inside = column >= 0 && column < r->columns && row >= 0 && row < r->rows;
-    return inside ? t->cellStart[row * r->columns + column] : -65536;
+    return inside ? t->cellStart[row * r->columns + column] : 0xffff;
 }
 
-// The first circles of a group's cells: (0, 0), (1, 0), (0, 1), (1, 1).
-int4 cellsOf(const Region *r, local const Tile *t, int column, int row) {
-    return (int4)(cellStartOf(r, t, column, row), cellStartOf(r, t, column + 1, row), cellStartOf(r, t, column, row + 1),
-                  cellStartOf(r, t, column + 1, row + 1));
+// Notes the work-item's group of each colour: the first contact (and NOT_OWN) and the end of its contacts, the first circles
+// of its cells (0, 0) and (1, 0) in 16 bits each, of (0, 1) and (1, 1). Nobody else reads it.
+void shareGroups(const World *w, const Region *r, local Tile *t, bool sums) {
+    int l = w->levels->used[0];
+#pragma unroll 1
+    for (int colour = 0; colour < 4; colour++) {
+        int column, row;
+        int4 share = (int4)(0);
+        if (groupOfItem(r, colour, sums, &column, &row)) {
+            int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
+            share.x = w->groupStart[group];
+            share.y = w->groupStart[group + 1];
+            if (!ownsGroup(r, column, row)) share.x |= NOT_OWN;
+            share.z = cellStartOf(r, t, column, row) | cellStartOf(r, t, column + 1, row) << 16;
+            share.w = cellStartOf(r, t, column, row + 1) | cellStartOf(r, t, column + 1, row + 1) << 16;
+        }
+        t->share[colour][get_local_id(0)] = share;
+    }
 }
 
 // A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
-// bits) and the cell (2 bits); and whether the contact carries as the step begins.
+// bits) and the cell (column, row); and whether the contact carries as the step begins.
 #define LINK_PLACE 0x1fff
-#define LINK_CARRYING 0x8000u
+#define LINK_COLUMN 0x2000
+#define LINK_ROW 0x4000
+#define LINK_CARRYING 0x8000
 
-uint linkOf(int lowCell, int lowPlace, int highCell, int highPlace, bool carrying) {
-    return (uint) (lowPlace & LINK_PLACE) | (uint) lowCell << 13 | (carrying ? LINK_CARRYING : 0u) |
-           (uint) (highPlace & LINK_PLACE) << 16 | (uint) highCell << 29;
+uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow, int highPlace, bool carrying) {
+    return (uint) (lowPlace & LINK_PLACE) | (lowColumn ? LINK_COLUMN : 0) | (lowRow ? LINK_ROW : 0) |
+           (carrying ? LINK_CARRYING : 0) |
+           (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
 }
 
-int circleOfLink(int4 cells, uint half_) {
-    int low = half_ & 0x2000 ? cells.y : cells.x;
-    int high = half_ & 0x2000 ? cells.w : cells.z;
-    return (half_ & 0x4000 ? high : low) + (int) (half_ & LINK_PLACE);
+int circleOfLink(int4 share, uint part) {
+    uint cells = (uint) (part & LINK_ROW ? share.w : share.z);
+    return (int) ((part & LINK_COLUMN ? cells >> 16 : cells & 0xffff) + (part & LINK_PLACE));
 }
 
-int2 circlesOfLink(int4 cells, uint link) {
-    return (int2)(circleOfLink(cells, link & 0x7fff), circleOfLink(cells, link >> 16));
+// The circles of a contact, the lower id first. Outside of the region: TILE_CIRCLES or more.
+int2 circlesOfLink(int4 share, uint link) {
+    return (int2)(circleOfLink(share, link), circleOfLink(share, link >> 16));
 }

@@ -91,6 +91,8 @@ typedef struct {
     global int *oldNext;
 
     global int *blockSums;
+
+    float warmScale; // what remembered impulses are multiplied by
 } World;
 
 #define WORLD                                                                                                          \
@@ -98,7 +100,7 @@ typedef struct {
         k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
             load, wallBounce, pushedTraits, pushedVelocity, pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, oldHi, oldLambda, oldNext,      \
-            blockSums                                                                                                  \
+            blockSums, k->warmScale                                                                                    \
     }
 
 #define NONE (-1)

@@ -39,6 +39,7 @@ final class ClKernels {
                 .define("CAP", Tuning.CAP)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("TILE_CIRCLES", ClTiles.CIRCLES)
+                .define("TILE_GROUP", ClTiles.GROUP)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }
 

@@ -16,9 +16,10 @@ final class ClTiles {
     private static final int CROWDED = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 24 * CIRCLES;
+    private static final int LOCAL_BYTES = 36 * CIRCLES;
 
-    private static final int GROUP = 128;
+    /** Work-items of a work-group: as many groups as a colour may have around a tile. */
+    static final int GROUP = 128;
 
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
