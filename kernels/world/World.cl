@@ -29,6 +29,7 @@ typedef struct {
 #define CONTACTS_NEEDED 1 // how many it found
 #define STEPS_DONE 2      // steps written home
 #define TILE_PEAK 3       // most circles of a tile's region
+#define ARRIVALS 32       // of work-groups at barriers over all of them, in a cache line of its own
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \

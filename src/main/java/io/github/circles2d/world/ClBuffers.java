@@ -111,7 +111,7 @@ final class ClBuffers implements AutoCloseable {
     };
 
     /** Ints of the status. */
-    static final int STATUS_INTS = 4;
+    static final int STATUS_INTS = 64;
 
     private static final int[] BY_SLOT_KEPT = {HOME_CIRCLE, HOME_MOTION, HOME_TRAITS, HOME_ID, HOME_MEMORY};
     private static final int[] BY_SLOT = {

@@ -10,30 +10,44 @@ import java.util.List;
 
 /** The compiled stages, and the one argument list that all their kernels share. */
 final class ClKernels {
+    private static final String[] FILES = {
+        "CircleMath",
+        "World",
+        "Scan",
+        "Commands",
+        "Grid",
+        "Contacts",
+        "Solver",
+        "Tiles",
+        "TileContacts",
+        "TileSolver",
+        "Readback"
+    };
+
     private final Program program;
     private final List<Kernel> staged = new ArrayList<>();
     private int boundVersion = -1;
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    ClKernels(Session session) {
-        program = session.build(source(), options(session.device()));
+    ClKernels(Session session, boolean resident) {
+        program = session.build(source(resident), options(session.device()));
     }
 
-    /** The source of all stages; the numbers that host and device share are defined from their one place in Java. */
-    static KernelSource source() {
-        return KernelSource.of(
-                        "world/CircleMath.cl",
-                        "world/World.cl",
-                        "world/Scan.cl",
-                        "world/Commands.cl",
-                        "world/Grid.cl",
-                        "world/Contacts.cl",
-                        "world/Solver.cl",
-                        "world/Tiles.cl",
-                        "world/TileContacts.cl",
-                        "world/TileSolver.cl",
-                        "world/Readback.cl")
+    /**
+     * The source of all stages; the numbers that host and device share are defined from their one place in Java.
+     *
+     * @param resident whether to make steps in one launch, which not every device can
+     */
+    static KernelSource source(boolean resident) {
+        List<String> files = new ArrayList<>();
+        for (String file : FILES) {
+            files.add("world/" + file + ".cl");
+        }
+        if (resident) {
+            files.add("world/Resident.cl");
+        }
+        return KernelSource.of(files.toArray(String[]::new))
                 .define("LEVELS", Levels.COUNT)
                 .define("MARGIN", Tuning.MARGIN)
                 .define("CAP", Tuning.CAP)

@@ -30,6 +30,10 @@ public final class ClPipeline implements Pipeline {
     private final ClSolver solver;
     private final ClTiles tiles;
     private final ClPlan plan;
+
+    /** Null where the plan is another. */
+    private final ClResident resident;
+
     private final ClReadback readback;
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
@@ -62,13 +66,14 @@ public final class ClPipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             buffers = new ClBuffers(session, capacity);
-            kernels = new ClKernels(session);
+            kernels = new ClKernels(session, plan == ClPlan.RESIDENT);
             commands = new ClCommands(session, kernels, buffers);
             ClScan scan = new ClScan(kernels);
             grid = new ClGrid(kernels, buffers, scan);
             contacts = new ClContacts(kernels, buffers, scan);
             solver = new ClSolver(kernels);
             tiles = new ClTiles(kernels, buffers, scan, device);
+            resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             resetStatus();
@@ -112,7 +117,16 @@ public final class ClPipeline implements Pipeline {
     }
 
     private void enqueue() {
-        boolean tiled = plan == ClPlan.TILES && tiles.choose(levels, parameters);
+        boolean small = resident != null && ClResident.suits(circles);
+        int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
+        boolean tiled = plan != ClPlan.COLOURS && tiles.choose(levels, parameters, atOnce);
+        if (tiled && small) {
+            parameters.setWarmScale(warmScale);
+            parameters.send(buffers);
+            kernels.bind(buffers, slots, circles);
+            resident.run(tiles.tiles(), circles, pendingSteps);
+            return;
+        }
         int from = slots;
         for (int step = 0; step < pendingSteps; step++) {
             // From the second step on, the length of the step before is that of the step.

@@ -21,6 +21,9 @@ final class ClTiles {
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
     static final int GROUP = 128;
 
+    /** The smallest size that is ever better for speed; smaller ones are for crowds. */
+    private static final int SMALLEST = 2;
+
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
 
@@ -46,8 +49,6 @@ final class ClTiles {
     private int without;
 
     private int size;
-    private int columnsLog;
-    private int rowsLog;
     private int tiles;
 
     ClTiles(ClKernels kernels, ClBuffers buffers, ClScan scan, Device device) {
@@ -69,22 +70,38 @@ final class ClTiles {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= GROUP;
     }
 
-    /** Chooses the size of a tile for the next steps; false where no tile would do. */
-    boolean choose(Levels levels, ClParameters parameters) {
+    /**
+     * Chooses the size of a tile for the next steps.
+     *
+     * @param atOnce how many work-groups run at once, where each had better have one tile; 0 where they come and go
+     * @return false where no tile would do
+     */
+    boolean choose(Levels levels, ClParameters parameters, int atOnce) {
         if (levels.usedCount != 1 || largestSize == SIZES.length) {
             return false;
         }
         int columns = levels.columnsLog[levels.used[0]];
         int rows = levels.rowsLog[levels.used[0]];
         size = largestSize;
-        while (size < 2 && 1 << (columns + rows - SIZES[size][0] - SIZES[size][1]) < 3 * device.computeUnits()) {
+        while (size < SMALLEST && enough(tiles(size, columns, rows), tiles(size + 1, columns, rows), atOnce)) {
             size++;
         }
-        columnsLog = Math.min(SIZES[size][0], columns);
-        rowsLog = Math.min(SIZES[size][1], rows);
-        tiles = 1 << (columns + rows - columnsLog - rowsLog);
-        parameters.setTile(columnsLog, rowsLog);
+        parameters.setTile(Math.min(SIZES[size][0], columns), Math.min(SIZES[size][1], rows));
+        tiles = tiles(size, columns, rows);
         return true;
+    }
+
+    /** Whether a smaller size is better: a tile for each work-group that waits, or several for each compute unit. */
+    private boolean enough(int tilesOfThis, int tilesOfNext, int atOnce) {
+        return atOnce > 0 ? tilesOfNext <= atOnce : tilesOfThis < 3 * device.computeUnits();
+    }
+
+    private static int tiles(int size, int columns, int rows) {
+        return 1 << (columns + rows - Math.min(SIZES[size][0], columns) - Math.min(SIZES[size][1], rows));
+    }
+
+    int tiles() {
+        return tiles;
     }
 
     /**

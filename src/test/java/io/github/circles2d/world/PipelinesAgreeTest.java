@@ -6,6 +6,8 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -83,16 +85,26 @@ class PipelinesAgreeTest {
         return twins;
     }
 
+    /** The pipeline in Java, and one for each plan that a device can follow. */
+    private static Pipeline[] pipelines(Device device) {
+        List<Pipeline> pipelines = new ArrayList<>();
+        pipelines.add(new JvmPipeline(1, 0, false));
+        pipelines.add(new ClPipeline(device, 0, false, ClPlan.COLOURS));
+        if (ClTiles.fit(device)) {
+            pipelines.add(new ClPipeline(device, 0, false, ClPlan.TILES));
+        }
+        if (ClResident.fits(device)) {
+            pipelines.add(new ClPipeline(device, 0, false, ClPlan.RESIDENT));
+        }
+        return pipelines.toArray(Pipeline[]::new);
+    }
+
     @ParameterizedTest
     @MethodSource("devices")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene[] scenes = {Scenes.thesis(1250, 1), Scenes.gas(1250, 1), Scenes.pyramid()};
         for (Scene scene : scenes) {
-            try (Twins twins = load(
-                    scene,
-                    new JvmPipeline(1, 0, false),
-                    new ClPipeline(device, 0, false, ClPlan.COLOURS),
-                    new ClPipeline(device, 0, false, ClPlan.TILES))) {
+            try (Twins twins = load(scene, pipelines(device))) {
                 for (int k = 0; k < 20; k++) {
                     twins.step(1 / 60f, 5);
                     twins.assertEqual(scene.name() + " after " + 5 * (k + 1) + " steps");
