@@ -180,8 +180,10 @@ void sortContacts(global ulong *key, global uint2 *pair, int size) {
 
 // The impulse with which a contact ended the step before, or 0.
 float remembered(const World *w, int first, int hi) {
-    for (int c = first; c >= 0; c = w->oldNext[c]) {
-        if (w->oldHi[c] == hi) return w->oldLambda[c];
+    for (int c = first; c >= 0;) {
+        int4 old = w->old[c];
+        if (old.x == hi) return as_float(old.y);
+        c = old.z;
     }
     return 0.0f;
 }

@@ -83,11 +83,10 @@ void listAll(const World *w, local int *cells) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t) {
+void solveAll(const World *w, local Tile *t, int contacts) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     bool keep = tiles <= (int) get_num_groups(0);
-    int contacts = w->groupStart[w->levels->first[LEVELS]];
     int circles = 0;
 #pragma unroll 1
     for (int subStep = 0; subStep < w->k->subSteps; subStep++) {
@@ -115,12 +114,16 @@ kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void resident_ste
     local Tile t;
     local int cells[TILE_GROUP];
     if (outOfRoom(&w)) return;
+    // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);
 #pragma unroll 1
     for (int step = 0; step < steps; step++) {
         listAll(&w, cells);
         if (outOfRoom(&w)) return;
-        solveAll(&w, &t);
+        int contacts = groupStart[levels->first[LEVELS]];
+        solveAll(&w, &t, contacts);
+        // Shares the barrier of the next step's beginning, or of the end of the launch.
+        EACH(c, contacts) rememberHeld(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
         w.slots = w.circles;
         w.warmScale = 1.0f;

@@ -221,9 +221,7 @@ kernel void solver_move(WORLD_PARAMETERS) {
 
 // Remembers a contact's impulse for the step to come.
 void remember(const World *w, int c, uint2 pr, float lambda) {
-    w->oldHi[c] = (int) w->key[c];
-    w->oldLambda[c] = lambda;
-    w->oldNext[c] = w->memory[pr.x];
+    w->old[c] = (int4)((int) w->key[c], as_int(lambda), w->memory[pr.x], 0);
     w->memory[pr.x] = c;
 }
 

@@ -167,15 +167,6 @@ kernel void solver_measure(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
 }
 
-// Remembers a contact's impulse for the step to come. Tiles do so at the same time, in no order: a circle's remembered
-// contacts are looked up by id.
-void rememberShared(const World *w, int c, float lambda) {
-    uint2 p = w->ordered[c];
-    w->oldHi[c] = w->id[p.y];
-    w->oldLambda[c] = lambda;
-    w->oldNext[c] = atomic_xchg(&w->homeMemory[p.x], c);
-}
-
 // The relaxing pass over one contact: returns its new impulse.
 float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
     float wi = t->inverseMass[p.x];
@@ -215,12 +206,7 @@ void relaxGroups(const World *w, local Tile *t, bool last) {
             lookAhead(w, following(t, colour, c, share.y), true, &ahead);
             float4 n = (float4)(now.normal.x, now.normal.y, now.normal.z, now.impulse.x);
             float next = relaxInTile(w, t, circlesOfLink(share, now.link), n, now.shape, now.impulse.y, last);
-            if (share.x < 0) continue;
-            if (!last) {
-                w->held[c] = next;
-            } else if (next > 0.0f) {
-                rememberShared(w, c, next);
-            }
+            if (share.x >= 0) w->held[c] = next;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -253,6 +239,24 @@ void relaxTile(const World *w, local Tile *t, int circles, int subStep, bool las
             w->load[slot] = (float4)(load.x, load.y, 0.0f, t->flags[i] & CARRIED ? 1.0f : 0.0f);
         }
     }
+}
+
+// Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
+// looked up by id.
+void rememberHeld(const World *w, int c) {
+    float lambda = w->held[c];
+    if (!(lambda > 0.0f)) return;
+    uint2 p = w->ordered[c];
+    int next = atomic_xchg(&w->homeMemory[p.x], c);
+    w->old[c] = (int4)(w->id[p.y], as_int(lambda), next, 0);
+}
+
+// Index space: any number of work-items, which take the contacts in turn.
+kernel void solver_remember(WORLD_PARAMETERS) {
+    World w = WORLD;
+    if (outOfRoom(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
 }
 
 // Takes a tile: numbers its circles and shares out its groups; at the start of a step, the load of its circles too. Returns

@@ -41,8 +41,7 @@ typedef struct {
         global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,                   \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact,                       \
         global uint *link, global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse,      \
-        global int *oldHi,     \
-        global float *oldLambda, global int *oldNext, global int *blockSums
+        global int4 *old, global int *blockSums
 
 typedef struct {
     constant StepConstants *k;
@@ -87,9 +86,7 @@ typedef struct {
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
     // remembered contacts of the step before
-    global int *oldHi;
-    global float *oldLambda;
-    global int *oldNext;
+    global int4 *old; // by contact: higher id, impulse, the next of the same circle of lower id or NONE
 
     global int *blockSums;
 
@@ -100,7 +97,7 @@ typedef struct {
     {                                                                                                                  \
         k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
-            load, wallBounce, pushedTraits, pushedVelocity, pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, oldHi, oldLambda, oldNext,      \
+            load, wallBounce, pushedTraits, pushedVelocity, pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,      \
             blockSums, k->warmScale                                                                                    \
     }
 

@@ -52,13 +52,11 @@ final class ClBuffers implements AutoCloseable {
     static final int SHAPE = 37;
     static final int HELD = 38;
     static final int IMPULSE = 39;
-    static final int OLD_HI = 40;
-    static final int OLD_LAMBDA = 41;
-    static final int OLD_NEXT = 42;
-    static final int BLOCK_SUMS = 43;
+    static final int OLD = 40;
+    static final int BLOCK_SUMS = 41;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 44;
+    static final int COUNT = 42;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -104,9 +102,7 @@ final class ClBuffers implements AutoCloseable {
         "contact shapes",
         "held impulses",
         "contact impulses",
-        "remembered ids",
-        "remembered impulses",
-        "remembered links",
+        "remembered contacts",
         "block sums"
     };
 
@@ -132,7 +128,7 @@ final class ClBuffers implements AutoCloseable {
         PUSHED_DISPLACEMENT
     };
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
-    private static final int[] BY_CONTACT_KEPT = {OLD_HI, OLD_LAMBDA, OLD_NEXT};
+    private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT, LINK, ORDERED, SHAPE, HELD, IMPULSE};
 
     private final Session session;
@@ -170,7 +166,8 @@ final class ClBuffers implements AutoCloseable {
                     BASE,
                     MASSES,
                     CONTACT,
-                    SHAPE:
+                    SHAPE,
+                    OLD:
                 return 16;
             case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
                 return 8;

@@ -2,6 +2,8 @@ package io.github.circles2d.world;
 
 /** A copy of a device's state on the host, for what is needed seldom: the hash and snapshots. */
 final class ClState {
+    private static final int OLD_STRIDE = 4;
+
     private final int slots;
     private final int[] id;
     private final float[] circle;
@@ -9,9 +11,9 @@ final class ClState {
     private final float[] traits;
     private final int[] memory;
     private final int[] slotOf;
-    private final int[] oldHi;
-    private final float[] oldLambda;
-    private final int[] oldNext;
+
+    /** Remembered contacts, {@value #OLD_STRIDE} ints each: higher id, impulse, next contact. */
+    private final int[] old;
 
     ClState(ClBuffers buffers, int slots) {
         this.slots = slots;
@@ -22,9 +24,7 @@ final class ClState {
         memory = ClReadback.ints(buffers.get(ClBuffers.HOME_MEMORY), slots);
         slotOf = ClReadback.ints(buffers.get(ClBuffers.SLOT_OF), (int)
                 (buffers.get(ClBuffers.SLOT_OF).bytes() / 4));
-        oldHi = ClReadback.ints(buffers.get(ClBuffers.OLD_HI), buffers.contactRoom());
-        oldLambda = ClReadback.floats(buffers.get(ClBuffers.OLD_LAMBDA), buffers.contactRoom());
-        oldNext = ClReadback.ints(buffers.get(ClBuffers.OLD_NEXT), buffers.contactRoom());
+        old = ClReadback.ints(buffers.get(ClBuffers.OLD), OLD_STRIDE * buffers.contactRoom());
     }
 
     long hash() {
@@ -54,11 +54,12 @@ final class ClState {
 
     private long hashOfMemory(int slot) {
         long sum = 0;
-        for (int c = memory[slot]; c >= 0; c = oldNext[c]) {
-            int hi = slotOf[oldHi[c]];
+        for (int c = memory[slot]; c >= 0; c = old[OLD_STRIDE * c + 2]) {
+            int hiId = old[OLD_STRIDE * c];
+            int hi = slotOf[hiId];
             if (hi >= 0 && memory[hi] != ClBuffers.FRESH) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), id[slot]), oldHi[c]);
-                sum += StateHash.absorb(h, oldLambda[c]);
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), id[slot]), hiId);
+                sum += StateHash.absorb(h, Float.intBitsToFloat(old[OLD_STRIDE * c + 1]));
             }
         }
         return sum;

@@ -39,6 +39,7 @@ final class ClTiles {
     private final Kernel pushFirst;
     private final Kernel push;
     private final Kernel measure;
+    private final Kernel remember;
     private final Kernel relax;
     private final Kernel relaxLast;
 
@@ -59,6 +60,7 @@ final class ClTiles {
         list = kernels.staged("contacts_list");
         link = kernels.staged("contacts_link");
         pushFirst = kernels.staged("solver_pushTileFirst");
+        remember = kernels.staged("solver_remember");
         measure = kernels.staged("solver_measure");
         push = kernels.staged("solver_pushTile");
         relax = kernels.staged("solver_relaxTile");
@@ -139,5 +141,6 @@ final class ClTiles {
             Kernel second = sub == subSteps - 1 ? relaxLast : relax;
             second.arg(ClBuffers.COUNT, sub).run(items, GROUP);
         }
+        remember.run(2L * circles);
     }
 }
