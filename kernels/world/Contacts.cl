@@ -237,7 +237,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, bool *carrying) {
     n.w = 0.0f;
     if (w->memory[p.y] != FRESH) n.w = remembered(w, w->memory[p.x], (int) ids) * w->warmScale;
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    *carrying = carries(n.w, n.z, vn, w->k->thresholdRate * sum);
+    *carrying = carries(n.w, n.z, vn, w->k.thresholdRate * sum);
     return n;
 }
 
@@ -252,7 +252,7 @@ void fillContact(const World *w, int c) {
     bool carrying;
     float4 n = newContact(w, p, w->key[c], &carrying);
     w->base[c] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, greatest(ti.y, tj.y));
-    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 0.0f);
+    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 0.0f);
     w->contact[c] = n;
     gatherLoad(w, p, n.x, n.y, n.w, carrying);
 }

@@ -101,7 +101,7 @@ void gatherCircle(const World *w, int slot) {
     w->id[slot] = w->homeId[from];
     w->memory[slot] = w->homeMemory[from];
     w->load[slot] = (float4)(0.0f);
-    w->reachOf[slot] = reach(c.z, m.z, m.w, w->k->dt, MARGIN, CAP);
+    w->reachOf[slot] = reach(c.z, m.z, m.w, w->k.dt, MARGIN, CAP);
 }
 
 // Copies the circles in their new order. Index space: a working slot a work-item.

@@ -50,15 +50,22 @@ void scanAll(const World *w, global int *counts, int count, local int *cells) {
     }
 }
 
+// Local memory, as the stages use it one after another.
+typedef union {
+    int cells[TILE_GROUP];
+    Arrangement arrangement;
+    Tile tile;
+} Local;
+
 // Stages Grid and Contacts.
-void listAll(const World *w, local int *cells) {
+void listAll(const World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     EACH(i, buckets + 1) clearBucket(w, i);
     deviceBarrier(arrivals);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
-    scanAll(w, w->bucketStart, buckets + 1, cells);
+    scanAll(w, w->bucketStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     EACH(slot, w->slots) scatterSlot(w, slot);
     deviceBarrier(arrivals);
@@ -67,9 +74,8 @@ void listAll(const World *w, local int *cells) {
     EACH(slot, w->circles) gatherCircle(w, slot);
     deviceBarrier(arrivals);
     EACH(slot, w->circles) seekAll(w, slot, COUNTING);
-    EACH(tile, tileCount(w)) checkTile(w, tile);
     deviceBarrier(arrivals);
-    scanAll(w, w->groupStart, buckets + 1, cells);
+    scanAll(w, w->groupStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     if (lackContactRoom(w)) {
         if (get_global_id(0) == 0) noteContactsNeeded(w);
@@ -80,29 +86,33 @@ void listAll(const World *w, local int *cells) {
     if (outOfRoom(w)) return;
     EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
+    if (outOfRoom(w)) return;
+    int tiles = tileCount(w);
+#pragma unroll 1
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) arrangeTile(w, &l->arrangement, tile);
+    deviceBarrier(arrivals);
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(const World *w, local Tile *t, int contacts) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
-    bool keep = tiles <= (int) get_num_groups(0);
-    int circles = 0;
+    int group = (int) get_group_id(0);
+    int groups = (int) get_num_groups(0);
+    bool kept = tiles <= groups && group < tiles && takeTile(w, t, group);
 #pragma unroll 1
-    for (int subStep = 0; subStep < w->k->subSteps; subStep++) {
-        bool last = subStep == w->k->subSteps - 1;
-#pragma unroll 1
-        for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
-            if (!keep || subStep == 0) circles = takeTile(w, t, tile, subStep == 0);
-            if (circles > 0) pushTile(w, t, circles, subStep);
+    for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
+        int subStep = pass >> 1;
+        bool relaxing = pass & 1;
+        if (relaxing) {
+            EACH(c, contacts) measureContact(w, c);
+            deviceBarrier(arrivals);
         }
-        deviceBarrier(arrivals);
-        EACH(c, contacts) measureContact(w, c);
-        deviceBarrier(arrivals);
 #pragma unroll 1
-        for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
-            if (!keep) circles = takeTile(w, t, tile, false);
-            if (circles > 0) relaxTile(w, t, circles, subStep, last);
+        for (int tile = group; tile < tiles; tile += groups) {
+            bool any = tiles <= groups ? kept : takeTile(w, t, tile);
+            if (any && relaxing) relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+            if (any && !relaxing) pushTile(w, t, tile, subStep);
         }
         deviceBarrier(arrivals);
     }
@@ -111,17 +121,16 @@ void solveAll(const World *w, local Tile *t, int contacts) {
 // Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
 kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
-    local Tile t;
-    local int cells[TILE_GROUP];
+    local Local l;
     if (outOfRoom(&w)) return;
     // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);
 #pragma unroll 1
     for (int step = 0; step < steps; step++) {
-        listAll(&w, cells);
+        listAll(&w, &l);
         if (outOfRoom(&w)) return;
         int contacts = groupStart[levels->first[LEVELS]];
-        solveAll(&w, &t, contacts);
+        solveAll(&w, &l.tile, contacts);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) rememberHeld(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;

@@ -6,7 +6,7 @@
 // velocity along the axis.
 float pushFromWall(const World *w, float x, float dx, float before, float next, float r, float e, bool loaded, float min,
                    float max, float *stored, float *bounceOut) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     float thr2 = k->thresholdRate * (2.0f * r);
     float side = wallSide(x, min, max);
     float gap = wallGap(x, dx, r, side, min, max);
@@ -41,7 +41,7 @@ float pushFromWall(const World *w, float x, float dx, float before, float next, 
 // the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
 // before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
 void accelerate(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce, bool *loaded) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     if (t->x == 0.0f) {
         *before = (float2)(m->z, m->w);
         *bounce = (float2)(0.0f);
@@ -107,7 +107,7 @@ void applyImpulse(const World *w, uint2 pr, float4 mi, float4 mj, float nx, floa
 // impulse, the target speed of a bounce, and the impulse p to apply; returns false where there is none to apply.
 bool pushImpulse(const World *w, float4 n, float e, float thr2, float mass, float push, float vn, float before,
                  bool loaded, float *next, float *bounce, float *p) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     float s = n.z;
     float lambda = n.w;
     *next = lambda;
@@ -141,7 +141,7 @@ void pushContact(const World *w, int c) {
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
     float before = along(n.x, n.y, lj.x - li.x, lj.y - li.y);
     float next, bounce, p;
-    bool moves = pushImpulse(w, n, b.w, w->k->thresholdRate * b.z, 1.0f / (q.x + q.y), q.z, vn, before,
+    bool moves = pushImpulse(w, n, b.w, w->k.thresholdRate * b.z, 1.0f / (q.x + q.y), q.z, vn, before,
                              li.z + lj.z > 0.0f, &next, &bounce, &p);
     w->masses[c].w = bounce;
     w->contact[c].w = next;
@@ -160,7 +160,7 @@ kernel void solver_push(WORLD_PARAMETERS, int firstGroup, int groups) {
 // One axis of a circle against its wall: relaxing pass. Returns the new velocity along the axis.
 float relaxAtWall(const World *w, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
                   float max, float *stored) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     float thr2 = k->thresholdRate * (2.0f * r);
     float side = wallSide(x, min, max);
     float gap = wallGap(x, dx, r, side, min, max);
@@ -179,7 +179,7 @@ float relaxAtWall(const World *w, float x, float dx, float v, float r, float e, 
 // Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
 // impulses in traits t.
 void moveCircle(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     float vx = bounded(m->z, -GREATEST_SPEED, GREATEST_SPEED);
     float vy = bounded(m->w, -GREATEST_SPEED, GREATEST_SPEED);
     float edge = t->x == 0.0f ? 0.0f : c.z;
@@ -244,7 +244,7 @@ bool relaxImpulse(const World *w, float4 n, float e, float thr2, float mass, flo
             }
         }
     }
-    float bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k->inverseH : 0.0f;
+    float bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
     *next = rigid(lambda, mass, vn, bias);
     *p = *next - lambda;
     if (bounce > 0.0f) *next = 0.0f;
@@ -262,7 +262,7 @@ void relaxContact(const World *w, int c, bool last) {
     float4 mj = w->motion[pr.y];
     measure(&n, b.x, b.y, b.z, mi.xy, mj.xy);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float thr2 = w->k->thresholdRate * b.z;
+    float thr2 = w->k.thresholdRate * b.z;
     float next, p;
     bool solved;
     bool moves = relaxImpulse(w, n, b.w, thr2, 1.0f / (q.x + q.y), vn, q.w, w->load[pr.x].z + w->load[pr.y].z == 0.0f,
@@ -288,7 +288,7 @@ kernel void solver_relax(WORLD_PARAMETERS, int firstGroup, int groups, int last)
 
 // Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
 void goHome(const World *w, int slot, float4 c, float4 m, float4 t) {
-    constant StepConstants *k = w->k;
+    const StepConstants *k = &w->k;
     float edge = t.x == 0.0f ? 0.0f : c.z;
     float x = c.x + m.x;
     float y = c.y + m.y;

@@ -1,15 +1,7 @@
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
-// Notes how many circles a tile's region holds at most, and refuses the step where they are too many.
-void checkTile(const World *w, int tile) {
-    Region r = regionOf(w, tile);
-    int circles = 0;
-    int split;
-    for (int row = 0; row < r.rows; row++) circles += circlesInRow(w, &r, row, &split);
-    atomic_max(&w->status[TILE_PEAK], circles);
-    if (circles > TILE_CIRCLES) w->status[OUT_OF_ROOM] = 1;
-}
+#define LONGEST_GROUP 512 // contacts; what is more crowded is better left to Contacts.cl
 
 // Puts a listed contact in its place, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
@@ -30,9 +22,8 @@ void linkContact(const World *w, int listed) {
     int group = groupOf(w, l, column, row);
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
-    if (to - from > TILE_CONTACTS) {
-        atomic_max(&w->status[TILE_PEAK], CROWDED);
-        w->status[OUT_OF_ROOM] = 1;
+    if (to - from > LONGEST_GROUP) {
+        refuseTile(w, CROWDED);
         return;
     }
     int c = from;
@@ -46,19 +37,17 @@ void linkContact(const World *w, int listed) {
     w->ordered[c] = p;
     w->contact[c] = n;
     w->held[c] = n.w;
-    w->shape[c] = (float4)(greatest(ti.y, tj.y), w->k->thresholdRate * sum,
-                           pushSpeed(sum, w->k->pushPerLength, w->k->pushPerRoot), 1.0f / (ti.x + tj.x));
+    w->shape[c] = (float4)(greatest(ti.y, tj.y), w->k.thresholdRate * sum,
+                           pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 1.0f / (ti.x + tj.x));
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
                         highRow != row, (int) p.y - w->bucketStart[high], carrying);
 }
 
-// Index space: any number of work-items, but at least a tile each; they take the contacts in turn. Cost: the contacts of a
+// Index space: any number of work-items, which take the contacts in turn. Cost: the contacts of a
 // group, and those remembered of a circle.
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
-    int item = (int) get_global_id(0);
     if (outOfRoom(&w)) return;
-    if (item < tileCount(&w)) checkTile(&w, item);
     int contacts = groupStart[levels->first[LEVELS]];
-    for (int c = item; c < contacts; c += (int) get_global_size(0)) linkContact(&w, c);
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) linkContact(&w, c);
 }

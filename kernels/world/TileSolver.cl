@@ -3,34 +3,34 @@
 // move and the walls. Measure, a contact a work-item, takes what is costly about a contact out of the chain of dependent
 // contacts. Relax goes back to motion, load and held. Traits change between traits and pushedTraits every sub-step.
 
-// Sums up, for each circle of the region, the impulses with which its contacts start the step, in their order.
-void sumRemembered(const World *w, local Tile *t, int circles) {
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        t->load[i] = (float2)(0.0f);
-        t->flags[i] = 0;
-    }
-#pragma unroll 1
-    for (int colour = 0; colour < 4; colour++) {
-        barrier(CLK_LOCAL_MEM_FENCE);
-        int4 share = t->share[colour][get_local_id(0)];
-        for (int c = share.x & ~NOT_OWN; c < share.y; c++) {
-            float4 n = w->contact[c];
-            uint link = w->link[c];
-            int2 p = circlesOfLink(share, link);
-            uchar carried = link & LINK_CARRYING ? CARRIED : 0;
-            if (p.x < TILE_CIRCLES) {
-                float2 lo = t->load[p.x];
-                t->load[p.x] = (float2)(lo.x - n.x * n.w, lo.y - n.y * n.w);
-                t->flags[p.x] |= carried;
-            }
-            if (p.y < TILE_CIRCLES) {
-                float2 hi = t->load[p.y];
-                t->load[p.y] = (float2)(hi.x + n.x * n.w, hi.y + n.y * n.w);
-                t->flags[p.y] |= carried;
-            }
-        }
-    }
+// A tile in local memory, by the numbers of its record.
+typedef struct {
+    float2 velocity[TILE_CIRCLES];
+    float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
+    float inverseMass[TILE_CIRCLES];
+    uchar flags[TILE_CIRCLES];
+    int2 contact[TILE_CONTACTS];
+    int roundStart[TILE_ROUNDS + 2];
+    int circles, rounds;
+} Tile;
+
+// Takes a tile from its record. Returns whether there is anything in it.
+bool takeTile(const World *w, local Tile *t, int tile) {
+    int item = (int) get_local_id(0);
+    global int *record = recordOf(w, tile);
+    int circles = record[RECORD_CIRCLES];
     barrier(CLK_LOCAL_MEM_FENCE);
+    if (circles == 0) return false;
+    int rounds = record[RECORD_ROUNDS];
+    int contacts = record[RECORD_STARTS + rounds];
+    if (item == 0) {
+        t->circles = circles;
+        t->rounds = rounds;
+    }
+    for (int round = item; round <= rounds; round += TILE_GROUP) t->roundStart[round] = record[RECORD_STARTS + round];
+    for (int k = item; k < contacts; k += TILE_GROUP) t->contact[k] = contactsOf(record)[k];
+    barrier(CLK_LOCAL_MEM_FENCE);
+    return true;
 }
 
 void applyTo(local Tile *t, int2 p, float2 vi, float2 vj, float nx, float ny, float wi, float wj, float impulse) {
@@ -58,82 +58,105 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
     return (float2)(next, bounce);
 }
 
-// What a pass reads of a contact, ahead of need: while one contact is solved, the next is on its way.
+// The relaxing pass over one contact: returns its new impulse.
+float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
+    float wi = t->inverseMass[p.x];
+    float wj = t->inverseMass[p.y];
+    bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
+    float2 vi = t->velocity[p.x];
+    float2 vj = t->velocity[p.y];
+    float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
+    float next, impulse;
+    bool solved;
+    bool moves = relaxImpulse(w, n, shape.x, shape.y, shape.w, vn, bounce, unloaded, &next, &impulse, &solved);
+    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), shape.y)) {
+        float2 lo = t->load[p.x];
+        float2 hi = t->load[p.y];
+        t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
+        t->load[p.y] = (float2)(hi.x + n.x * next, hi.y + n.y * next);
+        t->flags[p.x] |= CARRIED;
+        t->flags[p.y] |= CARRIED;
+    }
+    return next;
+}
+
+// What a pass reads of a contact.
 typedef struct {
     float4 normal, shape;
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
-    uint link;
-} Ahead;
+} Reading;
 
-// The contact that follows c in a work-item's share of a pass; -1 after the last.
-int following(local const Tile *t, int colour, int c, int end) {
-    if (c + 1 < end) return c + 1;
-    if (colour == 3) return -1;
-    int4 next = t->share[colour + 1][get_local_id(0)];
-    int first = next.x & ~NOT_OWN;
-    return first < next.y ? first : -1;
+void readContact(const World *w, local const Tile *t, int k, int end, bool relaxing, Reading *reading) {
+    if (k >= end) return;
+    int c = t->contact[k].x & ~NOT_OWN;
+    reading->normal = w->contact[c];
+    reading->shape = w->shape[c];
+    reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
-void lookAhead(const World *w, int c, bool relaxing, Ahead *ahead) {
-    if (c < 0) return;
-    ahead->normal = w->contact[c];
-    ahead->shape = w->shape[c];
-    ahead->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
-    ahead->link = w->link[c];
+void solveContact(const World *w, local Tile *t, int k, const Reading *reading, bool relaxing, bool last) {
+    int2 contact = t->contact[k];
+    int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
+    float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
+    if (relaxing) {
+        float next = relaxInTile(w, t, p, n, reading->shape, reading->impulse.y, last);
+        if (contact.x >= 0) w->held[contact.x] = next;
+    } else {
+        float2 next = pushInTile(w, t, p, n, reading->shape);
+        if (contact.x >= 0) w->impulse[contact.x] = next;
+    }
 }
 
-// The biased pass over the groups of a region.
-void pushGroups(const World *w, local Tile *t) {
-    Ahead ahead;
+// Solves the contacts of a tile, round by round. What the next round needs is read ahead.
+void solveRounds(const World *w, local Tile *t, bool relaxing, bool last) {
     int item = (int) get_local_id(0);
-    lookAhead(w, following(t, -1, 0, 0), false, &ahead);
+    int rounds = t->rounds;
+    Reading ahead;
+    if (rounds > 0) readContact(w, t, item, t->roundStart[1], relaxing, &ahead);
 #pragma unroll 1
-    for (int colour = 0; colour < 4; colour++) {
+    for (int round = 0; round < rounds; round++) {
+        Reading reading = ahead;
+        int k = t->roundStart[round] + item;
+        int end = t->roundStart[round + 1];
+        if (round + 1 < rounds) readContact(w, t, end + item, t->roundStart[round + 2], relaxing, &ahead);
         barrier(CLK_LOCAL_MEM_FENCE);
-        int4 share = t->share[colour][item];
-        int first = share.x & ~NOT_OWN;
-        if (first >= share.y) lookAhead(w, following(t, colour, first, share.y), false, &ahead);
-        for (int c = first; c < share.y; c++) {
-            Ahead now = ahead;
-            lookAhead(w, following(t, colour, c, share.y), false, &ahead);
-            float4 n = (float4)(now.normal.x, now.normal.y, now.normal.z, now.impulse.x);
-            float2 after = pushInTile(w, t, circlesOfLink(share, now.link), n, now.shape);
-            if (share.x >= 0) w->impulse[c] = after;
+#pragma unroll 1
+        for (; k < end; k += TILE_GROUP) {
+            solveContact(w, t, k, &reading, relaxing, last);
+            readContact(w, t, k + TILE_GROUP, end, relaxing, &reading);
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The biased pass of a tile: gravity and the walls, four colours of contacts, the circles' move.
-void pushTile(const World *w, local Tile *t, int circles, int subStep) {
-    bool first = subStep == 0;
+// The biased pass of a tile: gravity and the walls, the contacts, the circles' move.
+void pushTile(const World *w, local Tile *t, int tile, int subStep) {
+    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
     global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
     global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    int circles = t->circles;
 #pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        int slot = t->slot[i] & ~NOT_OWN;
-        float4 c = w->circle[slot];
+        int slot = slots[i] & ~NOT_OWN;
         float4 m = w->motion[slot];
         float4 traits = oldTraits[slot];
-        float4 load = first ? (float4)(t->load[i].x, t->load[i].y, 0.0f, t->flags[i] & CARRIED ? 1.0f : 0.0f)
-                            : w->load[slot];
         float2 before, bounce;
         bool loaded;
-        accelerate(w, c, &m, &traits, load, &before, &bounce, &loaded);
+        accelerate(w, w->circle[slot], &m, &traits, w->load[slot], &before, &bounce, &loaded);
         t->velocity[i] = m.zw;
         t->load[i] = before;
         t->inverseMass[i] = traits.x;
         t->flags[i] = loaded ? LOADED : 0;
-        if (t->slot[i] >= 0) {
+        if (slots[i] >= 0) {
             newTraits[slot] = traits;
             w->wallBounce[slot] = bounce;
-            if (first) w->homeMemory[slot] = NONE;
         }
     }
-    pushGroups(w, t);
+    solveRounds(w, t, false, false);
 #pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        int slot = t->slot[i];
+        int slot = slots[i];
         if (slot < 0) continue;
         float4 m = w->motion[slot];
         m.zw = t->velocity[i];
@@ -167,66 +190,23 @@ kernel void solver_measure(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
 }
 
-// The relaxing pass over one contact: returns its new impulse.
-float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
-    float wi = t->inverseMass[p.x];
-    float wj = t->inverseMass[p.y];
-    bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
-    float2 vi = t->velocity[p.x];
-    float2 vj = t->velocity[p.y];
-    float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
-    float next, impulse;
-    bool solved;
-    bool moves = relaxImpulse(w, n, shape.x, shape.y, shape.w, vn, bounce, unloaded, &next, &impulse, &solved);
-    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
-    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), shape.y)) {
-        float2 lo = t->load[p.x];
-        float2 hi = t->load[p.y];
-        t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
-        t->load[p.y] = (float2)(hi.x + n.x * next, hi.y + n.y * next);
-        t->flags[p.x] |= CARRIED;
-        t->flags[p.y] |= CARRIED;
-    }
-    return next;
-}
-
-// The relaxing pass over the groups of a region.
-void relaxGroups(const World *w, local Tile *t, bool last) {
-    Ahead ahead;
-    int item = (int) get_local_id(0);
-    lookAhead(w, following(t, -1, 0, 0), true, &ahead);
-#pragma unroll 1
-    for (int colour = 0; colour < 4; colour++) {
-        barrier(CLK_LOCAL_MEM_FENCE);
-        int4 share = t->share[colour][item];
-        int first = share.x & ~NOT_OWN;
-        if (first >= share.y) lookAhead(w, following(t, colour, first, share.y), true, &ahead);
-        for (int c = first; c < share.y; c++) {
-            Ahead now = ahead;
-            lookAhead(w, following(t, colour, c, share.y), true, &ahead);
-            float4 n = (float4)(now.normal.x, now.normal.y, now.normal.z, now.impulse.x);
-            float next = relaxInTile(w, t, circlesOfLink(share, now.link), n, now.shape, now.impulse.y, last);
-            if (share.x >= 0) w->held[c] = next;
-        }
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-}
-
-// The relaxing pass of a tile: four colours of contacts; in the last sub-step the circles go home.
-void relaxTile(const World *w, local Tile *t, int circles, int subStep, bool last) {
+// The relaxing pass of a tile: the contacts; in the last sub-step the circles go home.
+void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) {
+    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
+    global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    int circles = t->circles;
 #pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        float4 v = w->pushedVelocity[t->slot[i] & ~NOT_OWN];
+        float4 v = w->pushedVelocity[slots[i] & ~NOT_OWN];
         t->velocity[i] = v.xy;
         t->load[i] = (float2)(0.0f);
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    relaxGroups(w, t, last);
-    global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    solveRounds(w, t, true, last);
 #pragma unroll 1
     for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
-        int slot = t->slot[i];
+        int slot = slots[i];
         if (slot < 0) continue;
         float2 d = w->pushedDisplacement[slot];
         float2 v = t->velocity[i];
@@ -259,52 +239,20 @@ kernel void solver_remember(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
 }
 
-// Takes a tile: numbers its circles and shares out its groups; at the start of a step, the load of its circles too. Returns
-// how many circles its region has.
-int takeTile(const World *w, local Tile *t, int tile, bool start) {
-    Region r = regionOf(w, tile);
-    int circles = mapRegion(w, &r, t);
-    if (circles == 0) return 0;
-    if (start) {
-        shareGroups(w, &r, t, true);
-        sumRemembered(w, t, circles);
-    }
-    shareGroups(w, &r, t, false);
-    return circles;
-}
-
-// Index space of each: a work-group a tile. Cost: see Tiles.cl. The first and the last sub-step have kernels of their own.
-#define TILE_KERNEL kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
-
-TILE_KERNEL solver_pushTileFirst(WORLD_PARAMETERS) {
-    World w = WORLD;
-    local Tile t;
-    if (outOfRoom(&w)) return;
-    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), true);
-    if (circlesHere > 0) pushTile(&w, &t, circlesHere, 0);
-}
+// Index space of each: a work-group a tile. Cost: see Tiles.cl.
 
 TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
     local Tile t;
-    if (outOfRoom(&w) || subStep == 0) return;
-    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
-    if (circlesHere > 0) pushTile(&w, &t, circlesHere, subStep);
+    int tile = (int) get_group_id(0);
+    if (!outOfRoom(&w) && takeTile(&w, &t, tile)) pushTile(&w, &t, tile, subStep);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep, int last) {
     World w = WORLD;
     local Tile t;
+    int tile = (int) get_group_id(0);
     if (outOfRoom(&w)) return;
-    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
-    if (circlesHere > 0) relaxTile(&w, &t, circlesHere, subStep, false);
-}
-
-TILE_KERNEL solver_relaxTileLast(WORLD_PARAMETERS, int subStep) {
-    World w = WORLD;
-    local Tile t;
-    if (outOfRoom(&w)) return;
-    if (get_global_id(0) == 0) status[STEPS_DONE]++;
-    int circlesHere = takeTile(&w, &t, (int) get_group_id(0), false);
-    if (circlesHere > 0) relaxTile(&w, &t, circlesHere, subStep, true);
+    if (last && get_global_id(0) == 0) status[STEPS_DONE]++;
+    if (takeTile(&w, &t, tile)) relaxTile(&w, &t, tile, subStep, last);
 }

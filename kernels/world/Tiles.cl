@@ -1,6 +1,6 @@
 // Tiles: how a pass over all contacts is made in one launch, where all circles are of one level. A work-group takes a tile
-// of cells and a region around it, copies the circles of the region into local memory, makes the pass there, colour by
-// colour, and writes back what is its own: the circles in the cells of the tile, and the contacts of the groups there.
+// of cells and a region around it, copies the circles of the region into local memory, makes the pass there, and writes back
+// what is its own: the circles in the cells of the tile, and the contacts of the groups there.
 //
 // A group touches the 2 x 2 cells from its own on, so what a colour changes depends on the cells next to it alone. Tiles
 // begin at odd columns and rows. Going back from colour 3, whose groups begin at odd columns and rows too, to colour 0, the
@@ -8,15 +8,38 @@
 // reaches 3 columns and 1 row beyond its tile. What lies there is computed by several work-groups, to the same bits. So a
 // pass reads one copy of the state and writes another. A tile that spans the torus has no border on that axis.
 //
-// No kernels here. Cost of a pass: the region's circles are read once, its contacts once.
+// Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
+// others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
+// dependent steps as the longest groups of the colours would take, and all work-items have work.
+//
+// This file: regions, and the order of their contacts, once a step. Cost: the circles of a region, and its contacts one after
+// another in their groups.
 
-// TILE_GROUP: work-items of a work-group; no colour has more groups in a region. TILE_CIRCLES: room for circles.
+// From the host: TILE_GROUP work-items of a work-group; TILE_CIRCLES, TILE_CONTACTS: room for those of a region.
 #define TILE_CELLS 400
 #define TILE_ROWS 20
+#define TILE_ROUNDS 96
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
-#define TILE_CONTACTS 512 // most contacts of a group: a crowd is better put in order by Contacts.cl
-#define CROWDED 0x7fffffff // TILE_PEAK where a group has more
+#define CROWDED 0x7fffffff // TILE_PEAK where no tile would do
+
+// A tile's record: circles, rounds, by round its first contact and the end, slots, contacts. A contact: its number, its
+// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
+#define RECORD_CIRCLES 0
+#define RECORD_ROUNDS 1
+#define RECORD_STARTS 2
+#define RECORD_SLOTS (RECORD_STARTS + TILE_ROUNDS + 2)
+#define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
+#define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
+#define NOT_OWN ((int) 0x80000000)
+
+global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
+
+global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
+
+// Flags of a circle.
+#define LOADED 1
+#define CARRIED 2
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
@@ -27,30 +50,6 @@ typedef struct {
     int width, height;                   // of the tile
     bool ringX, ringY;                   // whether it spans the torus
 } Region;
-
-// A region in local memory. Its circles are numbered row by row.
-typedef struct {
-    float2 velocity[TILE_CIRCLES];
-    float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
-    float inverseMass[TILE_CIRCLES];
-    int slot[TILE_CIRCLES]; // of circles that are not the tile's own: NOT_OWN too
-    uchar flags[TILE_CIRCLES];
-
-    int4 share[4][TILE_GROUP]; // by colour and work-item: see shareGroups
-
-    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle
-    int rowStart[TILE_ROWS + 1];      // by row: its first circle
-    int rowCount[TILE_ROWS];          // by row: its circles
-    int rowSlot[TILE_ROWS];           // by row: the slot of its first circle
-    int rowSplit[TILE_ROWS];          // by row: its circles before the edge of the torus
-    int rowWrapped[TILE_ROWS];        // by row: the slot of the first circle behind that edge
-} Tile;
-
-#define NOT_OWN ((int) 0x80000000)
-
-// Flags of a circle.
-#define LOADED 1
-#define CARRIED 2
 
 int tileCount(const World *w) {
     int l = w->levels->used[0];
@@ -82,124 +81,85 @@ Region regionOf(const World *w, int tile) {
     return r;
 }
 
+bool owns(const Region *r, int column, int row) {
+    return column >= r->left && column < r->left + r->width && row >= r->bottom && row < r->bottom + r->height;
+}
+
+// What is known of a region while its contacts are put in order.
+typedef struct {
+    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
+    int rowStart[TILE_ROWS + 1];      // by row: its first circle
+    int rowCount[TILE_ROWS];          // by row: its circles
+    float2 load[TILE_CIRCLES];        // sums of impulses, in order
+    uchar flags[TILE_CIRCLES];
+    uchar round[TILE_CIRCLES]; // the first round in which the circle is free
+    int2 contact[TILE_CONTACTS];
+    uchar contactRound[TILE_CONTACTS];
+    int roundCount[TILE_ROUNDS + 1];
+    int roundStart[TILE_ROUNDS + 2];
+    int contacts;
+    int crowded;
+} Arrangement;
+
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
     return w->levels->first[w->levels->used[0]] + (((r->firstRow + row) & r->rowMask) << r->columnsLog);
 }
 
-// The circles in a row of a region; *split: those before the edge of the torus.
-int circlesInRow(const World *w, const Region *r, int row, int *split) {
+// The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
+int4 slotsInRow(const World *w, const Region *r, int row) {
     int bucket = bucketOfRow(w, r, row);
     int width = 1 << r->columnsLog;
     int end = r->firstColumn + r->columns;
-    int from = w->bucketStart[bucket + r->firstColumn];
-    *split = w->bucketStart[bucket + min(end, width)] - from;
-    return end <= width ? *split : *split + w->bucketStart[bucket + end - width] - w->bucketStart[bucket];
+    int wrapped = w->bucketStart[bucket];
+    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], wrapped,
+                  end <= width ? wrapped : w->bucketStart[bucket + end - width]);
 }
 
-// Numbers the circles of a region. All work-items of the work-group; returns how many circles there are.
-int mapRegion(const World *w, const Region *r, local Tile *t) {
+// Numbers the circles of a region. All work-items of the work-group; returns how many there are.
+int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
-    int width = 1 << r->columnsLog;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item < r->rows) {
-        int bucket = bucketOfRow(w, r, item);
-        int split;
-        t->rowCount[item] = circlesInRow(w, r, item, &split);
-        t->rowSplit[item] = split;
-        t->rowSlot[item] = w->bucketStart[bucket + r->firstColumn];
-        t->rowWrapped[item] = w->bucketStart[bucket];
+        int4 slots = slotsInRow(w, r, item);
+        a->rowCount[item] = slots.y - slots.x + slots.w - slots.z;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item <= r->rows) {
         int sum = 0;
 #pragma unroll 1
-        for (int before = 0; before < item; before++) sum += t->rowCount[before];
-        t->rowStart[item] = sum;
+        for (int before = 0; before < item; before++) sum += a->rowCount[before];
+        a->rowStart[item] = sum;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
+    int circles = a->rowStart[r->rows];
+    if (circles > TILE_CIRCLES) return circles;
     int cells = r->columns * r->rows;
-    int circles = t->rowStart[r->rows];
-    if (item == 0) t->cellStart[cells] = (ushort) circles;
+#pragma unroll 1
     for (int cell = item; cell < cells; cell += TILE_GROUP) {
         int row = cell / r->columns;
         int inRow = cell - row * r->columns;
-        int column = r->firstColumn + inRow;
-        int bucket = bucketOfRow(w, r, row) + (column & r->columnMask);
+        int column = (r->firstColumn + inRow) & r->columnMask;
+        int4 slots = slotsInRow(w, r, row);
+        int bucket = bucketOfRow(w, r, row) + column;
         int from = w->bucketStart[bucket];
         int to = w->bucketStart[bucket + 1];
-        int i = t->rowStart[row] + from - (column < width ? t->rowSlot[row] : t->rowWrapped[row] - t->rowSplit[row]);
-        t->cellStart[cell] = (ushort) i;
-        bool own = row >= r->bottom && row < r->bottom + r->height && inRow >= r->left && inRow < r->left + r->width;
-        for (int slot = from; slot < to; slot++) t->slot[i++] = own ? slot : slot | NOT_OWN;
+        int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
+        a->cellStart[cell] = (ushort) i;
+        int own = owns(r, inRow, row) ? 0 : NOT_OWN;
+        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
+    for (int i = item; i < circles; i += TILE_GROUP) {
+        a->load[i] = (float2)(0.0f);
+        a->flags[i] = 0;
+        a->round[i] = 0;
+    }
+    for (int i = item; i <= TILE_ROUNDS; i += TILE_GROUP) a->roundCount[i] = 0;
+    if (item == 0) {
+        a->contacts = 0;
+        a->crowded = 0;
+    }
     return circles;
-}
-
-// The group that a work-item takes of a colour in a pass: its column and row in the region. Returns whether there is one.
-// Column and row -1 mean the cell before the region, which only a sum over the region's own circles needs.
-bool groupOfItem(const Region *r, int colour, bool sums, int *column, int *row) {
-    int item = (int) get_local_id(0);
-    int px = colour & 1;
-    int py = colour >> 1;
-    int across, down;
-    if (r->ringX) {
-        across = r->columns >> 1;
-        *column = px;
-    } else if (sums) {
-        across = (r->columns >> 1) + px;
-        *column = -px;
-    } else {
-        across = (r->width >> 1) + HALO_COLUMNS - colour;
-        *column = colour;
-    }
-    if (r->ringY) {
-        down = r->rows >> 1;
-        *row = py;
-    } else if (sums) {
-        down = (r->rows >> 1) + py;
-        *row = -py;
-    } else {
-        down = (r->height >> 1) + HALO_ROWS - py;
-        *row = py;
-    }
-    int line = item / across;
-    *column += 2 * (item - line * across);
-    *row += 2 * line;
-    return line < down;
-}
-
-bool ownsGroup(const Region *r, int column, int row) {
-    return column >= r->left && column < r->left + r->width && row >= r->bottom && row < r->bottom + r->height;
-}
-
-// The first circle of a cell; outside of the region a number that no circle has.
-int cellStartOf(const Region *r, local const Tile *t, int column, int row) {
-    if (r->ringX) column &= r->columnMask;
-    if (r->ringY) row &= r->rowMask;
-    bool inside = column >= 0 && column < r->columns && row >= 0 && row < r->rows;
-    return inside ? t->cellStart[row * r->columns + column] : 0xffff;
-}
-
-// Notes the work-item's group of each colour: the first contact (and NOT_OWN) and the end of its contacts, the first circles
-// of its cells (0, 0) and (1, 0) in 16 bits each, of (0, 1) and (1, 1). Nobody else reads it.
-void shareGroups(const World *w, const Region *r, local Tile *t, bool sums) {
-    int l = w->levels->used[0];
-#pragma unroll 1
-    for (int colour = 0; colour < 4; colour++) {
-        int column, row;
-        int4 share = (int4)(0);
-        if (groupOfItem(r, colour, sums, &column, &row)) {
-            int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
-            share.x = w->groupStart[group];
-            share.y = w->groupStart[group + 1];
-            if (!ownsGroup(r, column, row)) share.x |= NOT_OWN;
-            share.z = cellStartOf(r, t, column, row) | cellStartOf(r, t, column + 1, row) << 16;
-            share.w = cellStartOf(r, t, column, row + 1) | cellStartOf(r, t, column + 1, row + 1) << 16;
-        }
-        t->share[colour][get_local_id(0)] = share;
-    }
 }
 
 // A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
@@ -215,12 +175,134 @@ uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow
            (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
 }
 
-int circleOfLink(int4 share, uint part) {
-    uint cells = (uint) (part & LINK_ROW ? share.w : share.z);
-    return (int) ((part & LINK_COLUMN ? cells >> 16 : cells & 0xffff) + (part & LINK_PLACE));
+int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
+    if (part & LINK_COLUMN) column++;
+    if (part & LINK_ROW) row++;
+    if (r->ringX) column &= r->columnMask;
+    if (r->ringY) row &= r->rowMask;
+    return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
-// The circles of a contact, the lower id first. Outside of the region: TILE_CIRCLES or more.
-int2 circlesOfLink(int4 share, uint link) {
-    return (int2)(circleOfLink(share, link), circleOfLink(share, link >> 16));
+// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
+void takeContact(const World *w, const Region *r, local Arrangement *a, int column, int row, int c) {
+    uint link = w->link[c];
+    float4 n = w->contact[c];
+    int lo = circleOfLink(r, a, column, row, link);
+    int hi = circleOfLink(r, a, column, row, link >> 16);
+    float2 loadLo = a->load[lo];
+    float2 loadHi = a->load[hi];
+    a->load[lo] = (float2)(loadLo.x - n.x * n.w, loadLo.y - n.y * n.w);
+    a->load[hi] = (float2)(loadHi.x + n.x * n.w, loadHi.y + n.y * n.w);
+    if (link & LINK_CARRYING) {
+        a->flags[lo] = CARRIED;
+        a->flags[hi] = CARRIED;
+    }
+    int round = max(a->round[lo], a->round[hi]);
+    int k = atomic_inc(&a->contacts);
+    if (round >= TILE_ROUNDS || k >= TILE_CONTACTS) {
+        a->crowded = 1;
+        return;
+    }
+    a->round[lo] = (uchar) (round + 1);
+    a->round[hi] = (uchar) (round + 1);
+    a->contact[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
+    a->contactRound[k] = (uchar) round;
+    atomic_inc(&a->roundCount[round]);
+}
+
+// Takes all contacts that a tile depends on.
+void takeContacts(const World *w, const Region *r, local Arrangement *a) {
+    int l = w->levels->used[0];
+#pragma unroll 1
+    for (int colour = 0; colour < 4; colour++) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        int px = colour & 1;
+        int py = colour >> 1;
+        int across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
+        int down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - py;
+#pragma unroll 1
+        for (int g = (int) get_local_id(0); g < across * down; g += TILE_GROUP) {
+            int line = g / across;
+            int column = (r->ringX ? px : colour) + 2 * (g - line * across);
+            int row = py + 2 * line;
+            int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
+            int to = w->groupStart[group + 1];
+            for (int c = w->groupStart[group]; c < to; c++) takeContact(w, r, a, column, row, c);
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Puts the contacts of a region in the order of rounds, and writes the tile's record.
+void recordContacts(local Arrangement *a, global int *record, int circles) {
+    int item = (int) get_local_id(0);
+    for (int round = item; round <= TILE_ROUNDS + 1; round += TILE_GROUP) {
+        int sum = 0;
+#pragma unroll 1
+        for (int before = 0; before < round; before++) sum += a->roundCount[before];
+        a->roundStart[round] = sum;
+        record[RECORD_STARTS + round] = sum;
+        // The first round without contacts, and all behind it are so too.
+        if (round <= TILE_ROUNDS && a->roundCount[round] == 0 && (round == 0 || a->roundCount[round - 1] > 0)) {
+            record[RECORD_ROUNDS] = round;
+            record[RECORD_CIRCLES] = circles;
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    for (int k = item; k < a->contacts; k += TILE_GROUP) {
+        contactsOf(record)[atomic_inc(&a->roundStart[a->contactRound[k]])] = a->contact[k];
+    }
+}
+
+// Refuses the step: tiles must be smaller, or there must be none.
+void refuseTile(const World *w, int peak) {
+    atomic_max(&w->status[TILE_PEAK], peak);
+    w->status[OUT_OF_ROOM] = 1;
+}
+
+// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit.
+void arrangeTile(const World *w, local Arrangement *a, int tile) {
+    Region r = regionOf(w, tile);
+    global int *record = recordOf(w, tile);
+    int circles = numberCircles(w, &r, a, record);
+    if (circles == 0 || circles > TILE_CIRCLES) {
+        if (get_local_id(0) == 0) {
+            record[RECORD_CIRCLES] = 0;
+            if (circles > 0) refuseTile(w, 100 * circles / TILE_CIRCLES + 1);
+        }
+        return;
+    }
+    takeContacts(w, &r, a);
+    int contacts = a->contacts;
+    if (a->crowded) {
+        if (get_local_id(0) == 0) {
+            record[RECORD_CIRCLES] = 0;
+            refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : CROWDED);
+        }
+        return;
+    }
+    recordContacts(a, record, circles);
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        int slot = record[RECORD_SLOTS + i];
+        if (slot < 0) continue;
+        float2 sum = a->load[i];
+        w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+        w->homeMemory[slot] = NONE;
+    }
+    if (get_local_id(0) == 0) {
+        atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
+    }
+}
+
+#define TILE_KERNEL kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
+
+// Index space: a work-group a tile.
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Arrangement arrangement;
+    local int refused;
+    // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
+    if (get_local_id(0) == 0) refused = outOfRoom(&w);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (!refused) arrangeTile(&w, &arrangement, (int) get_group_id(0));
 }

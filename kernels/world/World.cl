@@ -28,7 +28,7 @@ typedef struct {
 #define OUT_OF_ROOM 0     // set by a step that found more contacts than there is room for, until the host makes room
 #define CONTACTS_NEEDED 1 // how many it found
 #define STEPS_DONE 2      // steps written home
-#define TILE_PEAK 3       // most circles of a tile's region
+#define TILE_PEAK 3       // the fullest tile: percent of the room, or CROWDED
 #define ARRIVALS 32       // of work-groups at barriers over all of them, in a cache line of its own
 
 #define WORLD_PARAMETERS                                                                                               \
@@ -41,10 +41,10 @@ typedef struct {
         global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,                   \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact,                       \
         global uint *link, global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse,      \
-        global int4 *old, global int *blockSums
+        global int4 *old, global int *blockSums, global int *tiles
 
 typedef struct {
-    constant StepConstants *k;
+    StepConstants k; // by value: read once, not at every use
     constant Levels *levels;
     global int *status;
     int slots;       // slots at home, empty ones included
@@ -89,16 +89,17 @@ typedef struct {
     global int4 *old; // by contact: higher id, impulse, the next of the same circle of lower id or NONE
 
     global int *blockSums;
+    global int *tiles; // by tile: a record of TILE_RECORD ints, see Tiles.cl
 
     float warmScale; // what remembered impulses are multiplied by
 } World;
 
 #define WORLD                                                                                                          \
     {                                                                                                                  \
-        k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
+        *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,        \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
             load, wallBounce, pushedTraits, pushedVelocity, pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,      \
-            blockSums, k->warmScale                                                                                    \
+            blockSums, tiles, k->warmScale                                                                             \
     }
 
 #define NONE (-1)

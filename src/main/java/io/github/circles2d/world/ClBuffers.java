@@ -54,9 +54,10 @@ final class ClBuffers implements AutoCloseable {
     static final int IMPULSE = 39;
     static final int OLD = 40;
     static final int BLOCK_SUMS = 41;
+    static final int TILES = 42;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 42;
+    static final int COUNT = 43;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -103,7 +104,8 @@ final class ClBuffers implements AutoCloseable {
         "held impulses",
         "contact impulses",
         "remembered contacts",
-        "block sums"
+        "block sums",
+        "tiles"
     };
 
     /** Ints of the status. */
@@ -137,6 +139,7 @@ final class ClBuffers implements AutoCloseable {
     private int idRoom;
     private int bucketRoom;
     private int contactRoom;
+    private int tileRoom;
 
     /** Counts how often a buffer was replaced, so that kernels know when to bind anew. */
     private int version;
@@ -149,6 +152,7 @@ final class ClBuffers implements AutoCloseable {
         ensureSlots(Math.max(capacity, 64), 0);
         ensureIds(Math.max(capacity, 64));
         ensureBuckets(16);
+        ensureTiles(1);
         ensureContacts(4 * Math.max(capacity, 64));
     }
 
@@ -171,6 +175,8 @@ final class ClBuffers implements AutoCloseable {
                 return 16;
             case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
                 return 8;
+            case TILES:
+                return 4 * ClTiles.RECORD;
             default:
                 return 4;
         }
@@ -218,6 +224,15 @@ final class ClBuffers implements AutoCloseable {
             grow(room + 1, 0, new int[0], BY_BUCKET);
             grow(ClScan.blocks(room + 1), 0, new int[0], new int[] {BLOCK_SUMS});
             bucketRoom = room;
+        }
+    }
+
+    /** Makes room for records of tiles; they do not outlive a step. */
+    void ensureTiles(int tiles) {
+        if (tiles > tileRoom) {
+            int room = grown(tileRoom, tiles);
+            grow(room, 0, new int[0], new int[] {TILES});
+            tileRoom = room;
         }
     }
 

@@ -53,6 +53,7 @@ final class ClKernels {
                 .define("CAP", Tuning.CAP)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("TILE_CIRCLES", ClTiles.CIRCLES)
+                .define("TILE_CONTACTS", ClTiles.CONTACTS)
                 .define("TILE_GROUP", ClTiles.GROUP)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }

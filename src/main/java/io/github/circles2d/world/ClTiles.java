@@ -10,13 +10,19 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 1024;
+    static final int CIRCLES = 768;
+
+    /** Contacts that the local memory of a work-group has room for. */
+    static final int CONTACTS = 2048;
+
+    /** Ints of a tile's record; see {@code Tiles.cl}. */
+    static final int RECORD = 100 + CIRCLES + 2 * CONTACTS;
 
     /** A peak that says that no tile would do. */
     private static final int CROWDED = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 36 * CIRCLES;
+    private static final int LOCAL_BYTES = 33 << 10;
 
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
     static final int GROUP = 128;
@@ -36,12 +42,11 @@ final class ClTiles {
     private final Kernel count;
     private final Kernel list;
     private final Kernel link;
-    private final Kernel pushFirst;
+    private final Kernel arrange;
     private final Kernel push;
     private final Kernel measure;
     private final Kernel remember;
     private final Kernel relax;
-    private final Kernel relaxLast;
 
     /** The largest size that may be chosen: larger ones held too many circles. None may where it is the number of sizes. */
     private int largestSize;
@@ -58,13 +63,12 @@ final class ClTiles {
         this.device = device;
         count = kernels.staged("contacts_count");
         list = kernels.staged("contacts_list");
+        arrange = kernels.staged("contacts_arrange");
         link = kernels.staged("contacts_link");
-        pushFirst = kernels.staged("solver_pushTileFirst");
         remember = kernels.staged("solver_remember");
         measure = kernels.staged("solver_measure");
         push = kernels.staged("solver_pushTile");
         relax = kernels.staged("solver_relaxTile");
-        relaxLast = kernels.staged("solver_relaxTileLast");
     }
 
     /** Whether a device can run the tiles at all. */
@@ -90,6 +94,7 @@ final class ClTiles {
         }
         parameters.setTile(Math.min(SIZES[size][0], columns), Math.min(SIZES[size][1], rows));
         tiles = tiles(size, columns, rows);
+        buffers.ensureTiles(tiles);
         return true;
     }
 
@@ -107,20 +112,20 @@ final class ClTiles {
     }
 
     /**
-     * Takes note of how many circles were counted around a tile: tiles become smaller where these were too many, and larger
-     * where there is room again.
+     * Takes note of how full the fullest tile was: tiles become smaller where that was too much, and larger where there is
+     * room again.
      *
-     * @param peak the most around any tile; 0 where no tiles were used
+     * @param peak percent of the room; 0 where no tiles were used
      */
     void learn(int peak) {
-        if (peak > CIRCLES) {
+        if (peak > 100) {
             largestSize = peak == CROWDED ? SIZES.length : size + 1;
             without = 0;
         } else if (largestSize == SIZES.length) {
             if (++without == RETRY) {
                 largestSize--;
             }
-        } else if (size == largestSize && size > 0 && peak > 0 && peak < CIRCLES * 2 / 5) {
+        } else if (size == largestSize && size > 0 && peak > 0 && peak < 40) {
             largestSize--;
         }
     }
@@ -129,17 +134,18 @@ final class ClTiles {
         count.run(circles);
         scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
         list.run(circles);
-        link.run(Math.max(2L * circles, tiles));
+        link.run(2L * circles);
+        arrange.run((long) tiles * GROUP, GROUP);
     }
 
     void solve(int circles, int subSteps) {
         long items = (long) tiles * GROUP;
         for (int sub = 0; sub < subSteps; sub++) {
-            Kernel first = sub == 0 ? pushFirst : push.arg(ClBuffers.COUNT, sub);
-            first.run(items, GROUP);
+            push.arg(ClBuffers.COUNT, sub).run(items, GROUP);
             measure.run(2L * circles);
-            Kernel second = sub == subSteps - 1 ? relaxLast : relax;
-            second.arg(ClBuffers.COUNT, sub).run(items, GROUP);
+            relax.arg(ClBuffers.COUNT, sub)
+                    .arg(ClBuffers.COUNT + 1, sub == subSteps - 1 ? 1 : 0)
+                    .run(items, GROUP);
         }
         remember.run(2L * circles);
     }
