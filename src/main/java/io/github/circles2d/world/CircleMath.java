@@ -23,7 +23,7 @@ public final class CircleMath {
      * @param y component
      * @return the length
      */
-    public static float length(float x, float y) {
+    public static float norm(float x, float y) {
         return (float) Math.sqrt(x * x + y * y);
     }
 
@@ -57,7 +57,7 @@ public final class CircleMath {
      * @param high the greatest result; where it is less than low, low wins
      * @return a, or the end of the range nearest to it
      */
-    public static float clamp(float a, float low, float high) {
+    public static float bounded(float a, float low, float high) {
         return greatest(least(a, high), low);
     }
 
@@ -81,7 +81,7 @@ public final class CircleMath {
      * @param sum fl(a + b)
      * @return a + b - fl(a + b), exactly
      */
-    public static float remainder(float base, float displacement, float sum) {
+    public static float lostByRounding(float base, float displacement, float sum) {
         float part = sum - base;
         return (base - (sum - part)) + (displacement - part);
     }
@@ -105,7 +105,7 @@ public final class CircleMath {
      * @return after
      */
     public static float afterImpulse(float v, float w, float impulse) {
-        return clamp(v + w * impulse, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+        return bounded(v + w * impulse, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
     }
 
     // ---- broad phase
@@ -124,7 +124,7 @@ public final class CircleMath {
      * @return the reach
      */
     public static float reach(float r, float vx, float vy, float dt, float margin, float cap) {
-        return (r + margin * r) + least(length(vx, vy) * dt, cap * r);
+        return (r + margin * r) + least(norm(vx, vy) * dt, cap * r);
     }
 
     /**

@@ -308,7 +308,7 @@ final class JvmContacts {
         int hash = CircleMath.pairHash((int) (key[c] >>> 32), (int) key[c]);
         float px = CircleMath.partingX(hash);
         float py = CircleMath.partingY(hash);
-        float length = CircleMath.length(px, py);
+        float length = CircleMath.norm(px, py);
         contact[k + NX] = px / length;
         contact[k + NY] = py / length;
         contact[k + LAMBDA] = state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[c]) * constants.warmScale;

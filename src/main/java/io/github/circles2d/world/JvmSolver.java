@@ -106,7 +106,7 @@ final class JvmSolver {
         int j = contacts.pair[2 * c + 1];
         float dx = CircleMath.difference(q[o + JvmContacts.EX], m[i], m[j]);
         float dy = CircleMath.difference(q[o + JvmContacts.EY], m[i + 1], m[j + 1]);
-        float d = CircleMath.length(dx, dy);
+        float d = CircleMath.norm(dx, dy);
         float sum = q[o + JvmContacts.SUM];
         if (d > Tuning.COINCIDENT * sum) {
             q[o + JvmContacts.NX] = dx / d;
@@ -209,7 +209,7 @@ final class JvmSolver {
             float lambda = q[o + JvmContacts.LAMBDA];
             float dx = CircleMath.difference(q[o + JvmContacts.EX], m[i], m[j]);
             float dy = CircleMath.difference(q[o + JvmContacts.EY], m[i + 1], m[j + 1]);
-            float d = CircleMath.length(dx, dy);
+            float d = CircleMath.norm(dx, dy);
             if (d > Tuning.COINCIDENT * sum) {
                 nx = dx / d;
                 ny = dy / d;
@@ -372,8 +372,8 @@ final class JvmSolver {
             load[s] = vx;
             load[s + 1] = vy;
             load[s + 2] = loaded ? 1f : 0f;
-            m[s + 2] = CircleMath.clamp(nextX, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            m[s + 3] = CircleMath.clamp(nextY, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            m[s + 2] = CircleMath.bounded(nextX, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            m[s + 3] = CircleMath.bounded(nextY, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
         }
     }
 
@@ -387,8 +387,8 @@ final class JvmSolver {
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float w = traits[s];
-            float vx = CircleMath.clamp(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            float vy = CircleMath.clamp(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            float vx = CircleMath.bounded(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            float vy = CircleMath.bounded(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
             float dx = m[s] + vx * k.h;
             float dy = m[s + 1] + vy * k.h;
             float margin = w == 0f ? 0f : circle[s + 2];
@@ -460,14 +460,14 @@ final class JvmSolver {
             float margin = state.traits[s] == 0f ? 0f : circle[s + 2];
             float x = circle[s] + m[s];
             float y = circle[s + 1] + m[s + 1];
-            float keptX = CircleMath.clamp(x, bounds.minX() + margin, bounds.maxX() - margin);
-            float keptY = CircleMath.clamp(y, bounds.minY() + margin, bounds.maxY() - margin);
-            m[s] = keptX == x ? CircleMath.remainder(circle[s], m[s], x) : 0f;
-            m[s + 1] = keptY == y ? CircleMath.remainder(circle[s + 1], m[s + 1], y) : 0f;
+            float keptX = CircleMath.bounded(x, bounds.minX() + margin, bounds.maxX() - margin);
+            float keptY = CircleMath.bounded(y, bounds.minY() + margin, bounds.maxY() - margin);
+            m[s] = keptX == x ? CircleMath.lostByRounding(circle[s], m[s], x) : 0f;
+            m[s + 1] = keptY == y ? CircleMath.lostByRounding(circle[s + 1], m[s + 1], y) : 0f;
             circle[s] = keptX;
             circle[s + 1] = keptY;
-            m[s + 2] = CircleMath.clamp(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
-            m[s + 3] = CircleMath.clamp(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            m[s + 2] = CircleMath.bounded(m[s + 2], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+            m[s + 3] = CircleMath.bounded(m[s + 3], -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
         }
     }
 }

@@ -175,8 +175,8 @@ final class JvmState {
     void confine(Bounds bounds) {
         for (int s = 0; s < 4 * n; s += 4) {
             float margin = traits[s] == 0f ? 0f : circle[s + 2];
-            float x = CircleMath.clamp(circle[s], bounds.minX() + margin, bounds.maxX() - margin);
-            float y = CircleMath.clamp(circle[s + 1], bounds.minY() + margin, bounds.maxY() - margin);
+            float x = CircleMath.bounded(circle[s], bounds.minX() + margin, bounds.maxX() - margin);
+            float y = CircleMath.bounded(circle[s + 1], bounds.minY() + margin, bounds.maxY() - margin);
             if (x != circle[s]) {
                 circle[s] = x;
                 motion[s] = 0f;

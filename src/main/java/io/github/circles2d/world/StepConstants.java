@@ -88,7 +88,7 @@ public final class StepConstants {
         wallImpulseScale = 1f / (1f + wallA2);
         wallMassScale = wallA2 * wallImpulseScale;
 
-        float gravity = CircleMath.length(gravityX, gravityY);
+        float gravity = CircleMath.norm(gravityX, gravityY);
         thresholdRate = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f * gravity;
         pushPerLength = Tuning.PUSH * 0.5f;
         pushPerRoot = Tuning.PUSH_GRAVITY * (float) Math.sqrt(0.5f * gravity);
