@@ -1,0 +1,851 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Bounds;
+import io.github.circles2d.world.Commands;
+import io.github.circles2d.world.JvmPipeline;
+import io.github.circles2d.world.Levels;
+import io.github.circles2d.world.Limits;
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.Roster;
+import io.github.circles2d.world.StepConstants;
+import java.nio.FloatBuffer;
+import java.nio.LongBuffer;
+import java.util.ConcurrentModificationException;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.atomic.AtomicReference;
+
+/**
+ * The engine for games: rigid circles that fall, collide, bounce and pile up between four walls, come and go, and replay to
+ * the bit.
+ *
+ * <pre>{@code
+ * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
+ *     long ball = world.add(40, 50, 1, 2);
+ *     world.setVelocity(ball, 1, 0);
+ *     world.step(1 / 60f);
+ *     float[] circles = new float[4 * world.size()];
+ *     world.read(circles); // x, y, radius, mass of each
+ * }
+ * }</pre>
+ *
+ * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
+ * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
+ * IllegalArgumentException, even if the circle's place has been taken by another. <b>Order:</b> the bulk reads give the
+ * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
+ * nothing is removed this is the order of adding; removing a circle closes its gap.
+ *
+ * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect together, in call order, before the next step or
+ * read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap walls and
+ * each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the greater of
+ * its two circles' values; a wall takes the circle's.
+ *
+ * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
+ * of threads; {@link #hash()} is a number to compare.
+ *
+ * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. After
+ * {@link #close()} every method but close throws an IllegalStateException. A call that throws an IllegalArgumentException has
+ * changed nothing.
+ *
+ * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
+ * the lesser extent of the bounds; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
+ * to 1 second. Within them no sequence of calls leads to a state that is not finite.
+ */
+public final class World implements AutoCloseable {
+    private final Pipeline pipeline;
+    private final Roster roster = new Roster();
+    private final Commands commands = new Commands();
+    private final Levels levels = new Levels();
+    private final StepConstants constants = new StepConstants();
+    private final AtomicReference<Thread> user = new AtomicReference<>();
+    private final int subSteps;
+    private final float defaultRestitution;
+
+    private final String reason;
+
+    private Bounds bounds;
+    private float gravityX;
+    private float gravityY;
+    private float previousTimeStep;
+    private boolean closed;
+    private Throwable failure;
+
+    /** What single reads are answered from: the last bulk read-back. */
+    private float[] circles = new float[0];
+
+    private float[] velocities = new float[0];
+    private boolean circlesCurrent;
+    private boolean velocitiesCurrent;
+
+    private World(Builder b) {
+        bounds = b.bounds;
+        gravityX = b.gravityX;
+        gravityY = b.gravityY;
+        subSteps = b.subSteps;
+        defaultRestitution = b.restitution;
+        if (b.backend != Backend.AUTO && b.backend != Backend.JVM) {
+            throw new UnsupportedOperationException("the back end " + b.backend + " is not there yet");
+        }
+        reason = b.backend == Backend.JVM ? "asked for" : "the only one there is";
+        pipeline = new JvmPipeline(b.threads, b.capacity, b.profiling);
+    }
+
+    /**
+     * Starts a description of a world.
+     *
+     * @return a builder with every parameter at its default
+     */
+    public static Builder builder() {
+        return new Builder();
+    }
+
+    // ---- circles
+    // -----------------------------------------------------------------------------------------------------
+
+    /**
+     * Adds a circle at rest, with the world's restitution.
+     *
+     * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
+     * @param y y of the centre, within the bounds
+     * @param radius radius
+     * @param mass mass; positive infinity for a fixed circle
+     * @return its handle
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public long add(float x, float y, float radius, float mass) {
+        return add(x, y, radius, mass, 0, 0);
+    }
+
+    /**
+     * Adds a circle, with the world's restitution.
+     *
+     * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
+     * @param y y of the centre, within the bounds
+     * @param radius radius
+     * @param mass mass; positive infinity for a fixed circle
+     * @param vx velocity
+     * @param vy velocity
+     * @return its handle
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        enter();
+        try {
+            checkRoom(1);
+            check(x, y, radius, mass);
+            Limits.velocity(vx, vy);
+            changed();
+            return addChecked(x, y, radius, mass, vx, vy);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Adds many circles at rest, with the world's restitution: all of them, or none where one is refused.
+     *
+     * @param circles x, y, radius and mass of one after the other
+     * @param handles takes the handle of each; at least as many elements as there are circles; may be null
+     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     *     has the wrong length
+     */
+    public void addAll(float[] circles, long[] handles) {
+        enter();
+        try {
+            Objects.requireNonNull(circles, "circles");
+            int n = circles.length / 4;
+            if (circles.length % 4 != 0) {
+                throw new IllegalArgumentException(
+                        "circles has " + circles.length + " elements, but must have four a circle");
+            }
+            if (handles != null && handles.length < n) {
+                throw new IllegalArgumentException(
+                        "handles has " + handles.length + " elements, but there are " + n + " circles");
+            }
+            checkRoom(n);
+            for (int i = 0; i < n; i++) {
+                try {
+                    check(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3]);
+                } catch (IllegalArgumentException e) {
+                    throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+                }
+            }
+            commands.ensure(n);
+            changed();
+            for (int i = 0; i < n; i++) {
+                long handle =
+                        addChecked(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3], 0, 0);
+                if (handles != null) {
+                    handles[i] = handle;
+                }
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    private void checkRoom(int more) {
+        if (more > Limits.CIRCLES - roster.size()) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) roster.size() + more));
+        }
+    }
+
+    private void check(float x, float y, float radius, float mass) {
+        Limits.position(x, y, bounds);
+        Limits.radius(radius, bounds);
+        Limits.mass(mass);
+    }
+
+    private long addChecked(float x, float y, float radius, float mass, float vx, float vy) {
+        commands.ensure(1);
+        int id = roster.add(radius);
+        commands.add(id, x, y, radius, mass, defaultRestitution, vx, vy);
+        return roster.handle(id);
+    }
+
+    /**
+     * Removes a circle. Its handle is stale from now on.
+     *
+     * @param handle the circle
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public void remove(long handle) {
+        enter();
+        try {
+            int id = find(handle);
+            commands.ensure(1);
+            changed();
+            roster.remove(id);
+            commands.remove(id);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Whether a handle is that of a circle of this world.
+     *
+     * @param handle any number
+     * @return false where it is stale or never was a handle
+     */
+    public boolean contains(long handle) {
+        enter();
+        try {
+            return roster.find(handle) >= 0;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * The number of circles.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        enter();
+        try {
+            return roster.size();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Puts a circle somewhere else.
+     *
+     * @param handle the circle
+     * @param x x of the centre, within the bounds
+     * @param y y of the centre, within the bounds
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void setPosition(long handle, float x, float y) {
+        enter();
+        try {
+            int id = find(handle);
+            Limits.position(x, y, bounds);
+            set(Commands.POSITION, id, x, y);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gives a circle a velocity. A fixed circle moves on with it until told otherwise, and stops at the bounds.
+     *
+     * @param handle the circle
+     * @param vx velocity
+     * @param vy velocity
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void setVelocity(long handle, float vx, float vy) {
+        enter();
+        try {
+            int id = find(handle);
+            Limits.velocity(vx, vy);
+            set(Commands.VELOCITY, id, vx, vy);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gives a circle another radius; its mass stays.
+     *
+     * @param handle the circle
+     * @param radius radius
+     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     */
+    public void setRadius(long handle, float radius) {
+        enter();
+        try {
+            int id = find(handle);
+            Limits.radius(radius, bounds);
+            set(Commands.RADIUS, id, radius, 0);
+            roster.setRadius(id, radius);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gives a circle another mass.
+     *
+     * @param handle the circle
+     * @param mass mass; positive infinity makes it a fixed circle
+     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     */
+    public void setMass(long handle, float mass) {
+        enter();
+        try {
+            int id = find(handle);
+            set(Commands.MASS, id, Limits.mass(mass), 0);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gives a circle a restitution of its own.
+     *
+     * @param handle the circle
+     * @param restitution 0 (inelastic) to 1 (elastic)
+     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     */
+    public void setRestitution(long handle, float restitution) {
+        enter();
+        try {
+            int id = find(handle);
+            set(Commands.RESTITUTION, id, Limits.restitution(restitution), 0);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Pushes a circle: its velocity changes by the impulse over its mass. A fixed circle does not mind.
+     *
+     * @param handle the circle
+     * @param x impulse, mass times velocity
+     * @param y impulse
+     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     */
+    public void applyImpulse(long handle, float x, float y) {
+        enter();
+        try {
+            int id = find(handle);
+            Limits.within("impulse x", x, -Limits.IMPULSE, Limits.IMPULSE);
+            Limits.within("impulse y", y, -Limits.IMPULSE, Limits.IMPULSE);
+            set(Commands.IMPULSE, id, x, y);
+        } finally {
+            exit();
+        }
+    }
+
+    private void set(int operation, int id, float a, float b) {
+        commands.ensure(1);
+        changed();
+        commands.set(operation, id, a, b);
+    }
+
+    private int find(long handle) {
+        int id = roster.find(handle);
+        if (id < 0) {
+            throw new IllegalArgumentException(
+                    "no circle has the handle " + handle + ": it was removed, or is none of this world's");
+        }
+        return id;
+    }
+
+    // ---- the world
+    // ---------------------------------------------------------------------------------------------------
+
+    /**
+     * Changes gravity.
+     *
+     * @param x acceleration
+     * @param y acceleration, negative downwards
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public void setGravity(float x, float y) {
+        enter();
+        try {
+            Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
+            Limits.within("gravity y", y, -Limits.SPEED, Limits.SPEED);
+            gravityX = x;
+            gravityY = y;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Moves the walls. Circles that are left outside are brought to the nearest place inside.
+     *
+     * @param minX left wall
+     * @param minY lower wall
+     * @param maxX right wall
+     * @param maxY upper wall
+     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds
+     */
+    public void setBounds(float minX, float minY, float maxX, float maxY) {
+        enter();
+        try {
+            Bounds next = Limits.bounds(minX, minY, maxX, maxY);
+            if (roster.size() > 0) {
+                Limits.within(
+                        "the greatest radius", roster.greatestRadius(), next.leastRadius(), next.greatestRadius());
+                Limits.within("the least radius", roster.leastRadius(), next.leastRadius(), next.greatestRadius());
+            }
+            applyCommands();
+            changed();
+            try {
+                pipeline.confine(next);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            bounds = next;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Makes one step.
+     *
+     * @param timeStep its length in seconds, 1e-6 to 1; games use 1 / 60f
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public void step(float timeStep) {
+        step(timeStep, 1);
+    }
+
+    /**
+     * Makes several steps in one trip.
+     *
+     * @param timeStep the length of each in seconds, 1e-6 to 1
+     * @param steps number of steps, at least 1
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public void step(float timeStep, int steps) {
+        enter();
+        try {
+            Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+            Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
+            applyCommands();
+            if (roster.size() > 0) {
+                changed();
+                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+                levels.layOut(bounds, roster.greatestRadius(), roster.population());
+                try {
+                    pipeline.step(constants, levels, steps);
+                } catch (RuntimeException | Error e) {
+                    throw failed(e);
+                }
+            }
+            previousTimeStep = timeStep;
+        } finally {
+            exit();
+        }
+    }
+
+    // ---- reading
+    // -----------------------------------------------------------------------------------------------------
+
+    /**
+     * Reads x, y, radius and mass of every circle, in the order of the ids.
+     *
+     * @param circles takes four elements a circle
+     * @throws IllegalArgumentException where the array is too short
+     */
+    public void read(float[] circles) {
+        enter();
+        try {
+            requireRoom("circles", circles.length, 4L * roster.size());
+            applyCommands();
+            try {
+                pipeline.readCircles(roster, circles);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Reads x, y, radius and mass of every circle, in the order of the ids.
+     *
+     * @param circles takes four elements a circle from its position on, which is moved behind them
+     * @throws IllegalArgumentException where too little remains of the buffer
+     */
+    public void read(FloatBuffer circles) {
+        enter();
+        try {
+            requireRoom("circles", circles.remaining(), 4L * roster.size());
+            refreshCircles();
+            circles.put(this.circles, 0, 4 * roster.size());
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Reads the velocity of every circle, in the order of the ids.
+     *
+     * @param velocities takes vx and vy of each
+     * @throws IllegalArgumentException where the array is too short
+     */
+    public void readVelocities(float[] velocities) {
+        enter();
+        try {
+            requireRoom("velocities", velocities.length, 2L * roster.size());
+            applyCommands();
+            try {
+                pipeline.readVelocities(roster, velocities);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Reads the velocity of every circle, in the order of the ids.
+     *
+     * @param velocities takes vx and vy of each from its position on, which is moved behind them
+     * @throws IllegalArgumentException where too little remains of the buffer
+     */
+    public void readVelocities(FloatBuffer velocities) {
+        enter();
+        try {
+            requireRoom("velocities", velocities.remaining(), 2L * roster.size());
+            refreshVelocities();
+            velocities.put(this.velocities, 0, 2 * roster.size());
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Reads the handle of every circle, in the order of the ids.
+     *
+     * @param handles takes one element a circle
+     * @throws IllegalArgumentException where the array is too short
+     */
+    public void readHandles(long[] handles) {
+        enter();
+        try {
+            requireRoom("handles", handles.length, roster.size());
+            int k = 0;
+            for (int id = 0; id < roster.end(); id++) {
+                if (roster.lives(id)) {
+                    handles[k++] = roster.handle(id);
+                }
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Reads the handle of every circle, in the order of the ids.
+     *
+     * @param handles takes one element a circle from its position on, which is moved behind them
+     * @throws IllegalArgumentException where too little remains of the buffer
+     */
+    public void readHandles(LongBuffer handles) {
+        enter();
+        try {
+            requireRoom("handles", handles.remaining(), roster.size());
+            for (int id = 0; id < roster.end(); id++) {
+                if (roster.lives(id)) {
+                    handles.put(roster.handle(id));
+                }
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    private static void requireRoom(String what, long has, long needs) {
+        if (has < needs) {
+            throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
+        }
+    }
+
+    /**
+     * A hash of the state: of every circle, and of the impulses that the next step starts from. Equal states have equal
+     * hashes, whatever they were computed on.
+     *
+     * @return 64 bits
+     */
+    public long hash() {
+        enter();
+        try {
+            applyCommands();
+            return pipeline.hash();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * What the world is made of and what the last step did.
+     *
+     * @return the figures as of now
+     */
+    public WorldStats stats() {
+        enter();
+        try {
+            return new WorldStats(
+                    roster.size(),
+                    pipeline.candidatePairs(),
+                    pipeline.contacts(),
+                    pipeline.greatestContacts(),
+                    pipeline.bytesHeld(),
+                    Map.copyOf(pipeline.stageMillis()),
+                    Backend.JVM,
+                    pipeline.device(),
+                    reason);
+        } finally {
+            exit();
+        }
+    }
+
+    // ---- housekeeping
+    // ------------------------------------------------------------------------------------------------
+
+    private void refreshCircles() {
+        if (!circlesCurrent) {
+            applyCommands();
+            if (circles.length < 4 * roster.size()) {
+                circles = new float[4 * roster.size()];
+            }
+            try {
+                pipeline.readCircles(roster, circles);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            circlesCurrent = true;
+        }
+    }
+
+    private void refreshVelocities() {
+        if (!velocitiesCurrent) {
+            applyCommands();
+            if (velocities.length < 2 * roster.size()) {
+                velocities = new float[2 * roster.size()];
+            }
+            try {
+                pipeline.readVelocities(roster, velocities);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            velocitiesCurrent = true;
+        }
+    }
+
+    private void changed() {
+        circlesCurrent = false;
+        velocitiesCurrent = false;
+    }
+
+    private void applyCommands() {
+        if (commands.count() > 0) {
+            try {
+                pipeline.apply(commands);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            commands.clear();
+        }
+    }
+
+    /** Where the pipeline fails half-way, the state is lost, and the world says so from then on. */
+    private RuntimeException failed(Throwable cause) {
+        failure = cause;
+        if (cause instanceof Error error) {
+            throw error;
+        }
+        return (RuntimeException) cause;
+    }
+
+    private void enter() {
+        if (!user.compareAndSet(null, Thread.currentThread())) {
+            throw new ConcurrentModificationException("a World is used by one thread at a time, but "
+                    + Thread.currentThread().getName() + " came in while another was inside");
+        }
+        if (closed || failure != null) {
+            exit();
+            throw new IllegalStateException(
+                    closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
+        }
+    }
+
+    private void exit() {
+        user.setRelease(null);
+    }
+
+    /** Ends the world and gives its memory, threads and devices back. Closing it again does nothing. */
+    @Override
+    public void close() {
+        if (!user.compareAndSet(null, Thread.currentThread())) {
+            throw new ConcurrentModificationException("this World cannot be closed while another thread is inside");
+        }
+        try {
+            if (!closed) {
+                closed = true;
+                pipeline.close();
+            }
+        } finally {
+            exit();
+        }
+    }
+
+    /** Describes a world. Every parameter has a default; each is checked when it is given. */
+    public static final class Builder {
+        private Bounds bounds = new Bounds(0, 0, 1, 1);
+        private float gravityX;
+        private float gravityY;
+        private float restitution = 0.5f;
+        private int subSteps = 4;
+        private Backend backend = Backend.AUTO;
+        private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
+        private int capacity = 1024;
+        private boolean profiling;
+
+        private Builder() {}
+
+        /**
+         * The walls. By default the unit square.
+         *
+         * @param minX left wall
+         * @param minY lower wall
+         * @param maxX right wall
+         * @param maxY upper wall
+         * @return this
+         * @throws IllegalArgumentException where a value is out of range
+         */
+        public Builder bounds(float minX, float minY, float maxX, float maxY) {
+            bounds = Limits.bounds(minX, minY, maxX, maxY);
+            return this;
+        }
+
+        /**
+         * Gravity. By default none.
+         *
+         * @param x acceleration
+         * @param y acceleration, negative downwards
+         * @return this
+         * @throws IllegalArgumentException where a value is out of range
+         */
+        public Builder gravity(float x, float y) {
+            gravityX = Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
+            gravityY = Limits.within("gravity y", y, -Limits.SPEED, Limits.SPEED);
+            return this;
+        }
+
+        /**
+         * The restitution that new circles get. By default 0.5.
+         *
+         * @param restitution 0 (inelastic) to 1 (elastic)
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder restitution(float restitution) {
+            this.restitution = Limits.restitution(restitution);
+            return this;
+        }
+
+        /**
+         * Sub-steps a step: more are stiffer and slower. By default 4.
+         *
+         * @param subSteps 1 to 16
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder subSteps(int subSteps) {
+            this.subSteps = Limits.within("the number of sub-steps", subSteps, 1, Limits.SUB_STEPS);
+            return this;
+        }
+
+        /**
+         * What to run on. By default {@link Backend#AUTO}.
+         *
+         * @param backend the back end
+         * @return this
+         */
+        public Builder backend(Backend backend) {
+            this.backend = Objects.requireNonNull(backend, "backend");
+            return this;
+        }
+
+        /**
+         * Threads of the JVM back end, the caller's included. By default one a processor, at most 16. No effect on results.
+         *
+         * @param threads 1 to 256
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder threads(int threads) {
+            this.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
+            return this;
+        }
+
+        /**
+         * How many circles to make room for at once. A world grows by itself; this only saves it the growing.
+         *
+         * @param capacity number of circles, at least 0
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder capacity(int capacity) {
+            this.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
+            return this;
+        }
+
+        /**
+         * Whether to measure the time of each stage. By default not.
+         *
+         * @param profiling true to measure
+         * @return this
+         */
+        public Builder profiling(boolean profiling) {
+            this.profiling = profiling;
+            return this;
+        }
+
+        /**
+         * Builds the world.
+         *
+         * @return an empty world; close it after use
+         */
+        public World build() {
+            return new World(this);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+package io.github.circles2d;
+
+import java.util.Map;
+
+/**
+ * What a world is made of and what its last step did.
+ *
+ * @param circles number of circles
+ * @param candidatePairs pairs whose distance the broad phase tested in the last step
+ * @param contacts pairs that were listed as contacts in the last step: they touch, or might have within the step
+ * @param greatestContacts greatest number of contacts of one circle in the last step
+ * @param bytesHeld bytes of memory that the engine holds for circles and contacts, on the device where there is one
+ * @param stageMillis milliseconds spent in each stage since the world was built, by the stage's name; empty unless profiling
+ * @param backend what the world runs on; never {@link Backend#AUTO}
+ * @param device the device, in words
+ * @param reason why this back end was taken
+ */
+public record WorldStats(
+        int circles,
+        long candidatePairs,
+        int contacts,
+        int greatestContacts,
+        long bytesHeld,
+        Map<String, Double> stageMillis,
+        Backend backend,
+        String device,
+        String reason) {}

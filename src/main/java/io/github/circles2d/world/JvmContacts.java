@@ -1,0 +1,531 @@
+package io.github.circles2d.world;
+
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.Arrays;
+
+/**
+ * Stage Contacts: lists the pairs of circles that may meet within the step, and puts them in the one order that every sum
+ * follows: by level of the larger circle, colour, group, lower id, higher id.
+ *
+ * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
+ * contact's level. It touches circles of the 2 x 2 cells from there on, so groups whose columns and rows have the same
+ * parities share no circle: such a colour can be solved in parallel, a group at a time, with no further colouring.
+ */
+final class JvmContacts {
+    /** Floats a contact. */
+    static final int STRIDE = 12;
+
+    /** Difference of the bases, x. */
+    static final int EX = 0;
+
+    static final int EY = 1;
+
+    /** Sum of the radii. */
+    static final int SUM = 2;
+
+    /** Restitution of the pair. */
+    static final int E = 3;
+
+    /** Inverse mass of the circle of lower id. */
+    static final int W_LO = 4;
+
+    static final int W_HI = 5;
+
+    /** Greatest push-out speed. */
+    static final int PUSH = 6;
+
+    /** Normal. */
+    static final int NX = 7;
+
+    static final int NY = 8;
+
+    /** Separation. */
+    static final int S = 9;
+
+    /** Accumulated impulse. */
+    static final int LAMBDA = 10;
+
+    /** Target speed of a bounce, between the two passes of a sub-step. */
+    static final int BOUNCE = 11;
+
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+    private static final int SHORT = 48;
+
+    /** Pairs a circle for which a list has room, before it is given up. */
+    private static final int ROOM_PER_CIRCLE = 24;
+
+    private static final int LEAST_ROOM = 4096;
+
+    /** Modes of finding: list all pairs, or what is left of crowds. */
+    private static final int LIST = 0;
+
+    private static final int THIN = 1;
+
+    private final JvmState state;
+    private final JvmGrid grid;
+    private final Levels levels;
+    private final Team team;
+    private final Found[] found;
+
+    /** Number of contacts. */
+    int count;
+
+    /** By group: its first contact; one more element for the end. */
+    int[] start = new int[1];
+
+    /** By slot: number of pairs with circles of its own level and of coarser ones. */
+    private int[] candidates = new int[0];
+
+    /** By contact: slot of the circle of lower id times 4, slot of the other times 4. */
+    int[] pair = new int[0];
+
+    /** By contact: {@link #STRIDE} floats. */
+    float[] contact = new float[0];
+
+    /** By contact of the step before: id of the circle of higher id. */
+    private int[] oldHi = new int[0];
+
+    private float[] oldLambda = new float[0];
+
+    /** By contact of the step before: the next with the same circle of lower id, or -1. */
+    private int[] oldNext = new int[0];
+
+    /** By contact, while the list is built: ids, lower above higher. */
+    private long[] key = new long[0];
+
+    /** By contact, while the list is built: slots, in the same order as the ids. */
+    private long[] slots = new long[0];
+
+    JvmContacts(JvmState state, JvmGrid grid, Levels levels, Team team) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.team = team;
+        found = new Found[team.size()];
+        for (int worker = 0; worker < found.length; worker++) {
+            found[worker] = new Found();
+        }
+    }
+
+    void ensure() {
+        if (candidates.length < state.capacity()) {
+            candidates = new int[state.capacity()];
+        }
+        if (start.length <= levels.buckets()) {
+            start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
+        }
+    }
+
+    /**
+     * Lists the contacts and puts them in order. Where circles crowd, so that a list of all pairs would take too much memory,
+     * it stops half-way: {@link #overflowed} then says so.
+     *
+     * @param thinned whether to keep only a share of the pairs of a crowd, whose candidates have been counted before
+     */
+    void list(int worker, boolean thinned) {
+        int groups = levels.buckets();
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        Found f = found[worker];
+        Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
+        if (!thinned) {
+            Arrays.fill(candidates, from, to, 0);
+        }
+        team.sync(worker);
+        f.reset(thinned ? THIN : LIST, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
+        find(f, from, to);
+        team.sync(worker);
+        if (overflowed()) {
+            return;
+        }
+        if (worker == 0) {
+            count = 0;
+            for (Found part : found) {
+                count += part.count;
+            }
+            ensureContacts();
+            JvmGrid.sumUp(start, 0, groups, count);
+        }
+        team.sync(worker);
+        scatter(found[worker]);
+        team.sync(worker);
+    }
+
+    /** Whether the list was given up because there are too many pairs. */
+    boolean overflowed() {
+        for (Found f : found) {
+            if (f.count > f.room) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Counts the candidates of each circle, without a list: every circle looks at all cells around it. */
+    void countCandidates(int worker) {
+        int to = team.part(state.n, worker + 1);
+        for (int slot = team.part(state.n, worker); slot < to; slot++) {
+            int level = grid.level[slot];
+            int sum = 0;
+            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
+                sum += countInLevel(slot, levels.used[k]);
+            }
+            candidates[slot] = sum;
+        }
+        team.sync(worker);
+    }
+
+    private int countInLevel(int slot, int level) {
+        int[] bucketStart = grid.start;
+        int column = grid.column(state.circle[4 * slot], level);
+        int row = grid.row(state.circle[4 * slot + 1], level);
+        int w = levels.columnsLog[level];
+        int mask = (1 << w) - 1;
+        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        int sum = 0;
+        for (int v = -1; v <= 1; v++) {
+            int rowStart = levels.first[level] + (((row + v) & rowMask) << w);
+            for (int u = -1; u <= 1; u++) {
+                int b = rowStart + ((column + u) & mask);
+                sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
+            }
+        }
+        return sum;
+    }
+
+    private int countIn(int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
+        boolean fixed = state.traits[4 * slot] == 0f;
+        int sum = 0;
+        for (int other = from; other < to; other++) {
+            float dx = circle[4 * other] - x;
+            float dy = circle[4 * other + 1] - y;
+            float limit = own + reach[other];
+            if (dx * dx + dy * dy < limit * limit && other != slot && !(fixed && state.traits[4 * other] == 0f)) {
+                sum++;
+            }
+        }
+        return sum;
+    }
+
+    /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all groups are filled. */
+    boolean crowded() {
+        for (Found f : found) {
+            if (f.most > Tuning.CROWD) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private void ensureContacts() {
+        if (count > key.length) {
+            int c = Math.max(count + (count >> 2), 256);
+            key = new long[c];
+            slots = new long[c];
+            pair = new int[2 * c];
+            contact = new float[STRIDE * c];
+            oldHi = Arrays.copyOf(oldHi, c);
+            oldLambda = Arrays.copyOf(oldLambda, c);
+            oldNext = Arrays.copyOf(oldNext, c);
+        }
+    }
+
+    // ---- finding
+    // -----------------------------------------------------------------------------------------------------
+
+    private void find(Found f, int from, int to) {
+        for (int slot = from; slot < to && f.count <= f.room; slot++) {
+            int level = grid.level[slot];
+            findInOwnLevel(f, slot, level);
+            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
+                findInCoarserLevel(f, slot, levels.used[k]);
+            }
+        }
+    }
+
+    /** Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above. */
+    private void findInOwnLevel(Found f, int slot, int level) {
+        int[] bucketStart = grid.start;
+        int w = levels.columnsLog[level];
+        int mask = (1 << w) - 1;
+        int bucket = grid.bucketOf[slot] - levels.first[level];
+        int column = bucket & mask;
+        int row = bucket >> w;
+        int rowStart = levels.first[level] + (row << w);
+        int aboveRow = (row + 1) & ((1 << levels.rowsLog[level]) - 1);
+        int aboveStart = levels.first[level] + (aboveRow << w);
+        if (column > 0 && column < mask) {
+            scan(f, slot, level, column, row, slot + 1, bucketStart[rowStart + column + 2]);
+            scan(
+                    f,
+                    slot,
+                    level,
+                    column,
+                    row,
+                    bucketStart[aboveStart + column - 1],
+                    bucketStart[aboveStart + column + 2]);
+        } else {
+            int next = (column + 1) & mask;
+            scan(f, slot, level, column, row, slot + 1, bucketStart[rowStart + column + 1]);
+            scan(f, slot, level, column, row, bucketStart[rowStart + next], bucketStart[rowStart + next + 1]);
+            for (int d = -1; d <= 1; d++) {
+                int b = aboveStart + ((column + d) & mask);
+                scan(f, slot, level, column, row, bucketStart[b], bucketStart[b + 1]);
+            }
+        }
+    }
+
+    private void findInCoarserLevel(Found f, int slot, int level) {
+        int[] bucketStart = grid.start;
+        int column = grid.column(state.circle[4 * slot], level);
+        int row = grid.row(state.circle[4 * slot + 1], level);
+        int w = levels.columnsLog[level];
+        int mask = (1 << w) - 1;
+        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        for (int v = -1; v <= 1; v++) {
+            int rowStart = levels.first[level] + (((row + v) & rowMask) << w);
+            if (column > 0 && column < mask) {
+                scan(
+                        f,
+                        slot,
+                        level,
+                        column,
+                        row,
+                        bucketStart[rowStart + column - 1],
+                        bucketStart[rowStart + column + 2]);
+            } else {
+                for (int u = -1; u <= 1; u++) {
+                    int b = rowStart + ((column + u) & mask);
+                    scan(f, slot, level, column, row, bucketStart[b], bucketStart[b + 1]);
+                }
+            }
+        }
+    }
+
+    /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
+    private void scan(Found f, int slot, int level, int column, int row, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
+        f.tested += Math.max(0, to - from);
+        for (int other = from; other < to; other++) {
+            float dx = circle[4 * other] - x;
+            float dy = circle[4 * other + 1] - y;
+            float limit = own + reach[other];
+            if (dx * dx + dy * dy < limit * limit) {
+                add(f, slot, other, level, column, row);
+            }
+        }
+    }
+
+    private void add(Found f, int slot, int other, int level, int column, int row) {
+        if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
+            return;
+        }
+        f.count++;
+        if (f.count > f.room) {
+            return;
+        }
+        boolean lower = state.id[slot] < state.id[other];
+        if (f.mode == THIN) {
+            int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
+            if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
+                f.count--;
+                return;
+            }
+        }
+        int w = levels.columnsLog[level];
+        int bucket = grid.bucketOf[other] - levels.first[level];
+        int ox = CircleMath.ringFirst(column, bucket & ((1 << w) - 1), (1 << w) - 1);
+        int oy = CircleMath.ringFirst(row, bucket >> w, (1 << levels.rowsLog[level]) - 1);
+        int group = levels.group(level, ox, oy);
+        int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
+        f.add(lower ? slot : other, lower ? other : slot, group, rank);
+    }
+
+    private void scatter(Found f) {
+        int[] id = state.id;
+        int[] records = f.records;
+        for (int k = 0; k < 4 * f.count; k += 4) {
+            int lo = records[k];
+            int hi = records[k + 1];
+            int c = start[records[k + 2]] + records[k + 3];
+            key[c] = (long) id[lo] << 32 | id[hi];
+            slots[c] = (long) lo << 32 | hi;
+        }
+    }
+
+    // ---- filling
+    // -----------------------------------------------------------------------------------------------------
+
+    /** Orders the contacts of a group, and fills them. */
+    void fillGroup(int worker, int group, StepConstants constants) {
+        int from = start[group];
+        int to = start[group + 1];
+        sort(from, to);
+        for (int c = from; c < to; c++) {
+            fill(c, constants);
+        }
+        if (found[worker].mode == LIST) {
+            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
+        }
+    }
+
+    /** Counts the candidates that circles have among some contacts, where no other thread has any of the same circles. */
+    private int countCandidates(int from, int to) {
+        int most = 0;
+        for (int c = from; c < to; c++) {
+            int lo = pair[2 * c] >> 2;
+            int hi = pair[2 * c + 1] >> 2;
+            // a circle counts those of its own level and of coarser ones, which have lower numbers
+            if (grid.level[lo] >= grid.level[hi]) {
+                most = Math.max(most, ++candidates[lo]);
+            }
+            if (grid.level[hi] >= grid.level[lo]) {
+                most = Math.max(most, ++candidates[hi]);
+            }
+        }
+        return most;
+    }
+
+    private void sort(int from, int to) {
+        if (to - from > SHORT) {
+            HeapSort.longs(key, slots, from, to);
+            return;
+        }
+        for (int k = from + 1; k < to; k++) {
+            long key1 = key[k];
+            long slots1 = slots[k];
+            int p = k;
+            while (p > from && key[p - 1] > key1) {
+                key[p] = key[p - 1];
+                slots[p] = slots[p - 1];
+                p--;
+            }
+            key[p] = key1;
+            slots[p] = slots1;
+        }
+    }
+
+    private void fill(int c, StepConstants constants) {
+        int lo = (int) (slots[c] >>> 32);
+        int hi = (int) slots[c];
+        int i = 4 * lo;
+        int j = 4 * hi;
+        float[] circle = state.circle;
+        float[] traits = state.traits;
+        int k = STRIDE * c;
+        pair[2 * c] = i;
+        pair[2 * c + 1] = j;
+        float sum = circle[i + 2] + circle[j + 2];
+        contact[k + EX] = circle[j] - circle[i];
+        contact[k + EY] = circle[j + 1] - circle[i + 1];
+        contact[k + SUM] = sum;
+        contact[k + E] = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + W_LO] = traits[i];
+        contact[k + W_HI] = traits[j];
+        contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
+        int hash = CircleMath.pairHash((int) (key[c] >>> 32), (int) key[c]);
+        float px = CircleMath.partingX(hash);
+        float py = CircleMath.partingY(hash);
+        float length = CircleMath.norm(px, py);
+        contact[k + NX] = px / length;
+        contact[k + NY] = py / length;
+        contact[k + LAMBDA] = state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[c]) * constants.warmScale;
+    }
+
+    // ---- memory
+    // ------------------------------------------------------------------------------------------------------
+
+    private float remembered(int first, int hiId) {
+        for (int c = first; c >= 0; c = oldNext[c]) {
+            if (oldHi[c] == hiId) {
+                return oldLambda[c];
+            }
+        }
+        return 0f;
+    }
+
+    /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
+    void remember(int c, float lambda) {
+        int lo = pair[2 * c] >> 2;
+        oldHi[c] = (int) key[c];
+        oldLambda[c] = lambda;
+        oldNext[c] = state.memory[lo];
+        state.memory[lo] = c;
+    }
+
+    /** Pairs whose distance was tested. */
+    long candidatePairs() {
+        long sum = 0;
+        for (Found f : found) {
+            sum += f.tested;
+        }
+        return sum;
+    }
+
+    /** Greatest number of contacts of one circle. */
+    int greatest() {
+        int[] degree = new int[state.n];
+        int greatest = 0;
+        for (int k = 0; k < 2 * count; k++) {
+            greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
+        }
+        return greatest;
+    }
+
+    /** The part of a circle's remembered impulses in the hash of the state. */
+    long hashOfMemory(int slot) {
+        long sum = 0;
+        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
+            int hi = state.slotOf[oldHi[c]];
+            if (hi < 0 || state.fresh[hi]) {
+                continue;
+            }
+            long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
+            sum += StateHash.absorb(h, oldLambda[c]);
+        }
+        return sum;
+    }
+
+    /** Pairs that one thread found. */
+    private static final class Found {
+        private int count;
+        private long tested;
+        private int[] records = new int[1024];
+
+        private int room;
+        private int mode;
+
+        /** Greatest number of candidates of one circle, of those that this thread has filled last. */
+        private int most;
+
+        void reset(int newMode, int newRoom) {
+            mode = newMode;
+            room = newRoom;
+            count = 0;
+            tested = 0;
+            most = 0;
+        }
+
+        /** Keeps a pair, which has been counted. */
+        void add(int lo, int hi, int group, int rank) {
+            int k = 4 * (count - 1);
+            if (k == records.length) {
+                records = Arrays.copyOf(records, 2 * records.length);
+            }
+            records[k] = lo;
+            records[k + 1] = hi;
+            records[k + 2] = group;
+            records[k + 3] = rank;
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package io.github.circles2d.world;
+
+/**
+ * The shape of the grids: one a level of radii, each on a torus. A level is a size class, a factor of two, or two of them where
+ * the smaller does not outnumber the larger by far: fewer levels are fewer stages, but many small circles in a grid made for
+ * a few large ones would be many neighbours. Decided on the host from the bounds, the greatest radius
+ * and the number of circles of each level; the same for every back end.
+ *
+ * <p>A level has W x H buckets, powers of two of at least 4, no more than the arena needs and about as many to twice as
+ * many as it has circles. The cell (cx, cy) lies in bucket (cx mod W) + W (cy mod H): far cells may share a bucket, which
+ * costs time and nothing else, because the distance of two circles decides. So memory is bounded by the number of circles,
+ * however small they are and however large the arena is.
+ *
+ * <p>Groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
+ * (ox mod 2) + 2 (oy mod 2) and is number (oy / 2)(W / 2) + ox / 2 within its colour.
+ */
+public final class Levels {
+    /** Number of size classes, and so of levels at most: with factors of two, they span all radii that a world takes. */
+    public static final int COUNT = 20;
+
+    private static final int LEAST_SIDE_LOG = 2;
+
+    /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
+    final int[] levelOf = new int[COUNT];
+
+    /** Circles of each level. */
+    final int[] population = new int[COUNT];
+
+    /** 1 / edge of a cell, by level. */
+    final float[] inverseEdge = new float[COUNT];
+
+    /** log2 of the number of columns, by level. */
+    final int[] columnsLog = new int[COUNT];
+
+    /** log2 of the number of rows, by level. */
+    final int[] rowsLog = new int[COUNT];
+
+    /** Number of the first bucket, and of the first group, of each level. */
+    final int[] first = new int[COUNT];
+
+    /** Numbers of the levels that have circles, finest first: the order in which their buckets are numbered. */
+    final int[] used = new int[COUNT];
+
+    /** Greatest radius of each level. */
+    final float[] top = new float[COUNT];
+
+    int usedCount;
+    int buckets;
+    float minX;
+    float minY;
+    float rmax;
+
+    /**
+     * Lays the grids out.
+     *
+     * @param bounds the arena
+     * @param greatestRadius greatest radius of all circles
+     * @param counts number of circles of each size class
+     */
+    public void layOut(Bounds bounds, float greatestRadius, int[] counts) {
+        minX = bounds.minX();
+        minY = bounds.minY();
+        rmax = greatestRadius;
+        usedCount = 0;
+        join(counts);
+        top[0] = greatestRadius;
+        for (int level = 1; level < COUNT; level++) {
+            top[level] = top[level - 1] * 0.5f;
+        }
+        buckets = 0;
+        for (int level = COUNT - 1; level >= 0; level--) {
+            first[level] = buckets;
+            if (population[level] > 0) {
+                used[usedCount++] = level;
+                layOutLevel(level, bounds);
+                buckets += 1 << (columnsLog[level] + rowsLog[level]);
+            }
+        }
+    }
+
+    private void join(int[] counts) {
+        for (int k = 0; k < COUNT; k++) {
+            boolean joins = k > 0 && levelOf[k - 1] == k - 1 && counts[k] <= (long) Tuning.JOIN * counts[k - 1];
+            levelOf[k] = joins ? k - 1 : k;
+            population[k] = 0;
+            population[levelOf[k]] += counts[k];
+        }
+    }
+
+    private void layOutLevel(int level, Bounds bounds) {
+        float edge = edge(top[level], bounds);
+        inverseEdge[level] = 1f / edge;
+        int columns = sideLog((bounds.maxX() - bounds.minX()) / edge);
+        int rows = sideLog((bounds.maxY() - bounds.minY()) / edge);
+        int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
+        while (columns + rows > budget) {
+            if (columns >= rows) {
+                columns--;
+            } else {
+                rows--;
+            }
+        }
+        columnsLog[level] = columns;
+        rowsLog[level] = rows;
+    }
+
+    /**
+     * A cell is at least as wide as the greatest distance at which two of its level are listed, plus what the rounding of
+     * coordinates can move two circles apart: then whatever a circle may touch lies in 3 x 3 cells.
+     */
+    private static float edge(float greatestRadius, Bounds bounds) {
+        float reach = greatestRadius * (1f + Tuning.MARGIN + Tuning.CAP);
+        return 2f * reach + bounds.magnitude() * 0x1p-20f;
+    }
+
+    private static int sideLog(float cells) {
+        int side = LEAST_SIDE_LOG;
+        while (side < 15 && cells > 1 << side) {
+            side++;
+        }
+        return side;
+    }
+
+    /** Takes the shape of another. */
+    void copy(Levels other) {
+        System.arraycopy(other.levelOf, 0, levelOf, 0, COUNT);
+        System.arraycopy(other.population, 0, population, 0, COUNT);
+        System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
+        System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
+        System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
+        System.arraycopy(other.first, 0, first, 0, COUNT);
+        System.arraycopy(other.used, 0, used, 0, COUNT);
+        System.arraycopy(other.top, 0, top, 0, COUNT);
+        usedCount = other.usedCount;
+        buckets = other.buckets;
+        minX = other.minX;
+        minY = other.minY;
+        rmax = other.rmax;
+    }
+
+    int buckets() {
+        return buckets;
+    }
+
+    /** Level of a radius. */
+    int level(float r) {
+        return levelOf[CircleMath.sizeClass(r, rmax)];
+    }
+
+    /** Number of a group. */
+    int group(int level, int ox, int oy) {
+        int w = columnsLog[level];
+        int colour = (ox & 1) + 2 * (oy & 1);
+        return first[level] + (colour << (w + rowsLog[level] - 2)) + ((oy >> 1) << (w - 1)) + (ox >> 1);
+    }
+
+    /** Number of the first group of a colour (0 to 4: colour 4 is the end). */
+    int firstOfColour(int level, int colour) {
+        return first[level] + (colour << (columnsLog[level] + rowsLog[level] - 2));
+    }
+}

@@ -1,0 +1,100 @@
+package io.github.circles2d.world;
+
+import java.util.Map;
+
+/**
+ * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. Arguments have been
+ * checked; one thread at a time calls.
+ */
+public interface Pipeline extends AutoCloseable {
+    /**
+     * Applies what the caller asked for, in call order. Does not keep the object.
+     *
+     * @param commands the commands
+     */
+    void apply(Commands commands);
+
+    /**
+     * Makes steps.
+     *
+     * @param constants numbers of the step
+     * @param levels shape of the grids
+     * @param steps number of steps, at least 1
+     */
+    void step(StepConstants constants, Levels levels, int steps);
+
+    /**
+     * Brings circles that have been left outside to the nearest place inside.
+     *
+     * @param bounds the new bounds
+     */
+    void confine(Bounds bounds);
+
+    /**
+     * The hash of the state, by {@link StateHash}.
+     *
+     * @return 64 bits
+     */
+    long hash();
+
+    /**
+     * Reads x, y, radius and mass of every circle.
+     *
+     * @param roster which ids live
+     * @param to 4 floats a circle, in ascending order of ids
+     */
+    void readCircles(Roster roster, float[] to);
+
+    /**
+     * Reads velocities.
+     *
+     * @param roster which ids live
+     * @param to 2 floats a circle, in ascending order of ids
+     */
+    void readVelocities(Roster roster, float[] to);
+
+    /**
+     * Pairs whose distance the broad phase tested in the last step.
+     *
+     * @return at least 0
+     */
+    long candidatePairs();
+
+    /**
+     * Contacts listed in the last step.
+     *
+     * @return at least 0
+     */
+    int contacts();
+
+    /**
+     * Greatest number of contacts of one circle in the last step.
+     *
+     * @return at least 0
+     */
+    int greatestContacts();
+
+    /**
+     * Memory held for circles and contacts.
+     *
+     * @return bytes
+     */
+    long bytesHeld();
+
+    /**
+     * Time spent in each stage since the start.
+     *
+     * @return milliseconds by the stage's name; empty unless profiling
+     */
+    Map<String, Double> stageMillis();
+
+    /**
+     * What the pipeline runs on.
+     *
+     * @return a name for people
+     */
+    String device();
+
+    @Override
+    void close();
+}

@@ -1,0 +1,221 @@
+package io.github.circles2d.world;
+
+import java.util.Arrays;
+
+/**
+ * Which circles there are. A handle is (generation &lt;&lt; 32 | id); ids are small, and the lowest free one is given to the
+ * next circle; the generation tells it from those that had the id before.
+ */
+public final class Roster {
+    private long[] live = new long[1];
+    private int[] generation = new int[64];
+    private float[] radius = new float[64];
+    private int size;
+
+    /** No id below this one is free. */
+    private int noneFreeBelow;
+
+    /** One more than the greatest id ever used. */
+    private int end;
+
+    private float greatestRadius;
+    private int withGreatestRadius;
+    private boolean radiiChanged;
+    private final int[] population = new int[Levels.COUNT];
+
+    /**
+     * Number of circles.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return size;
+    }
+
+    /**
+     * One more than the greatest id in use so far.
+     *
+     * @return at least {@link #size()}
+     */
+    public int end() {
+        return end;
+    }
+
+    /**
+     * Whether an id belongs to a circle.
+     *
+     * @param id an id less than {@link #end()}
+     * @return true where it does
+     */
+    public boolean lives(int id) {
+        return (live[id >>> 6] >>> id & 1) != 0;
+    }
+
+    /**
+     * The handle of a circle.
+     *
+     * @param id its id
+     * @return the handle
+     */
+    public long handle(int id) {
+        return (long) (generation[id] + 1) << 32 | id;
+    }
+
+    /**
+     * The id behind a handle.
+     *
+     * @param handle any number
+     * @return the id, or -1 where no living circle has this handle
+     */
+    public int find(long handle) {
+        long id = handle & 0xFFFFFFFFL;
+        if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> 32)) {
+            return -1;
+        }
+        return (int) id;
+    }
+
+    /**
+     * Enters a circle under the lowest free id.
+     *
+     * @param r its radius
+     * @return the id
+     */
+    public int add(float r) {
+        int id = firstFree();
+        if (id == generation.length) {
+            int c = id + (id >> 1);
+            generation = Arrays.copyOf(generation, c);
+            radius = Arrays.copyOf(radius, c);
+            live = Arrays.copyOf(live, (c >> 6) + 1);
+        }
+        live[id >>> 6] |= 1L << id;
+        noneFreeBelow = id + 1;
+        end = Math.max(end, id + 1);
+        size++;
+        radius[id] = r;
+        enter(r);
+        return id;
+    }
+
+    /**
+     * Strikes a circle off; its handle is stale from now on.
+     *
+     * @param id its id
+     */
+    public void remove(int id) {
+        live[id >>> 6] &= ~(1L << id);
+        generation[id]++;
+        noneFreeBelow = Math.min(noneFreeBelow, id);
+        size--;
+        leave(radius[id]);
+    }
+
+    /**
+     * Takes a circle's new radius down.
+     *
+     * @param id its id
+     * @param r the radius
+     */
+    public void setRadius(int id, float r) {
+        leave(radius[id]);
+        radius[id] = r;
+        enter(r);
+    }
+
+    private int firstFree() {
+        int word = noneFreeBelow >>> 6;
+        if (word == live.length) {
+            return generation.length;
+        }
+        long free = ~live[word] & -1L << noneFreeBelow;
+        while (free == 0) {
+            if (++word == live.length) {
+                return generation.length;
+            }
+            free = ~live[word];
+        }
+        return Math.min((word << 6) + Long.numberOfTrailingZeros(free), generation.length);
+    }
+
+    private void enter(float r) {
+        if (r > greatestRadius) {
+            greatestRadius = r;
+            withGreatestRadius = 1;
+            radiiChanged = true;
+        } else {
+            if (r == greatestRadius) {
+                withGreatestRadius++;
+            }
+            population[CircleMath.sizeClass(r, greatestRadius)]++;
+        }
+    }
+
+    private void leave(float r) {
+        population[CircleMath.sizeClass(r, greatestRadius)]--;
+        if (r == greatestRadius && --withGreatestRadius == 0) {
+            radiiChanged = true;
+        }
+    }
+
+    /**
+     * The greatest radius of all circles.
+     *
+     * @return a length; 0 where there is no circle
+     */
+    public float greatestRadius() {
+        recount();
+        return greatestRadius;
+    }
+
+    /**
+     * The least radius of all circles. Looks at each of them.
+     *
+     * @return a length; positive infinity where there is no circle
+     */
+    public float leastRadius() {
+        float least = Float.POSITIVE_INFINITY;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                least = Math.min(least, radius[id]);
+            }
+        }
+        return least;
+    }
+
+    /**
+     * The number of circles of each size class, by {@link CircleMath#sizeClass}.
+     *
+     * @return the numbers; valid until the next change
+     */
+    public int[] population() {
+        recount();
+        return population;
+    }
+
+    private void recount() {
+        if (!radiiChanged) {
+            return;
+        }
+        radiiChanged = false;
+        greatestRadius = 0;
+        withGreatestRadius = 0;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                if (radius[id] > greatestRadius) {
+                    greatestRadius = radius[id];
+                    withGreatestRadius = 0;
+                }
+                if (radius[id] == greatestRadius) {
+                    withGreatestRadius++;
+                }
+            }
+        }
+        Arrays.fill(population, 0);
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                population[CircleMath.sizeClass(radius[id], greatestRadius)]++;
+            }
+        }
+    }
+}
