@@ -23,6 +23,7 @@ void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
     }
     if (purpose == COUNTING && w->k.thinning == 0 && to - from > LONGEST_ROW) {
         w->status[CROWDED] = 1;
+        w->status[OUT_OF_ROOM] = 1; // the counts are of no use
         return;
     }
     for (int other = from; other < to; other++) {
@@ -166,7 +167,8 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !outOfRoom(&w) && !tooFast(&w)) seekAll(&w, slot, COUNTING);
+    // Where the step has been refused earlier, all buckets are empty.
+    if (slot < circles && !tooFast(&w)) seekAll(&w, slot, COUNTING);
 }
 
 // Whether the contacts that were counted do not fit.
