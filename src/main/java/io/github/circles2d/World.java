@@ -7,7 +7,11 @@ import io.github.circles2d.world.Levels;
 import io.github.circles2d.world.Limits;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Roster;
+import io.github.circles2d.world.SavedState;
+import io.github.circles2d.world.SnapshotCodec;
 import io.github.circles2d.world.StepConstants;
+import io.github.circles2d.world.WorldParameters;
+import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 import java.util.ConcurrentModificationException;
@@ -58,11 +62,11 @@ public final class World implements AutoCloseable {
     private final Levels levels = new Levels();
     private final StepConstants constants = new StepConstants();
     private final AtomicReference<Thread> user = new AtomicReference<>();
-    private final int subSteps;
-    private final float defaultRestitution;
-
+    private final SavedState saved = new SavedState();
     private final String reason;
 
+    private int subSteps;
+    private float defaultRestitution;
     private Bounds bounds;
     private float gravityX;
     private float gravityY;
@@ -76,6 +80,7 @@ public final class World implements AutoCloseable {
     private float[] velocities = new float[0];
     private boolean circlesCurrent;
     private boolean velocitiesCurrent;
+    private boolean savedCurrent;
 
     private World(Builder b) {
         bounds = b.bounds;
@@ -393,6 +398,7 @@ public final class World implements AutoCloseable {
         try {
             Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
             Limits.within("gravity y", y, -Limits.SPEED, Limits.SPEED);
+            savedCurrent = false;
             gravityX = x;
             gravityY = y;
         } finally {
@@ -465,6 +471,7 @@ public final class World implements AutoCloseable {
                     throw failed(e);
                 }
             }
+            savedCurrent = false;
             previousTimeStep = timeStep;
         } finally {
             exit();
@@ -636,6 +643,96 @@ public final class World implements AutoCloseable {
         }
     }
 
+    // ---- snapshots
+    // ---------------------------------------------------------------------------------------------------
+
+    /**
+     * The number of bytes that {@link #snapshot} would write now.
+     *
+     * @return about 50 a circle, where few of them were removed
+     * @throws IllegalStateException where it is more than one buffer holds
+     */
+    public int snapshotBytes() {
+        enter();
+        try {
+            save();
+            return SnapshotCodec.bytes(saved);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
+     * gravity, restitution and sub-steps. Equal states give equal bytes, on every back end.
+     *
+     * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
+     *     meaning
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
+     * @throws IllegalStateException where the snapshot is more than one buffer holds
+     */
+    public void snapshot(ByteBuffer to) {
+        enter();
+        try {
+            if (to.isReadOnly()) {
+                throw new IllegalArgumentException("the buffer is read-only");
+            }
+            save();
+            requireRoom("the buffer", to.remaining(), SnapshotCodec.bytes(saved));
+            SnapshotCodec.write(saved, to);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Makes this world what a snapshot says, in place of what it is: the same calls from here on lead to the same bits as in
+     * the world that it was taken from, on any back end. Handles of that world are valid in this one.
+     *
+     * @param from a snapshot from its position on, which is moved behind it; its byte order is of no meaning
+     * @throws IllegalArgumentException where the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
+     *     before
+     */
+    public void restore(ByteBuffer from) {
+        enter();
+        try {
+            savedCurrent = false;
+            SnapshotCodec.read(from, saved);
+            commands.clear();
+            changed();
+            try {
+                pipeline.load(saved);
+                roster.load(saved);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            WorldParameters p = saved.parameters();
+            bounds = p.bounds();
+            gravityX = p.gravityX();
+            gravityY = p.gravityY();
+            defaultRestitution = p.restitution();
+            subSteps = p.subSteps();
+            previousTimeStep = p.previousTimeStep();
+        } finally {
+            exit();
+        }
+    }
+
+    private void save() {
+        if (!savedCurrent) {
+            applyCommands();
+            roster.save(saved);
+            try {
+                pipeline.save(saved);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            saved.setParameters(
+                    new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep));
+            savedCurrent = true;
+        }
+    }
+
     // ---- housekeeping
     // ------------------------------------------------------------------------------------------------
 
@@ -672,6 +769,7 @@ public final class World implements AutoCloseable {
     private void changed() {
         circlesCurrent = false;
         velocitiesCurrent = false;
+        savedCurrent = false;
     }
 
     private void applyCommands() {

@@ -57,6 +57,9 @@ final class JvmContacts {
 
     private static final int LEAST_ROOM = 4096;
 
+    /** Contacts that fit into one array. */
+    private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
+
     /** Modes of finding: list all pairs, or what is left of crowds. */
     private static final int LIST = 0;
 
@@ -140,11 +143,12 @@ final class JvmContacts {
             return;
         }
         if (worker == 0) {
-            count = 0;
+            long sum = 0;
             for (Found part : found) {
-                count += part.count;
+                sum += part.count;
             }
-            ensureContacts();
+            ensureContacts(sum);
+            count = (int) sum;
             JvmGrid.sumUp(start, 0, groups, count);
         }
         team.sync(worker);
@@ -223,9 +227,12 @@ final class JvmContacts {
         return false;
     }
 
-    private void ensureContacts() {
-        if (count > key.length) {
-            int c = Math.max(count + (count >> 2), 256);
+    private void ensureContacts(long contacts) {
+        if (contacts > MOST_CONTACTS) {
+            throw new IllegalStateException(contacts + " contacts are more than the JVM back end can hold");
+        }
+        if (contacts > key.length) {
+            int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
             key = new long[c];
             slots = new long[c];
             pair = new int[2 * c];
@@ -463,6 +470,34 @@ final class JvmContacts {
         state.memory[lo] = c;
     }
 
+    /** Saves the remembered impulses of a slot, as the circle of lower id, that the next step may recall. */
+    void save(int slot, SavedState into) {
+        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
+            if (isRecalled(c)) {
+                into.addImpulse(state.id[slot], oldHi[c], oldLambda[c]);
+            }
+        }
+    }
+
+    /** Takes over saved impulses; the circles have been taken over before. */
+    void load(SavedState from) {
+        count = 0;
+        ensureContacts(from.impulses);
+        for (int c = 0; c < from.impulses; c++) {
+            int lo = state.slotOf[from.lo[c]];
+            oldHi[c] = from.hi[c];
+            oldLambda[c] = from.lambda[c];
+            oldNext[c] = state.memory[lo];
+            state.memory[lo] = c;
+        }
+    }
+
+    /** Whether the circle of higher id is still the one that the impulse belongs to. */
+    private boolean isRecalled(int c) {
+        int hi = state.slotOf[oldHi[c]];
+        return hi >= 0 && !state.fresh[hi];
+    }
+
     /** Pairs whose distance was tested. */
     long candidatePairs() {
         long sum = 0;
@@ -486,12 +521,10 @@ final class JvmContacts {
     long hashOfMemory(int slot) {
         long sum = 0;
         for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            int hi = state.slotOf[oldHi[c]];
-            if (hi < 0 || state.fresh[hi]) {
-                continue;
+            if (isRecalled(c)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
+                sum += StateHash.absorb(h, oldLambda[c]);
             }
-            long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
-            sum += StateHash.absorb(h, oldLambda[c]);
         }
         return sum;
     }

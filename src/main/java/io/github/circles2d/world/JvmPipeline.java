@@ -97,6 +97,22 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void save(SavedState into) {
+        into.impulses = 0;
+        for (int k = 0; k < into.circles; k++) {
+            int slot = state.slotOf[into.id[k]];
+            state.save(slot, into, k);
+            contacts.save(slot, into);
+        }
+    }
+
+    @Override
+    public void load(SavedState from) {
+        state.load(from);
+        contacts.load(from);
+    }
+
+    @Override
     public long candidatePairs() {
         return contacts.candidatePairs();
     }

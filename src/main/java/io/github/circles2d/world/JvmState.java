@@ -196,6 +196,30 @@ final class JvmState {
         }
     }
 
+    /** Saves the circle of a slot as circle k. */
+    void save(int slot, SavedState into, int k) {
+        System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
+        System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
+        System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
+    }
+
+    /** Takes over saved circles, without remembered contacts; slots are in the order of the ids. */
+    void load(SavedState from) {
+        ensure(from.circles);
+        ensureIds(from.ids);
+        n = from.circles;
+        System.arraycopy(from.circle, 0, circle, 0, 4 * n);
+        System.arraycopy(from.motion, 0, motion, 0, 4 * n);
+        System.arraycopy(from.traits, 0, traits, 0, 4 * n);
+        System.arraycopy(from.id, 0, id, 0, n);
+        Arrays.fill(memory, 0, n, -1);
+        Arrays.fill(fresh, 0, n, false);
+        Arrays.fill(slotOf, -1);
+        for (int slot = 0; slot < n; slot++) {
+            slotOf[id[slot]] = slot;
+        }
+    }
+
     /** The part of the circles in the hash of the state. */
     long hash() {
         long sum = 0;

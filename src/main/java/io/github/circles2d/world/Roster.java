@@ -7,6 +7,9 @@ import java.util.Arrays;
  * next circle; the generation tells it from those that had the id before.
  */
 public final class Roster {
+    /** The generation that would make a handle 0 is left out. */
+    static final int LAST_GENERATION = -2;
+
     private long[] live = new long[1];
     private int[] generation = new int[64];
     private float[] radius = new float[64];
@@ -105,7 +108,7 @@ public final class Roster {
      */
     public void remove(int id) {
         live[id >>> 6] &= ~(1L << id);
-        generation[id]++;
+        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
         leave(radius[id]);
@@ -191,6 +194,48 @@ public final class Roster {
     public int[] population() {
         recount();
         return population;
+    }
+
+    /**
+     * Saves which ids are in use, and their generations.
+     *
+     * @param into takes ids and generations
+     */
+    public void save(SavedState into) {
+        into.setIds(end);
+        into.setCircles(size);
+        System.arraycopy(generation, 0, into.generation, 0, end);
+        int k = 0;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                into.id[k++] = id;
+            }
+        }
+    }
+
+    /**
+     * Takes over the ids, generations and radii of a saved state instead of its own.
+     *
+     * @param from the state; not kept
+     */
+    public void load(SavedState from) {
+        int length = Math.max(64, from.ids);
+        int[] newGeneration = new int[length];
+        float[] newRadius = new float[length];
+        long[] newLive = new long[(length >> 6) + 1];
+        System.arraycopy(from.generation, 0, newGeneration, 0, from.ids);
+        for (int k = 0; k < from.circles; k++) {
+            int id = from.id[k];
+            newLive[id >>> 6] |= 1L << id;
+            newRadius[id] = from.circle[4 * k + 2];
+        }
+        generation = newGeneration;
+        radius = newRadius;
+        live = newLive;
+        end = from.ids;
+        size = from.circles;
+        noneFreeBelow = 0;
+        radiiChanged = true;
     }
 
     private void recount() {
