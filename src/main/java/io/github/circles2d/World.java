@@ -92,7 +92,7 @@ public final class World implements AutoCloseable {
             throw new UnsupportedOperationException("the back end " + b.backend + " is not there yet");
         }
         reason = b.backend == Backend.JVM ? "asked for" : "the only one there is";
-        pipeline = new JvmPipeline(b.threads, b.capacity, b.profiling);
+        pipeline = new JvmPipeline(b.threads, b.leastShare, b.capacity, b.profiling);
     }
 
     /**
@@ -835,8 +835,15 @@ public final class World implements AutoCloseable {
         private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
         private int capacity = 1024;
         private boolean profiling;
+        private int leastShare = JvmPipeline.LEAST_SHARE;
 
         private Builder() {}
+
+        /** Circles that a thread of the JVM back end has at least. For tests of few circles on many threads. */
+        Builder leastShare(int circles) {
+            leastShare = circles;
+            return this;
+        }
 
         /**
          * The walls. By default the unit square.

@@ -69,10 +69,16 @@ final class JvmContacts {
     private final JvmGrid grid;
     private final Levels levels;
     private final Team team;
+    private final JvmSums sums;
+
+    /** By worker: the pairs that it has found. */
     private final Found[] found;
 
     /** Number of contacts. */
     int count;
+
+    /** Number of circles when they were listed. */
+    private int circles;
 
     /** By group: its first contact; one more element for the end. */
     int[] start = new int[1];
@@ -105,7 +111,8 @@ final class JvmContacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
-        found = new Found[team.size()];
+        sums = new JvmSums(team);
+        found = new Found[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
             found[worker] = new Found();
         }
@@ -144,22 +151,22 @@ final class JvmContacts {
         }
         if (worker == 0) {
             long sum = 0;
-            for (Found part : found) {
-                sum += part.count;
+            for (int w = 0; w < team.size(); w++) {
+                sum += found[w].count;
             }
             ensureContacts(sum);
             count = (int) sum;
-            JvmGrid.sumUp(start, 0, groups, count);
+            circles = state.n;
         }
-        team.sync(worker);
+        sums.sumUp(worker, start, groups);
         scatter(found[worker]);
         team.sync(worker);
     }
 
     /** Whether the list was given up because there are too many pairs. */
     boolean overflowed() {
-        for (Found f : found) {
-            if (f.count > f.room) {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].count > found[w].room) {
                 return true;
             }
         }
@@ -219,8 +226,8 @@ final class JvmContacts {
 
     /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all groups are filled. */
     boolean crowded() {
-        for (Found f : found) {
-            if (f.most > Tuning.CROWD) {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].most > Tuning.CROWD) {
                 return true;
             }
         }
@@ -501,15 +508,24 @@ final class JvmContacts {
     /** Pairs whose distance was tested. */
     long candidatePairs() {
         long sum = 0;
+        for (int w = 0; w < team.size(); w++) {
+            sum += found[w].tested;
+        }
+        return sum;
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;
         for (Found f : found) {
-            sum += f.tested;
+            sum += 4L * f.records.length;
         }
         return sum;
     }
 
     /** Greatest number of contacts of one circle. */
     int greatest() {
-        int[] degree = new int[state.n];
+        int[] degree = new int[circles];
         int greatest = 0;
         for (int k = 0; k < 2 * count; k++) {
             greatest = Math.max(greatest, ++degree[pair[k] >> 2]);

@@ -56,6 +56,12 @@ final class JvmState {
     private int[] memorySpare = new int[0];
     private boolean[] freshSpare = new boolean[0];
 
+    /** Memory of the arrays. */
+    long bytes() {
+        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
+    }
+
     int capacity() {
         return id.length;
     }

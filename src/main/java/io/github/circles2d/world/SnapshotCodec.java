@@ -88,7 +88,12 @@ public final class SnapshotCodec {
     public static void write(SavedState s, ByteBuffer to) {
         ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
         WorldParameters p = s.parameters();
-        out.putInt(MAGIC).putInt(VERSION).putInt(0).putInt(s.circles).putInt(s.ids).putInt(s.impulses);
+        out.putInt(MAGIC)
+                .putInt(VERSION)
+                .putInt(0)
+                .putInt(s.circles)
+                .putInt(s.ids)
+                .putInt(s.impulses);
         out.putFloat(p.bounds().minX()).putFloat(p.bounds().minY());
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
@@ -266,9 +271,8 @@ public final class SnapshotCodec {
         }
         s.generation[id] = getGeneration(in, flags);
         s.traits[k] = CircleMath.inverseMass(s.circle[k + 3]);
-        s.traits[k + 1] = (flags & RESTITUTION) != 0
-                ? getFloat(in)
-                : s.parameters().restitution();
+        s.traits[k + 1] =
+                (flags & RESTITUTION) != 0 ? getFloat(in) : s.parameters().restitution();
         s.traits[k + 2] = (flags & WALL_X) != 0 ? getFloat(in) : 0f;
         s.traits[k + 3] = (flags & WALL_Y) != 0 ? getFloat(in) : 0f;
         checkCircle(s, k);
