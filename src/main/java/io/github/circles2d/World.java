@@ -155,6 +155,19 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, long[] handles) {
+        addAll(circles, null, handles);
+    }
+
+    /**
+     * Adds many circles, with the world's restitution: all of them, or none where one is refused.
+     *
+     * @param circles x, y, radius and mass of one after the other
+     * @param velocities vx and vy of one after the other; may be null, for circles at rest
+     * @param handles takes the handle of each; at least as many elements as there are circles; may be null
+     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     *     has the wrong length
+     */
+    public void addAll(float[] circles, float[] velocities, long[] handles) {
         enter();
         try {
             Objects.requireNonNull(circles, "circles");
@@ -162,6 +175,10 @@ public final class World implements AutoCloseable {
             if (circles.length % 4 != 0) {
                 throw new IllegalArgumentException(
                         "circles has " + circles.length + " elements, but must have four a circle");
+            }
+            if (velocities != null && velocities.length != 2 * n) {
+                throw new IllegalArgumentException(
+                        "velocities has " + velocities.length + " elements, but must have two for each of " + n);
             }
             if (handles != null && handles.length < n) {
                 throw new IllegalArgumentException(
@@ -171,6 +188,9 @@ public final class World implements AutoCloseable {
             for (int i = 0; i < n; i++) {
                 try {
                     check(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3]);
+                    if (velocities != null) {
+                        Limits.velocity(velocities[2 * i], velocities[2 * i + 1]);
+                    }
                 } catch (IllegalArgumentException e) {
                     throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
                 }
@@ -178,8 +198,13 @@ public final class World implements AutoCloseable {
             commands.ensure(n);
             changed();
             for (int i = 0; i < n; i++) {
-                long handle =
-                        addChecked(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3], 0, 0);
+                long handle = addChecked(
+                        circles[4 * i],
+                        circles[4 * i + 1],
+                        circles[4 * i + 2],
+                        circles[4 * i + 3],
+                        velocities == null ? 0 : velocities[2 * i],
+                        velocities == null ? 0 : velocities[2 * i + 1]);
                 if (handles != null) {
                     handles[i] = handle;
                 }
@@ -598,6 +623,95 @@ public final class World implements AutoCloseable {
         }
     }
 
+    /**
+     * Reads one coordinate of one circle. The first such read after a step or a change reads all circles
+     * back; the others are answered from that.
+     *
+     * @param handle the circle
+     * @return x of its centre
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float x(long handle) {
+        return one(handle, 0);
+    }
+
+    /**
+     * Reads one coordinate of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return y of its centre
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float y(long handle) {
+        return one(handle, 1);
+    }
+
+    /**
+     * Reads the radius of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its radius
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float radius(long handle) {
+        return one(handle, 2);
+    }
+
+    /**
+     * Reads the mass of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its mass; positive infinity for a fixed circle
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float mass(long handle) {
+        return one(handle, 3);
+    }
+
+    /**
+     * Reads one component of the velocity of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its velocity along x
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float vx(long handle) {
+        return oneOfVelocity(handle, 0);
+    }
+
+    /**
+     * Reads one component of the velocity of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its velocity along y
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float vy(long handle) {
+        return oneOfVelocity(handle, 1);
+    }
+
+    private float one(long handle, int element) {
+        enter();
+        try {
+            int place = roster.place(find(handle));
+            refreshCircles();
+            return circles[4 * place + element];
+        } finally {
+            exit();
+        }
+    }
+
+    private float oneOfVelocity(long handle, int element) {
+        enter();
+        try {
+            int place = roster.place(find(handle));
+            refreshVelocities();
+            return velocities[2 * place + element];
+        } finally {
+            exit();
+        }
+    }
+
     private static void requireRoom(String what, long has, long needs) {
         if (has < needs) {
             throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
@@ -678,7 +792,11 @@ public final class World implements AutoCloseable {
                 throw new IllegalArgumentException("the buffer is read-only");
             }
             save();
-            requireRoom("the buffer", to.remaining(), SnapshotCodec.bytes(saved));
+            int bytes = SnapshotCodec.bytes(saved);
+            if (to.remaining() < bytes) {
+                throw new IllegalArgumentException(
+                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
+            }
             SnapshotCodec.write(saved, to);
         } finally {
             exit();

@@ -11,6 +11,10 @@ public final class Roster {
     static final int LAST_GENERATION = -2;
 
     private long[] live = new long[1];
+    /** By word of live: circles in the words before. */
+    private int[] livingBefore = new int[1];
+
+    private boolean livingBeforeCurrent;
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private int size;
@@ -79,6 +83,27 @@ public final class Roster {
     }
 
     /**
+     * The place of a circle in the order of the ids.
+     *
+     * @param id its id
+     * @return how many circles have lower ids
+     */
+    public int place(int id) {
+        if (!livingBeforeCurrent) {
+            if (livingBefore.length < live.length) {
+                livingBefore = new int[live.length];
+            }
+            int sum = 0;
+            for (int word = 0; word < live.length; word++) {
+                livingBefore[word] = sum;
+                sum += Long.bitCount(live[word]);
+            }
+            livingBeforeCurrent = true;
+        }
+        return livingBefore[id >>> 6] + Long.bitCount(live[id >>> 6] & (1L << id) - 1);
+    }
+
+    /**
      * Enters a circle under the lowest free id.
      *
      * @param r its radius
@@ -93,6 +118,7 @@ public final class Roster {
             live = Arrays.copyOf(live, (c >> 6) + 1);
         }
         live[id >>> 6] |= 1L << id;
+        livingBeforeCurrent = false;
         noneFreeBelow = id + 1;
         end = Math.max(end, id + 1);
         size++;
@@ -108,6 +134,7 @@ public final class Roster {
      */
     public void remove(int id) {
         live[id >>> 6] &= ~(1L << id);
+        livingBeforeCurrent = false;
         generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
@@ -235,6 +262,7 @@ public final class Roster {
         end = from.ids;
         size = from.circles;
         noneFreeBelow = 0;
+        livingBeforeCurrent = false;
         radiiChanged = true;
     }
 
