@@ -71,6 +71,10 @@ public final class World implements AutoCloseable {
     private float gravityX;
     private float gravityY;
     private float previousTimeStep;
+
+    /** Whether the last step had no circles; also where there has been none, or one before a restore. */
+    private boolean emptyStep = true;
+
     private boolean closed;
     private Throwable failure;
 
@@ -485,7 +489,8 @@ public final class World implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             applyCommands();
-            if (roster.size() > 0) {
+            emptyStep = roster.size() == 0;
+            if (!emptyStep) {
                 changed();
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
@@ -728,7 +733,11 @@ public final class World implements AutoCloseable {
         enter();
         try {
             applyCommands();
-            return pipeline.hash();
+            try {
+                return pipeline.hash();
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
         } finally {
             exit();
         }
@@ -744,9 +753,9 @@ public final class World implements AutoCloseable {
         try {
             return new WorldStats(
                     roster.size(),
-                    pipeline.candidatePairs(),
-                    pipeline.contacts(),
-                    pipeline.greatestContacts(),
+                    emptyStep ? 0 : pipeline.candidatePairs(),
+                    emptyStep ? 0 : pipeline.contacts(),
+                    emptyStep ? 0 : pipeline.greatestContacts(),
                     pipeline.bytesHeld(),
                     Map.copyOf(pipeline.stageMillis()),
                     Backend.JVM,
@@ -831,6 +840,7 @@ public final class World implements AutoCloseable {
             defaultRestitution = p.restitution();
             subSteps = p.subSteps();
             previousTimeStep = p.previousTimeStep();
+            emptyStep = true;
         } finally {
             exit();
         }

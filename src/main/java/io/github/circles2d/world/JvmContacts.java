@@ -514,6 +514,11 @@ final class JvmContacts {
         return sum;
     }
 
+    /** Ids of the two circles of a contact, the lower one above the higher. */
+    long ids(int c) {
+        return key[c];
+    }
+
     /** Memory of the arrays. */
     long bytes() {
         long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;

@@ -203,6 +203,11 @@ public final class JvmPipeline implements Pipeline {
         team.close();
     }
 
+    /** The contacts of the last step. */
+    JvmContacts lastContacts() {
+        return contacts;
+    }
+
     /**
      * Puts the circles into other slots, of which nothing may depend.
      *
