@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Bounds;
 import io.github.circles2d.world.Commands;
 import io.github.circles2d.world.JvmPipeline;
@@ -63,6 +65,7 @@ public final class World implements AutoCloseable {
     private final StepConstants constants = new StepConstants();
     private final AtomicReference<Thread> user = new AtomicReference<>();
     private final SavedState saved = new SavedState();
+    private final Backend backend;
     private final String reason;
 
     private int subSteps;
@@ -92,11 +95,10 @@ public final class World implements AutoCloseable {
         gravityY = b.gravityY;
         subSteps = b.subSteps;
         defaultRestitution = b.restitution;
-        if (b.backend != Backend.AUTO && b.backend != Backend.JVM) {
-            throw new UnsupportedOperationException("the back end " + b.backend + " is not there yet");
-        }
-        reason = b.backend == Backend.JVM ? "asked for" : "the only one there is";
-        pipeline = new JvmPipeline(b.threads, b.leastShare, b.capacity, b.profiling);
+        BackendChoice choice = BackendChoice.of(b.backend, b.threads, b.leastShare, b.capacity, b.profiling);
+        backend = choice.backend();
+        reason = choice.reason();
+        pipeline = choice.pipeline();
     }
 
     /**
@@ -758,7 +760,7 @@ public final class World implements AutoCloseable {
                     emptyStep ? 0 : pipeline.greatestContacts(),
                     pipeline.bytesHeld(),
                     Map.copyOf(pipeline.stageMillis()),
-                    Backend.JVM,
+                    backend,
                     pipeline.device(),
                     reason);
         } finally {
@@ -1076,6 +1078,9 @@ public final class World implements AutoCloseable {
          * Builds the world.
          *
          * @return an empty world; close it after use
+         * @throws OpenClUnavailableException where an OpenCL back end is asked for and there is no such device; the message says
+         *     what is missing and what to install
+         * @throws OpenClException where an OpenCL back end is asked for and its driver refuses, or memory is short
          */
         public World build() {
             return new World(this);

@@ -58,6 +58,9 @@ public final class ClPipeline implements Pipeline {
     private int slots;
     private int circles;
 
+    /** Contacts of the last step, which remembered impulses are numbered by. */
+    private int remembered;
+
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
 
@@ -193,7 +196,8 @@ public final class ClPipeline implements Pipeline {
             pendingSteps -= done;
             tiles.learn(status[TILE_PEAK]);
             if (pendingSteps == 0) {
-                stats.stepped(circles, status[CONTACTS]);
+                remembered = status[CONTACTS];
+                stats.stepped(circles, remembered);
                 sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
             } else {
@@ -246,7 +250,23 @@ public final class ClPipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new ClState(buffers, slots).hash();
+        return new ClState(buffers, slots, remembered).hash();
+    }
+
+    @Override
+    public void save(SavedState into) {
+        settle();
+        new ClState(buffers, slots, remembered).save(into);
+    }
+
+    @Override
+    public void load(SavedState from) {
+        settle();
+        ClState.load(from, buffers);
+        slots = from.circles;
+        circles = from.circles;
+        remembered = from.impulses;
+        stats.stepped(0, 0);
     }
 
     @Override

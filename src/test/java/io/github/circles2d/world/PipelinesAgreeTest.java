@@ -69,6 +69,20 @@ class PipelinesAgreeTest {
             }
         }
 
+        /** Saves every pipeline, and lets each go on from what another has saved. */
+        void exchange() {
+            apply();
+            SavedState[] saved = new SavedState[pipelines.length];
+            for (int k = 0; k < pipelines.length; k++) {
+                saved[k] = new SavedState();
+                roster.save(saved[k]);
+                pipelines[k].save(saved[k]);
+            }
+            for (int k = 0; k < pipelines.length; k++) {
+                pipelines[k].load(saved[(k + 1) % pipelines.length]);
+            }
+        }
+
         /** Asks for some change of each kind. */
         void change(Scene scene, SplittableRandom random) {
             int id = random.nextInt(roster.end());
@@ -144,7 +158,7 @@ class PipelinesAgreeTest {
     /** The pipeline in Java, and one for each plan that a device can follow. */
     private static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
-        pipelines.add(new JvmPipeline(1, 0, false));
+        pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
         pipelines.add(new ClPipeline(device, 0, false, ClPlan.COLOURS));
         if (Boolean.getBoolean("tiles") && ClTiles.fit(device)) {
             pipelines.add(new ClPipeline(device, 0, false, ClPlan.TILES));
@@ -205,6 +219,22 @@ class PipelinesAgreeTest {
                     for (int changes = 0; changes < 5; changes++) {
                         twins.change(scene, random);
                     }
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aStateSavedOnOneGoesOnTheSameOnAnother(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
+            try (Twins twins = load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 20; k++) {
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    twins.change(scene, random);
+                    twins.exchange();
+                    twins.assertEqual(scene.name() + " after exchange " + k);
                 }
             }
         }
