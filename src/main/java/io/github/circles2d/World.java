@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Bounds;
 import io.github.circles2d.world.Commands;
 import io.github.circles2d.world.JvmPipeline;
@@ -7,7 +9,11 @@ import io.github.circles2d.world.Levels;
 import io.github.circles2d.world.Limits;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Roster;
+import io.github.circles2d.world.SavedState;
+import io.github.circles2d.world.SnapshotCodec;
 import io.github.circles2d.world.StepConstants;
+import io.github.circles2d.world.WorldParameters;
+import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 import java.util.ConcurrentModificationException;
@@ -58,15 +64,20 @@ public final class World implements AutoCloseable {
     private final Levels levels = new Levels();
     private final StepConstants constants = new StepConstants();
     private final AtomicReference<Thread> user = new AtomicReference<>();
-    private final int subSteps;
-    private final float defaultRestitution;
-
+    private final SavedState saved = new SavedState();
+    private final Backend backend;
     private final String reason;
 
+    private int subSteps;
+    private float defaultRestitution;
     private Bounds bounds;
     private float gravityX;
     private float gravityY;
     private float previousTimeStep;
+
+    /** Whether the last step had no circles; also where there has been none, or one before a restore. */
+    private boolean emptyStep = true;
+
     private boolean closed;
     private Throwable failure;
 
@@ -76,6 +87,7 @@ public final class World implements AutoCloseable {
     private float[] velocities = new float[0];
     private boolean circlesCurrent;
     private boolean velocitiesCurrent;
+    private boolean savedCurrent;
 
     private World(Builder b) {
         bounds = b.bounds;
@@ -83,11 +95,10 @@ public final class World implements AutoCloseable {
         gravityY = b.gravityY;
         subSteps = b.subSteps;
         defaultRestitution = b.restitution;
-        if (b.backend != Backend.AUTO && b.backend != Backend.JVM) {
-            throw new UnsupportedOperationException("the back end " + b.backend + " is not there yet");
-        }
-        reason = b.backend == Backend.JVM ? "asked for" : "the only one there is";
-        pipeline = new JvmPipeline(b.threads, b.capacity, b.profiling);
+        BackendChoice choice = BackendChoice.of(b.backend, b.threads, b.leastShare, b.capacity, b.profiling);
+        backend = choice.backend();
+        reason = choice.reason();
+        pipeline = choice.pipeline();
     }
 
     /**
@@ -150,6 +161,19 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, long[] handles) {
+        addAll(circles, null, handles);
+    }
+
+    /**
+     * Adds many circles, with the world's restitution: all of them, or none where one is refused.
+     *
+     * @param circles x, y, radius and mass of one after the other
+     * @param velocities vx and vy of one after the other; may be null, for circles at rest
+     * @param handles takes the handle of each; at least as many elements as there are circles; may be null
+     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     *     has the wrong length
+     */
+    public void addAll(float[] circles, float[] velocities, long[] handles) {
         enter();
         try {
             Objects.requireNonNull(circles, "circles");
@@ -157,6 +181,10 @@ public final class World implements AutoCloseable {
             if (circles.length % 4 != 0) {
                 throw new IllegalArgumentException(
                         "circles has " + circles.length + " elements, but must have four a circle");
+            }
+            if (velocities != null && velocities.length != 2 * n) {
+                throw new IllegalArgumentException(
+                        "velocities has " + velocities.length + " elements, but must have two for each of " + n);
             }
             if (handles != null && handles.length < n) {
                 throw new IllegalArgumentException(
@@ -166,6 +194,9 @@ public final class World implements AutoCloseable {
             for (int i = 0; i < n; i++) {
                 try {
                     check(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3]);
+                    if (velocities != null) {
+                        Limits.velocity(velocities[2 * i], velocities[2 * i + 1]);
+                    }
                 } catch (IllegalArgumentException e) {
                     throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
                 }
@@ -173,8 +204,13 @@ public final class World implements AutoCloseable {
             commands.ensure(n);
             changed();
             for (int i = 0; i < n; i++) {
-                long handle =
-                        addChecked(circles[4 * i], circles[4 * i + 1], circles[4 * i + 2], circles[4 * i + 3], 0, 0);
+                long handle = addChecked(
+                        circles[4 * i],
+                        circles[4 * i + 1],
+                        circles[4 * i + 2],
+                        circles[4 * i + 3],
+                        velocities == null ? 0 : velocities[2 * i],
+                        velocities == null ? 0 : velocities[2 * i + 1]);
                 if (handles != null) {
                     handles[i] = handle;
                 }
@@ -393,6 +429,7 @@ public final class World implements AutoCloseable {
         try {
             Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
             Limits.within("gravity y", y, -Limits.SPEED, Limits.SPEED);
+            savedCurrent = false;
             gravityX = x;
             gravityY = y;
         } finally {
@@ -454,7 +491,8 @@ public final class World implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             applyCommands();
-            if (roster.size() > 0) {
+            emptyStep = roster.size() == 0;
+            if (!emptyStep) {
                 changed();
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
@@ -465,6 +503,7 @@ public final class World implements AutoCloseable {
                     throw failed(e);
                 }
             }
+            savedCurrent = false;
             previousTimeStep = timeStep;
         } finally {
             exit();
@@ -591,6 +630,95 @@ public final class World implements AutoCloseable {
         }
     }
 
+    /**
+     * Reads one coordinate of one circle. The first such read after a step or a change reads all circles
+     * back; the others are answered from that.
+     *
+     * @param handle the circle
+     * @return x of its centre
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float x(long handle) {
+        return one(handle, 0);
+    }
+
+    /**
+     * Reads one coordinate of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return y of its centre
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float y(long handle) {
+        return one(handle, 1);
+    }
+
+    /**
+     * Reads the radius of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its radius
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float radius(long handle) {
+        return one(handle, 2);
+    }
+
+    /**
+     * Reads the mass of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its mass; positive infinity for a fixed circle
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float mass(long handle) {
+        return one(handle, 3);
+    }
+
+    /**
+     * Reads one component of the velocity of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its velocity along x
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float vx(long handle) {
+        return oneOfVelocity(handle, 0);
+    }
+
+    /**
+     * Reads one component of the velocity of one circle; see {@link #x}.
+     *
+     * @param handle the circle
+     * @return its velocity along y
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float vy(long handle) {
+        return oneOfVelocity(handle, 1);
+    }
+
+    private float one(long handle, int element) {
+        enter();
+        try {
+            int place = roster.place(find(handle));
+            refreshCircles();
+            return circles[4 * place + element];
+        } finally {
+            exit();
+        }
+    }
+
+    private float oneOfVelocity(long handle, int element) {
+        enter();
+        try {
+            int place = roster.place(find(handle));
+            refreshVelocities();
+            return velocities[2 * place + element];
+        } finally {
+            exit();
+        }
+    }
+
     private static void requireRoom(String what, long has, long needs) {
         if (has < needs) {
             throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
@@ -607,7 +735,11 @@ public final class World implements AutoCloseable {
         enter();
         try {
             applyCommands();
-            return pipeline.hash();
+            try {
+                return pipeline.hash();
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
         } finally {
             exit();
         }
@@ -623,16 +755,111 @@ public final class World implements AutoCloseable {
         try {
             return new WorldStats(
                     roster.size(),
-                    pipeline.candidatePairs(),
-                    pipeline.contacts(),
-                    pipeline.greatestContacts(),
+                    emptyStep ? 0 : pipeline.candidatePairs(),
+                    emptyStep ? 0 : pipeline.contacts(),
+                    emptyStep ? 0 : pipeline.greatestContacts(),
                     pipeline.bytesHeld(),
                     Map.copyOf(pipeline.stageMillis()),
-                    Backend.JVM,
+                    backend,
                     pipeline.device(),
                     reason);
         } finally {
             exit();
+        }
+    }
+
+    // ---- snapshots
+    // ---------------------------------------------------------------------------------------------------
+
+    /**
+     * The number of bytes that {@link #snapshot} would write now.
+     *
+     * @return about 50 a circle, where few of them were removed
+     * @throws IllegalStateException where it is more than one buffer holds
+     */
+    public int snapshotBytes() {
+        enter();
+        try {
+            save();
+            return SnapshotCodec.bytes(saved);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
+     * gravity, restitution and sub-steps. Equal states give equal bytes, on every back end.
+     *
+     * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
+     *     meaning
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
+     * @throws IllegalStateException where the snapshot is more than one buffer holds
+     */
+    public void snapshot(ByteBuffer to) {
+        enter();
+        try {
+            if (to.isReadOnly()) {
+                throw new IllegalArgumentException("the buffer is read-only");
+            }
+            save();
+            int bytes = SnapshotCodec.bytes(saved);
+            if (to.remaining() < bytes) {
+                throw new IllegalArgumentException(
+                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
+            }
+            SnapshotCodec.write(saved, to);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Makes this world what a snapshot says, in place of what it is: the same calls from here on lead to the same bits as in
+     * the world that it was taken from, on any back end. Handles of that world are valid in this one.
+     *
+     * @param from a snapshot from its position on, which is moved behind it; its byte order is of no meaning
+     * @throws IllegalArgumentException where the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
+     *     before
+     */
+    public void restore(ByteBuffer from) {
+        enter();
+        try {
+            savedCurrent = false;
+            SnapshotCodec.read(from, saved);
+            commands.clear();
+            changed();
+            try {
+                pipeline.load(saved);
+                roster.load(saved);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            WorldParameters p = saved.parameters();
+            bounds = p.bounds();
+            gravityX = p.gravityX();
+            gravityY = p.gravityY();
+            defaultRestitution = p.restitution();
+            subSteps = p.subSteps();
+            previousTimeStep = p.previousTimeStep();
+            emptyStep = true;
+        } finally {
+            exit();
+        }
+    }
+
+    private void save() {
+        if (!savedCurrent) {
+            applyCommands();
+            roster.save(saved);
+            try {
+                pipeline.save(saved);
+            } catch (RuntimeException | Error e) {
+                throw failed(e);
+            }
+            saved.setParameters(
+                    new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep));
+            savedCurrent = true;
         }
     }
 
@@ -672,6 +899,7 @@ public final class World implements AutoCloseable {
     private void changed() {
         circlesCurrent = false;
         velocitiesCurrent = false;
+        savedCurrent = false;
     }
 
     private void applyCommands() {
@@ -737,8 +965,15 @@ public final class World implements AutoCloseable {
         private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
         private int capacity = 1024;
         private boolean profiling;
+        private int leastShare = JvmPipeline.LEAST_SHARE;
 
         private Builder() {}
+
+        /** Circles that a thread of the JVM back end has at least. For tests of few circles on many threads. */
+        Builder leastShare(int circles) {
+            leastShare = circles;
+            return this;
+        }
 
         /**
          * The walls. By default the unit square.
@@ -843,6 +1078,9 @@ public final class World implements AutoCloseable {
          * Builds the world.
          *
          * @return an empty world; close it after use
+         * @throws OpenClUnavailableException where an OpenCL back end is asked for and there is no such device; the message says
+         *     what is missing and what to install
+         * @throws OpenClException where an OpenCL back end is asked for and its driver refuses, or memory is short
          */
         public World build() {
             return new World(this);

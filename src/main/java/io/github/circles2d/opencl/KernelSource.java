@@ -61,7 +61,7 @@ public final class KernelSource {
      */
     public static KernelSource ofText(String name, String text) {
         requireAscii(name, text);
-        return new KernelSource(List.of(name), text, List.of());
+        return new KernelSource(List.of(name), "#line 1 \"" + name + "\"\n" + text, List.of());
     }
 
     /**
@@ -75,6 +75,20 @@ public final class KernelSource {
         List<String> options = new ArrayList<>(buildOptions);
         options.add("-D" + name + "=" + literal(value));
         return new KernelSource(files, text, List.copyOf(options));
+    }
+
+    /**
+     * Appends another source.
+     *
+     * @param next what follows
+     * @return a source with the files and definitions of both
+     */
+    public KernelSource and(KernelSource next) {
+        List<String> allFiles = new ArrayList<>(files);
+        allFiles.addAll(next.files);
+        List<String> allOptions = new ArrayList<>(buildOptions);
+        allOptions.addAll(next.buildOptions);
+        return new KernelSource(List.copyOf(allFiles), text + next.text, List.copyOf(allOptions));
     }
 
     private static String literal(Object value) {

@@ -57,6 +57,9 @@ final class JvmContacts {
 
     private static final int LEAST_ROOM = 4096;
 
+    /** Contacts that fit into one array. */
+    private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
+
     /** Modes of finding: list all pairs, or what is left of crowds. */
     private static final int LIST = 0;
 
@@ -66,10 +69,16 @@ final class JvmContacts {
     private final JvmGrid grid;
     private final Levels levels;
     private final Team team;
+    private final JvmSums sums;
+
+    /** By worker: the pairs that it has found. */
     private final Found[] found;
 
     /** Number of contacts. */
     int count;
+
+    /** Number of circles when they were listed. */
+    private int circles;
 
     /** By group: its first contact; one more element for the end. */
     int[] start = new int[1];
@@ -102,7 +111,8 @@ final class JvmContacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
-        found = new Found[team.size()];
+        sums = new JvmSums(team);
+        found = new Found[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
             found[worker] = new Found();
         }
@@ -140,22 +150,23 @@ final class JvmContacts {
             return;
         }
         if (worker == 0) {
-            count = 0;
-            for (Found part : found) {
-                count += part.count;
+            long sum = 0;
+            for (int w = 0; w < team.size(); w++) {
+                sum += found[w].count;
             }
-            ensureContacts();
-            JvmGrid.sumUp(start, 0, groups, count);
+            ensureContacts(sum);
+            count = (int) sum;
+            circles = state.n;
         }
-        team.sync(worker);
+        sums.sumUp(worker, start, groups);
         scatter(found[worker]);
         team.sync(worker);
     }
 
     /** Whether the list was given up because there are too many pairs. */
     boolean overflowed() {
-        for (Found f : found) {
-            if (f.count > f.room) {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].count > found[w].room) {
                 return true;
             }
         }
@@ -215,17 +226,20 @@ final class JvmContacts {
 
     /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all groups are filled. */
     boolean crowded() {
-        for (Found f : found) {
-            if (f.most > Tuning.CROWD) {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].most > Tuning.CROWD) {
                 return true;
             }
         }
         return false;
     }
 
-    private void ensureContacts() {
-        if (count > key.length) {
-            int c = Math.max(count + (count >> 2), 256);
+    private void ensureContacts(long contacts) {
+        if (contacts > MOST_CONTACTS) {
+            throw new IllegalStateException(contacts + " contacts are more than the JVM back end can hold");
+        }
+        if (contacts > key.length) {
+            int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
             key = new long[c];
             slots = new long[c];
             pair = new int[2 * c];
@@ -463,18 +477,60 @@ final class JvmContacts {
         state.memory[lo] = c;
     }
 
+    /** Saves the remembered impulses of a slot, as the circle of lower id, that the next step may recall. */
+    void save(int slot, SavedState into) {
+        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
+            if (isRecalled(c)) {
+                into.addImpulse(state.id[slot], oldHi[c], oldLambda[c]);
+            }
+        }
+    }
+
+    /** Takes over saved impulses; the circles have been taken over before. */
+    void load(SavedState from) {
+        count = 0;
+        ensureContacts(from.impulses);
+        for (int c = 0; c < from.impulses; c++) {
+            int lo = state.slotOf[from.lo[c]];
+            oldHi[c] = from.hi[c];
+            oldLambda[c] = from.lambda[c];
+            oldNext[c] = state.memory[lo];
+            state.memory[lo] = c;
+        }
+    }
+
+    /** Whether the circle of higher id is still the one that the impulse belongs to. */
+    private boolean isRecalled(int c) {
+        int hi = state.slotOf[oldHi[c]];
+        return hi >= 0 && !state.fresh[hi];
+    }
+
     /** Pairs whose distance was tested. */
     long candidatePairs() {
         long sum = 0;
+        for (int w = 0; w < team.size(); w++) {
+            sum += found[w].tested;
+        }
+        return sum;
+    }
+
+    /** Ids of the two circles of a contact, the lower one above the higher. */
+    long ids(int c) {
+        return key[c];
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;
         for (Found f : found) {
-            sum += f.tested;
+            sum += 4L * f.records.length;
         }
         return sum;
     }
 
     /** Greatest number of contacts of one circle. */
     int greatest() {
-        int[] degree = new int[state.n];
+        int[] degree = new int[circles];
         int greatest = 0;
         for (int k = 0; k < 2 * count; k++) {
             greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
@@ -486,12 +542,10 @@ final class JvmContacts {
     long hashOfMemory(int slot) {
         long sum = 0;
         for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            int hi = state.slotOf[oldHi[c]];
-            if (hi < 0 || state.fresh[hi]) {
-                continue;
+            if (isRecalled(c)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
+                sum += StateHash.absorb(h, oldLambda[c]);
             }
-            long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
-            sum += StateHash.absorb(h, oldLambda[c]);
         }
         return sum;
     }

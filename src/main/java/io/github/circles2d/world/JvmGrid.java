@@ -39,6 +39,8 @@ final class JvmGrid {
     /** By bucket: its first slot; one more element for the end. */
     int[] start = new int[1];
 
+    private final JvmSums sums;
+
     private volatile boolean moved;
     private volatile boolean fast;
 
@@ -46,6 +48,7 @@ final class JvmGrid {
         this.state = state;
         this.levels = levels;
         this.team = team;
+        sums = new JvmSums(team);
     }
 
     void ensure() {
@@ -73,10 +76,7 @@ final class JvmGrid {
         team.sync(worker);
         count(team.part(n, worker), team.part(n, worker + 1));
         team.sync(worker);
-        if (worker == 0) {
-            sumUp(start, 0, buckets, n);
-        }
-        team.sync(worker);
+        sums.sumUp(worker, start, buckets);
         scatter(team.part(n, worker), team.part(n, worker + 1));
         team.sync(worker);
         sortBuckets(team.part(buckets, worker), team.part(buckets, worker + 1));
@@ -116,17 +116,6 @@ final class JvmGrid {
 
     int row(float y, int atLevel) {
         return CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]) & ((1 << levels.rowsLog[atLevel]) - 1);
-    }
-
-    /** Turns counts into starts, in place, and writes the total behind them. */
-    static void sumUp(int[] counts, int from, int to, int total) {
-        int sum = 0;
-        for (int k = from; k < to; k++) {
-            int count = counts[k];
-            counts[k] = sum;
-            sum += count;
-        }
-        counts[to] = total;
     }
 
     private void scatter(int from, int to) {
@@ -186,6 +175,11 @@ final class JvmGrid {
         if (some) {
             fast = true;
         }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return (6 * 4 + 1L) * bucketOf.length + 4L * start.length;
     }
 
     /** Whether any circle is fast in this step. */

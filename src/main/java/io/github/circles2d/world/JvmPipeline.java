@@ -4,6 +4,14 @@ import java.util.Map;
 
 /** The World engine in plain Java: the oracle that every other pipeline is compared with. */
 public final class JvmPipeline implements Pipeline {
+    /** Circles that a thread has at least: with fewer, waiting for each other costs more than it saves. */
+    public static final int LEAST_SHARE = 1024;
+
+    private static final int GRID = 0;
+    private static final int SWEEP = 1;
+    private static final int CONTACTS = 2;
+    private static final int SOLVER = 3;
+
     private final JvmState state = new JvmState();
     private final Levels levels = new Levels();
     private final Team team;
@@ -11,16 +19,28 @@ public final class JvmPipeline implements Pipeline {
     private final JvmContacts contacts;
     private final JvmSweep sweep;
     private final JvmSolver solver;
+    private final StageTimes times;
+    private final int leastShare;
+    private final Team.Work work = this::makeSteps;
+
+    /** What the workers are to do, and with what. */
+    private StepConstants constants;
+
+    private int steps;
+    private boolean failed;
 
     /**
      * An empty world.
      *
-     * @param threads number of threads of a step, at least 1
+     * @param threads greatest number of threads of a step, at least 1
+     * @param leastShare number of circles that a thread has at least; {@link #LEAST_SHARE} but in tests
      * @param capacity number of circles to make room for
      * @param profiling whether to measure the time of each stage
      */
-    public JvmPipeline(int threads, int capacity, boolean profiling) {
-        team = new Team(1);
+    public JvmPipeline(int threads, int leastShare, int capacity, boolean profiling) {
+        team = new Team(threads);
+        this.leastShare = leastShare;
+        times = new StageTimes(profiling, "Grid", "Sweep", "Contacts", "Solver");
         grid = new JvmGrid(state, levels, team);
         contacts = new JvmContacts(state, grid, levels, team);
         sweep = new JvmSweep(state, grid, levels, team);
@@ -34,28 +54,63 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void step(StepConstants constants, Levels shape, int steps) {
+    public void step(StepConstants stepConstants, Levels shape, int count) {
+        if (failed) {
+            throw new IllegalStateException("an earlier step failed half-way");
+        }
         levels.copy(shape);
+        constants = stepConstants;
+        steps = count;
+        failed = true;
+        team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
+        failed = false;
+    }
+
+    /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
+    private void makeSteps(int worker) {
         for (int step = 0; step < steps; step++) {
-            grid.ensure();
-            contacts.ensure();
-            sweep.ensure();
-            grid.build(0, constants);
-            sweep.sweep(0);
-            contacts.list(0, false);
-            boolean overflowed = contacts.overflowed();
-            if (!overflowed) {
-                solver.prepare(0, constants);
+            if (worker == 0) {
+                begin(step);
             }
-            if (overflowed) {
-                contacts.countCandidates(0);
-            }
-            if (overflowed || contacts.crowded()) {
-                contacts.list(0, true);
-                solver.prepare(0, constants);
-            }
-            solver.solve(0, constants);
+            team.sync(worker);
+            makeStep(worker);
+        }
+    }
+
+    private void begin(int step) {
+        if (step > 0) {
             constants.warmScale = 1f;
+        }
+        times.begin();
+        grid.ensure();
+        contacts.ensure();
+        sweep.ensure();
+    }
+
+    private void makeStep(int worker) {
+        grid.build(worker, constants);
+        end(worker, GRID);
+        sweep.sweep(worker);
+        end(worker, SWEEP);
+        contacts.list(worker, false);
+        boolean overflowed = contacts.overflowed();
+        if (overflowed) {
+            contacts.countCandidates(worker);
+        } else {
+            solver.prepare(worker, constants);
+        }
+        if (overflowed || contacts.crowded()) {
+            contacts.list(worker, true);
+            solver.prepare(worker, constants);
+        }
+        end(worker, CONTACTS);
+        solver.solve(worker, constants);
+        end(worker, SOLVER);
+    }
+
+    private void end(int worker, int stage) {
+        if (worker == 0) {
+            times.end(stage);
         }
     }
 
@@ -97,6 +152,22 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void save(SavedState into) {
+        into.impulses = 0;
+        for (int k = 0; k < into.circles; k++) {
+            int slot = state.slotOf[into.id[k]];
+            state.save(slot, into, k);
+            contacts.save(slot, into);
+        }
+    }
+
+    @Override
+    public void load(SavedState from) {
+        state.load(from);
+        contacts.load(from);
+    }
+
+    @Override
     public long candidatePairs() {
         return contacts.candidatePairs();
     }
@@ -113,19 +184,37 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public long bytesHeld() {
-        return 0;
+        return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes();
     }
 
     @Override
     public Map<String, Double> stageMillis() {
-        return Map.of();
+        return times.millis();
     }
 
     @Override
     public String device() {
-        return "Java " + System.getProperty("java.version") + ", " + team.size() + " threads";
+        return "Java " + System.getProperty("java.version") + ", " + team.most()
+                + (team.most() == 1 ? " thread" : " threads");
     }
 
     @Override
-    public void close() {}
+    public void close() {
+        team.close();
+    }
+
+    /** The contacts of the last step. */
+    JvmContacts lastContacts() {
+        return contacts;
+    }
+
+    /**
+     * Puts the circles into other slots, of which nothing may depend.
+     *
+     * @param order the present slot of each slot to be
+     */
+    void permute(int[] order) {
+        state.permute(order, 0, state.n);
+        state.swap();
+    }
 }

@@ -56,6 +56,12 @@ final class JvmState {
     private int[] memorySpare = new int[0];
     private boolean[] freshSpare = new boolean[0];
 
+    /** Memory of the arrays. */
+    long bytes() {
+        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
+    }
+
     int capacity() {
         return id.length;
     }
@@ -193,6 +199,30 @@ final class JvmState {
                 circle[s + 1] = y;
                 motion[s + 1] = 0f;
             }
+        }
+    }
+
+    /** Saves the circle of a slot as circle k. */
+    void save(int slot, SavedState into, int k) {
+        System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
+        System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
+        System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
+    }
+
+    /** Takes over saved circles, without remembered contacts; slots are in the order of the ids. */
+    void load(SavedState from) {
+        ensure(from.circles);
+        ensureIds(from.ids);
+        n = from.circles;
+        System.arraycopy(from.circle, 0, circle, 0, 4 * n);
+        System.arraycopy(from.motion, 0, motion, 0, 4 * n);
+        System.arraycopy(from.traits, 0, traits, 0, 4 * n);
+        System.arraycopy(from.id, 0, id, 0, n);
+        Arrays.fill(memory, 0, n, -1);
+        Arrays.fill(fresh, 0, n, false);
+        Arrays.fill(slotOf, -1);
+        for (int slot = 0; slot < n; slot++) {
+            slotOf[id[slot]] = slot;
         }
     }
 

@@ -54,6 +54,11 @@ final class JvmSweep {
         }
     }
 
+    /** Memory of the arrays. */
+    long bytes() {
+        return 8L * share.length + 4L * range.length;
+    }
+
     void sweep(int worker) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);

@@ -54,6 +54,21 @@ public interface Pipeline extends AutoCloseable {
     void readVelocities(Roster roster, float[] to);
 
     /**
+     * Saves the circles and the remembered impulses: those that the next step would start from, and no others.
+     *
+     * @param into has the ids of all circles already; takes circle, motion, traits and the impulses
+     */
+    void save(SavedState into);
+
+    /**
+     * Takes over a saved state instead of its own: from now on all is as if it had made the steps that led there. The values
+     * have been checked.
+     *
+     * @param from the state; not kept
+     */
+    void load(SavedState from);
+
+    /**
      * Pairs whose distance the broad phase tested in the last step.
      *
      * @return at least 0

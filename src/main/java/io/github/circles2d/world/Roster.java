@@ -7,7 +7,14 @@ import java.util.Arrays;
  * next circle; the generation tells it from those that had the id before.
  */
 public final class Roster {
+    /** The generation that would make a handle 0 is left out. */
+    static final int LAST_GENERATION = -2;
+
     private long[] live = new long[1];
+    /** By word of live: circles in the words before. */
+    private int[] livingBefore = new int[1];
+
+    private boolean livingBeforeCurrent;
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private int size;
@@ -76,6 +83,27 @@ public final class Roster {
     }
 
     /**
+     * The place of a circle in the order of the ids.
+     *
+     * @param id its id
+     * @return how many circles have lower ids
+     */
+    public int place(int id) {
+        if (!livingBeforeCurrent) {
+            if (livingBefore.length < live.length) {
+                livingBefore = new int[live.length];
+            }
+            int sum = 0;
+            for (int word = 0; word < live.length; word++) {
+                livingBefore[word] = sum;
+                sum += Long.bitCount(live[word]);
+            }
+            livingBeforeCurrent = true;
+        }
+        return livingBefore[id >>> 6] + Long.bitCount(live[id >>> 6] & (1L << id) - 1);
+    }
+
+    /**
      * Enters a circle under the lowest free id.
      *
      * @param r its radius
@@ -90,6 +118,7 @@ public final class Roster {
             live = Arrays.copyOf(live, (c >> 6) + 1);
         }
         live[id >>> 6] |= 1L << id;
+        livingBeforeCurrent = false;
         noneFreeBelow = id + 1;
         end = Math.max(end, id + 1);
         size++;
@@ -105,7 +134,8 @@ public final class Roster {
      */
     public void remove(int id) {
         live[id >>> 6] &= ~(1L << id);
-        generation[id]++;
+        livingBeforeCurrent = false;
+        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
         leave(radius[id]);
@@ -191,6 +221,49 @@ public final class Roster {
     public int[] population() {
         recount();
         return population;
+    }
+
+    /**
+     * Saves which ids are in use, and their generations.
+     *
+     * @param into takes ids and generations
+     */
+    public void save(SavedState into) {
+        into.setIds(end);
+        into.setCircles(size);
+        System.arraycopy(generation, 0, into.generation, 0, end);
+        int k = 0;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                into.id[k++] = id;
+            }
+        }
+    }
+
+    /**
+     * Takes over the ids, generations and radii of a saved state instead of its own.
+     *
+     * @param from the state; not kept
+     */
+    public void load(SavedState from) {
+        int length = Math.max(64, from.ids);
+        int[] newGeneration = new int[length];
+        float[] newRadius = new float[length];
+        long[] newLive = new long[(length >> 6) + 1];
+        System.arraycopy(from.generation, 0, newGeneration, 0, from.ids);
+        for (int k = 0; k < from.circles; k++) {
+            int id = from.id[k];
+            newLive[id >>> 6] |= 1L << id;
+            newRadius[id] = from.circle[4 * k + 2];
+        }
+        generation = newGeneration;
+        radius = newRadius;
+        live = newLive;
+        end = from.ids;
+        size = from.circles;
+        noneFreeBelow = 0;
+        livingBeforeCurrent = false;
+        radiiChanged = true;
     }
 
     private void recount() {

@@ -1,0 +1,363 @@
+// Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
+// level of the larger circle, colour, group, lower id, higher id. The Java class JvmContacts explains groups and colours.
+
+// What a circle looks with.
+typedef struct {
+    float x, y, reach, inverseMass;
+    int slot, id, level, column, row;
+} Seeker;
+
+// What a visit of neighbours is for.
+#define TESTING 0  // to know how many there are
+#define COUNTING 1 // to count the contacts of each group
+#define LISTING 2  // to list them
+
+// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once.
+#define LONGEST_ROW 1024
+
+// Visits the slots [from, to) of the seeker's level.
+void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
+    if (purpose == TESTING) {
+        w->rank[s->slot] += max(to - from, 0);
+        return;
+    }
+    if (purpose == COUNTING && w->k.thinning == 0 && to - from > LONGEST_ROW) {
+        w->status[CROWDED] = 1;
+        w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+        return;
+    }
+    for (int other = from; other < to; other++) {
+        float4 c = w->circle[other];
+        float dx = c.x - s->x;
+        float dy = c.y - s->y;
+        float limit = s->reach + w->reachOf[other];
+        if (!(dx * dx + dy * dy < limit * limit)) continue;
+        if (s->inverseMass == 0.0f && w->traits[other].x == 0.0f) continue;
+        uint otherId = (uint) w->id[other];
+        bool lower = (uint) s->id < otherId;
+        uint lowId = lower ? (uint) s->id : otherId;
+        uint highId = lower ? otherId : (uint) s->id;
+        if (w->k.thinning) {
+            int fewer = min(w->rank[s->slot], w->rank[other]);
+            if (!keeps(pairHash((int) lowId, (int) highId), fewer)) continue;
+        }
+        int cl = w->levels->columnsLog[s->level];
+        int bucket = w->bucketOf[other] - w->levels->first[s->level];
+        int ox = ringFirst(s->column, bucket & ((1 << cl) - 1), (1 << cl) - 1);
+        int oy = ringFirst(s->row, bucket >> cl, (1 << w->levels->rowsLog[s->level]) - 1);
+        int group = groupOf(w, s->level, ox, oy);
+        if (purpose == COUNTING) {
+            atomic_inc(&w->groupStart[group]);
+            continue;
+        }
+        int place = w->groupStart[group] + atomic_inc(&w->groupFill[group]);
+        w->key[place] = (ulong) lowId << 32 | highId;
+        w->pair[place] = lower ? (uint2)((uint) s->slot, (uint) other) : (uint2)((uint) other, (uint) s->slot);
+    }
+}
+
+// Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above.
+void seekInOwnLevel(const World *w, const Seeker *s, int purpose) {
+    int cl = w->levels->columnsLog[s->level];
+    int mask = (1 << cl) - 1;
+    int first = w->levels->first[s->level];
+    int row = first + (s->row << cl);
+    int above = first + (((s->row + 1) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
+    if (s->column > 0 && s->column < mask) {
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], purpose);
+        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], purpose);
+    } else {
+        int next = row + ((s->column + 1) & mask);
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], purpose);
+        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], purpose);
+        for (int d = -1; d <= 1; d++) {
+            int b = above + ((s->column + d) & mask);
+            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+        }
+    }
+}
+
+void seekInCoarserLevel(const World *w, const Seeker *s, int purpose) {
+    int cl = w->levels->columnsLog[s->level];
+    int mask = (1 << cl) - 1;
+    int rowMask = (1 << w->levels->rowsLog[s->level]) - 1;
+    for (int v = -1; v <= 1; v++) {
+        int row = w->levels->first[s->level] + (((s->row + v) & rowMask) << cl);
+        if (s->column > 0 && s->column < mask) {
+            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], purpose);
+        } else {
+            for (int u = -1; u <= 1; u++) {
+                int b = row + ((s->column + u) & mask);
+                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+            }
+        }
+    }
+}
+
+Seeker seekerOf(const World *w, int slot) {
+    float4 c = w->circle[slot];
+    Seeker s;
+    s.x = c.x;
+    s.y = c.y;
+    s.reach = w->reachOf[slot];
+    s.inverseMass = w->traits[slot].x;
+    s.slot = slot;
+    s.id = w->id[slot];
+    return s;
+}
+
+void seekIn(const World *w, Seeker *s, int atLevel) {
+    s->level = atLevel;
+    s->column = columnOf(w, atLevel, s->x);
+    s->row = rowOf(w, atLevel, s->y);
+}
+
+void seekAll(const World *w, int slot, int purpose) {
+    Seeker s = seekerOf(w, slot);
+    int own = levelOf(w, w->circle[slot].z);
+    for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
+        seekIn(w, &s, w->levels->used[l]);
+        if (s.level == own) {
+            seekInOwnLevel(w, &s, purpose);
+        } else {
+            seekInCoarserLevel(w, &s, purpose);
+        }
+    }
+}
+
+// How many of the slots [from, to) may meet a circle within the step.
+int candidatesIn(const World *w, const Seeker *s, int from, int to) {
+    int sum = 0;
+    for (int other = from; other < to; other++) {
+        float4 c = w->circle[other];
+        float dx = c.x - s->x;
+        float dy = c.y - s->y;
+        float limit = s->reach + w->reachOf[other];
+        bool bothFixed = s->inverseMass == 0.0f && w->traits[other].x == 0.0f;
+        sum += dx * dx + dy * dy < limit * limit && other != s->slot && !bothFixed;
+    }
+    return sum;
+}
+
+// Counts the candidates of each circle: those of its own level and of coarser ones that it may meet. Into rank.
+// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+kernel void contacts_crowd(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    Seeker s = seekerOf(&w, slot);
+    int own = levelOf(&w, circle[slot].z);
+    int sum = 0;
+    for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
+        seekIn(&w, &s, levels->used[l]);
+        int cl = levels->columnsLog[s.level];
+        for (int v = -1; v <= 1; v++) {
+            int row = levels->first[s.level] + (((s.row + v) & ((1 << levels->rowsLog[s.level]) - 1)) << cl);
+            for (int u = -1; u <= 1; u++) {
+                int b = row + ((s.column + u) & ((1 << cl) - 1));
+                sum += candidatesIn(&w, &s, bucketStart[b], bucketStart[b + 1]);
+            }
+        }
+    }
+    rank[slot] = sum;
+    if (sum > CROWD) status[CROWDED] = 1;
+}
+
+// Counts the contacts of each group; notes where there is a crowd, if that is not to be thinned out. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+kernel void contacts_count(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    // Where the step has been refused earlier, all buckets are empty.
+    if (slot < circles && !tooFast(&w)) seekAll(&w, slot, COUNTING);
+}
+
+// Whether the contacts that were counted do not fit.
+bool lackContactRoom(const World *w) { return w->groupStart[w->levels->first[LEVELS]] > w->contactRoom; }
+
+// Notes how many contacts there are, and refuses the step where they do not fit.
+void noteContacts(const World *w) {
+    if (refused(w)) return;
+    w->status[CONTACTS] = w->groupStart[w->levels->first[LEVELS]];
+    if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
+}
+
+// Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
+// Index space: a working slot a work-item. Cost: as contacts_count.
+kernel void contacts_list(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles) return;
+    if (slot == 0) noteContacts(&w);
+    if (!lackContactRoom(&w) && !refused(&w)) seekAll(&w, slot, LISTING);
+}
+
+void siftContactDown(global ulong *key, global uint2 *pair, int top, int size) {
+    ulong key1 = key[top];
+    uint2 pair1 = pair[top];
+    for (int child = 2 * top + 1; child < size; child = 2 * top + 1) {
+        if (child + 1 < size && key[child + 1] > key[child]) child++;
+        if (key[child] <= key1) break;
+        key[top] = key[child];
+        pair[top] = pair[child];
+        top = child;
+    }
+    key[top] = key1;
+    pair[top] = pair1;
+}
+
+// Orders contacts by (lower id, higher id): insertion sort, or heap sort where they are many.
+void sortContacts(global ulong *key, global uint2 *pair, int size) {
+    if (size > 48) {
+        for (int top = size / 2 - 1; top >= 0; top--) siftContactDown(key, pair, top, size);
+        for (int end = size - 1; end > 0; end--) {
+            ulong key1 = key[end];
+            uint2 pair1 = pair[end];
+            key[end] = key[0];
+            pair[end] = pair[0];
+            key[0] = key1;
+            pair[0] = pair1;
+            siftContactDown(key, pair, 0, end);
+        }
+        return;
+    }
+    for (int i = 1; i < size; i++) {
+        ulong key1 = key[i];
+        uint2 pair1 = pair[i];
+        int p = i;
+        while (p > 0 && key[p - 1] > key1) {
+            key[p] = key[p - 1];
+            pair[p] = pair[p - 1];
+            p--;
+        }
+        key[p] = key1;
+        pair[p] = pair1;
+    }
+}
+
+// The impulse with which a contact ended the step before, or 0.
+float remembered(const World *w, int first, int hi) {
+    for (int c = first; c >= 0;) {
+        int4 old = w->old[c];
+        if (old.x == hi) return as_float(old.y);
+        c = old.z;
+    }
+    return 0.0f;
+}
+
+// Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
+void gatherLoad(const World *w, uint2 p, float nx, float ny, float lambda, bool carrying) {
+    float4 lo = w->load[p.x];
+    float4 hi = w->load[p.y];
+    lo.x -= nx * lambda;
+    lo.y -= ny * lambda;
+    hi.x += nx * lambda;
+    hi.y += ny * lambda;
+    if (carrying) {
+        lo.w = 1.0f;
+        hi.w = 1.0f;
+    }
+    w->load[p.x] = lo;
+    w->load[p.y] = hi;
+}
+
+// Measures a contact: sets the separation of n, and the normal where there is a direction; returns whether there is.
+// ex, ey: difference of the bases; from, to: displacements.
+bool measure(float4 *n, float ex, float ey, float sum, float2 from, float2 to) {
+    float dx = difference(ex, from.x, to.x);
+    float dy = difference(ey, from.y, to.y);
+    float d = norm(dx, dy);
+    n->z = d - sum;
+    if (!(d > COINCIDENT * sum)) return false;
+    n->x = dx / d;
+    n->y = dy / d;
+    return true;
+}
+
+// A contact as it starts the step: normal, separation, the impulse with which it ended the step before; and whether it
+// carries.
+float4 newContact(const World *w, uint2 p, ulong ids, bool *carrying) {
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    float4 mi = w->motion[p.x];
+    float4 mj = w->motion[p.y];
+    float sum = ci.z + cj.z;
+    float4 n;
+    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, sum, mi.xy, mj.xy)) {
+        int hash = pairHash((int) (ids >> 32), (int) ids);
+        float px = partingX(hash);
+        float py = partingY(hash);
+        float l = norm(px, py);
+        n.x = px / l;
+        n.y = py / l;
+    }
+    n.w = 0.0f;
+    if (w->memory[p.y] != FRESH) n.w = remembered(w, w->memory[p.x], (int) ids) * w->warmScale;
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    *carrying = carries(n.w, n.z, vn, w->k.thresholdRate * sum);
+    return n;
+}
+
+// Fills a contact and measures it for the first sub-step.
+void fillContact(const World *w, int c) {
+    uint2 p = w->pair[c];
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    float4 ti = w->traits[p.x];
+    float4 tj = w->traits[p.y];
+    float sum = ci.z + cj.z;
+    bool carrying;
+    float4 n = newContact(w, p, w->key[c], &carrying);
+    w->base[c] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, greatest(ti.y, tj.y));
+    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 0.0f);
+    w->contact[c] = n;
+    gatherLoad(w, p, n.x, n.y, n.w, carrying);
+}
+
+// Counts a contact as a candidate of its circles, where no other work-item has any of the same circles. A circle counts those
+// of its own level and of coarser ones. firstOfLevel: first bucket of the contact's level, to which one of its circles
+// belongs, and both or a finer one; finer levels have lower buckets. Returns the greater count.
+float countCandidate(const World *w, uint2 p, int firstOfLevel) {
+    bool mixed = w->levels->usedCount > 1;
+    bool finerLo = mixed && w->bucketOf[p.x] < firstOfLevel;
+    bool finerHi = mixed && w->bucketOf[p.y] < firstOfLevel;
+    float lo = finerHi ? 0.0f : (w->load[p.x].z += 1.0f);
+    float hi = finerLo ? 0.0f : (w->load[p.y].z += 1.0f);
+    return greatest(lo, hi);
+}
+
+// Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
+// Index space: a group a work-item. Cost: its contacts.
+kernel void contacts_fill(WORLD_PARAMETERS, int level, int colour) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || outOfRoom(&w) || tooFast(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int from = groupStart[group];
+    int to = groupStart[group + 1];
+    if (from == to) return;
+    sortContacts(key + from, pair + from, to - from);
+    float most = 0.0f;
+    for (int c = from; c < to; c++) {
+        fillContact(&w, c);
+        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, pair[c], levels->first[level]));
+    }
+    if (most > (float) CROWD) status[CROWDED] = 1;
+}
+
+// How many pairs the broad phase tested for each circle in the last step: into rank. Index space: a working slot a
+// work-item.
+kernel void contacts_candidates(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles) return;
+    rank[slot] = 0;
+    seekAll(&w, slot, TESTING);
+}
+
+// How many contacts each circle had in the last step. Index space: a contact a work-item.
+kernel void contacts_degrees(global const uint2 *pair, int contacts, global int *degree) {
+    int c = (int) get_global_id(0);
+    if (c >= contacts) return;
+    atomic_inc(&degree[pair[c].x]);
+    atomic_inc(&degree[pair[c].y]);
+}

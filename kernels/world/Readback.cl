@@ -1,0 +1,13 @@
+// Lays the state out by id, for one bulk copy to the host. Index space: a slot at home a work-item.
+
+kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots,
+                             global float4 *byId) {
+    int slot = (int) get_global_id(0);
+    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot];
+}
+
+kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
+                                global float2 *byId) {
+    int slot = (int) get_global_id(0);
+    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].zw;
+}

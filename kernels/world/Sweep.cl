@@ -1,0 +1,144 @@
+// Stage Sweep: keeps fast circles from passing through others. The Java class JvmSweep explains what is looked for; it is
+// the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
+// laid it.
+
+#define BLOCK_LOG 2 // blocks are 4 x 4 cells
+
+// What a fast circle looks ahead with.
+typedef struct {
+    float x, y, r, px, py, path, reach;
+    int slot;
+} Runner;
+
+// The range of the paths of the circles in a block of cells.
+void summarize(const World *w, int block) {
+    constant Levels *levels = w->levels;
+    int l = 0;
+    while (l < levels->usedCount - 1 && block >= levels->first[levels->used[l + 1]] >> (2 * BLOCK_LOG)) l++;
+    int level = levels->used[l];
+    int cl = levels->columnsLog[level];
+    int inLevel = block - (levels->first[level] >> (2 * BLOCK_LOG));
+    int row = inLevel >> (cl - BLOCK_LOG);
+    int column = inLevel & ((1 << (cl - BLOCK_LOG)) - 1);
+    float4 range = (float4)(INFINITY, -INFINITY, INFINITY, -INFINITY);
+    for (int v = 0; v < 1 << BLOCK_LOG; v++) {
+        int bucket = levels->first[level] + (((row << BLOCK_LOG) + v) << cl) + (column << BLOCK_LOG);
+        int end = w->bucketStart[bucket + (1 << BLOCK_LOG)];
+        for (int slot = w->bucketStart[bucket]; slot < end; slot++) {
+            float2 path = w->leash[slot].xy;
+            range.x = least(path.x, range.x);
+            range.y = greatest(path.x, range.y);
+            range.z = least(path.y, range.z);
+            range.w = greatest(path.y, range.w);
+        }
+    }
+    w->blockRange[block] = range;
+}
+
+// Index space: a block a work-item. Cost: its circles.
+kernel void sweep_summarize(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int block = (int) get_global_id(0);
+    if (block < levels->first[LEVELS] >> (2 * BLOCK_LOG) && !refused(&w)) summarize(&w, block);
+}
+
+bool slotIsFast(const World *w, int slot) {
+    return w->traits[slot].x != 0.0f && isFast(w->leash[slot].w, w->circle[slot].z);
+}
+
+void meet(const World *w, const Runner *s, int other) {
+    float4 c = w->circle[other];
+    float4 plan = w->leash[other];
+    float ux = s->px - plan.x;
+    float uy = s->py - plan.y;
+    if (!mayPass(ux, uy, s->r, c.z)) return;
+    float dx = c.x - s->x;
+    float dy = c.y - s->y;
+    float limit = s->reach + w->reachOf[other];
+    if (dx * dx + dy * dy < limit * limit) {
+        w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
+    } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
+        float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);
+        if (t < 1.0f) {
+            // Floats from 0 to 1 sort like their bits.
+            atomic_min(&w->share[s->slot], as_int(t));
+            if (slotIsFast(w, other)) atomic_min(&w->share[other], as_int(t));
+        }
+    }
+}
+
+// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block.
+void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1) {
+    int cl = w->levels->columnsLog[level];
+    int mask = (1 << cl) - 1;
+    int rowMask = (1 << w->levels->rowsLog[level]) - 1;
+    int first = w->levels->first[level];
+    float half_ = 0.5f * s->r;
+    for (int v = r0 >> BLOCK_LOG; v <= r1 >> BLOCK_LOG; v++) {
+        for (int u = c0 >> BLOCK_LOG; u <= c1 >> BLOCK_LOG; u++) {
+            int block = (first >> (2 * BLOCK_LOG)) + ((v & (rowMask >> BLOCK_LOG)) << (cl - BLOCK_LOG)) +
+                        (u & (mask >> BLOCK_LOG));
+            float4 range = w->blockRange[block];
+            if (!differ(s->px, s->py, range.x, range.y, range.z, range.w, half_)) continue;
+            int lastRow = min(r1, (v << BLOCK_LOG) + 3);
+            int lastColumn = min(c1, (u << BLOCK_LOG) + 3);
+            for (int row = max(r0, v << BLOCK_LOG); row <= lastRow; row++) {
+                int rowStart = first + ((row & rowMask) << cl);
+                int end = w->bucketStart[rowStart + (lastColumn & mask) + 1];
+                for (int other = w->bucketStart[rowStart + (max(c0, u << BLOCK_LOG) & mask)]; other < end; other++) {
+                    if (other != s->slot) meet(w, s, other);
+                }
+            }
+        }
+    }
+}
+
+void lookAhead(const World *w, int slot) {
+    float4 c = w->circle[slot];
+    float4 plan = w->leash[slot];
+    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->reachOf[slot], slot};
+    float limit = travelShare(s.path, s.r);
+    float px = limit * s.px;
+    float py = limit * s.py;
+    for (int l = 0; l < w->levels->usedCount; l++) {
+        int level = w->levels->used[l];
+        float top = w->levels->top[level];
+        if (!sweeps(s.r, top)) continue;
+        float margin = (s.r + top) + greatest(limit * s.path, top);
+        float minX = w->levels->minX;
+        float minY = w->levels->minY;
+        float edge = w->levels->inverseEdge[level];
+        int c0 = cell(least(s.x, s.x + px) - margin, minX, edge);
+        int c1 = cell(greatest(s.x, s.x + px) + margin, minX, edge);
+        int r0 = cell(least(s.y, s.y + py) - margin, minY, edge);
+        int r1 = cell(greatest(s.y, s.y + py) + margin, minY, edge);
+        lookAt(w, &s, level, c0, min(c1, c0 + (1 << w->levels->columnsLog[level]) - 1), r0,
+               min(r1, r0 + (1 << w->levels->rowsLog[level]) - 1));
+    }
+}
+
+// Fast circles look for others that they would touch, no faster than themselves. Index space: a working slot a work-item.
+// Cost: the cells around its path, for a fast circle.
+kernel void sweep_look(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot < circles && !refused(&w) && slotIsFast(&w, slot)) lookAhead(&w, slot);
+}
+
+// Lays a leash: the free part of the path, and how far the circle may leave it.
+void layLeash(const World *w, int slot) {
+    float4 plan = w->leash[slot];
+    float r = w->circle[slot].z;
+    float limit = least(travelShare(plan.w, r), w->near[slot]);
+    float free = as_float(w->share[slot]);
+    bool stopped = free < limit;
+    float kept = stopped ? free : limit;
+    w->leash[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : LEASH * r, plan.w);
+}
+
+// Index space: a working slot a work-item.
+kernel void sweep_leash(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot < circles && !refused(&w)) layLeash(&w, slot);
+}

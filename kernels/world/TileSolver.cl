@@ -1,0 +1,259 @@
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has three launches. Push reads motion, traits,
+// load and held and writes pushedVelocity, pushedDisplacement and impulse; it ends with what is a circle's own business, its
+// move and the walls. Measure, a contact a work-item, takes what is costly about a contact out of the chain of dependent
+// contacts. Relax goes back to motion, load and held. Traits change between traits and pushedTraits every sub-step.
+
+// A tile in local memory, by the numbers of its record.
+typedef struct {
+    float2 velocity[TILE_CIRCLES];
+    float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
+    float inverseMass[TILE_CIRCLES];
+    uchar flags[TILE_CIRCLES];
+    int2 contact[TILE_CONTACTS];
+    int roundStart[TILE_ROUNDS + 2];
+    int circles, rounds;
+} Tile;
+
+// Takes a tile from its record. Returns whether there is anything in it.
+bool takeTile(const World *w, local Tile *t, int tile) {
+    int item = (int) get_local_id(0);
+    global int *record = recordOf(w, tile);
+    int circles = record[RECORD_CIRCLES];
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (circles == 0) return false;
+    int rounds = record[RECORD_ROUNDS];
+    int contacts = record[RECORD_STARTS + rounds];
+    if (item == 0) {
+        t->circles = circles;
+        t->rounds = rounds;
+    }
+    for (int round = item; round <= rounds; round += TILE_GROUP) t->roundStart[round] = record[RECORD_STARTS + round];
+    for (int k = item; k < contacts; k += TILE_GROUP) t->contact[k] = contactsOf(record)[k];
+    barrier(CLK_LOCAL_MEM_FENCE);
+    return true;
+}
+
+void applyTo(local Tile *t, int2 p, float2 vi, float2 vj, float nx, float ny, float wi, float wj, float impulse) {
+    vi.x -= nx * (wi * impulse);
+    vi.y -= ny * (wi * impulse);
+    vj.x += nx * (wj * impulse);
+    vj.y += ny * (wj * impulse);
+    t->velocity[p.x] = vi;
+    t->velocity[p.y] = vj;
+}
+
+// The biased pass over one contact; returns its new impulse and the target speed of its bounce.
+float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape) {
+    float2 bi = t->load[p.x];
+    float2 bj = t->load[p.y];
+    float wi = t->inverseMass[p.x];
+    float wj = t->inverseMass[p.y];
+    bool loaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) != 0;
+    float2 vi = t->velocity[p.x];
+    float2 vj = t->velocity[p.y];
+    float next, bounce, impulse;
+    bool moves = pushImpulse(w, n, shape.x, shape.y, shape.w, shape.z, along(n.x, n.y, vj.x - vi.x, vj.y - vi.y),
+                             along(n.x, n.y, bj.x - bi.x, bj.y - bi.y), loaded, &next, &bounce, &impulse);
+    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    return (float2)(next, bounce);
+}
+
+// The relaxing pass over one contact: returns its new impulse.
+float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
+    float wi = t->inverseMass[p.x];
+    float wj = t->inverseMass[p.y];
+    bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
+    float2 vi = t->velocity[p.x];
+    float2 vj = t->velocity[p.y];
+    float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
+    float next, impulse;
+    bool solved;
+    bool moves = relaxImpulse(w, n, shape.x, shape.y, shape.w, vn, bounce, unloaded, &next, &impulse, &solved);
+    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), shape.y)) {
+        float2 lo = t->load[p.x];
+        float2 hi = t->load[p.y];
+        t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
+        t->load[p.y] = (float2)(hi.x + n.x * next, hi.y + n.y * next);
+        t->flags[p.x] |= CARRIED;
+        t->flags[p.y] |= CARRIED;
+    }
+    return next;
+}
+
+// What a pass reads of a contact.
+typedef struct {
+    float4 normal, shape;
+    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
+} Reading;
+
+void readContact(const World *w, local const Tile *t, int k, int end, bool relaxing, Reading *reading) {
+    if (k >= end) return;
+    int c = t->contact[k].x & ~NOT_OWN;
+    reading->normal = w->contact[c];
+    reading->shape = w->shape[c];
+    reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
+}
+
+void solveContact(const World *w, local Tile *t, int k, const Reading *reading, bool relaxing, bool last) {
+    int2 contact = t->contact[k];
+    int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
+    float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
+    if (relaxing) {
+        float next = relaxInTile(w, t, p, n, reading->shape, reading->impulse.y, last);
+        if (contact.x >= 0) w->held[contact.x] = next;
+    } else {
+        float2 next = pushInTile(w, t, p, n, reading->shape);
+        if (contact.x >= 0) w->impulse[contact.x] = next;
+    }
+}
+
+// Solves the contacts of a tile, round by round. What the next round needs is read ahead.
+void solveRounds(const World *w, local Tile *t, bool relaxing, bool last) {
+    int item = (int) get_local_id(0);
+    int rounds = t->rounds;
+    Reading ahead;
+    if (rounds > 0) readContact(w, t, item, t->roundStart[1], relaxing, &ahead);
+#pragma unroll 1
+    for (int round = 0; round < rounds; round++) {
+        Reading reading = ahead;
+        int k = t->roundStart[round] + item;
+        int end = t->roundStart[round + 1];
+        if (round + 1 < rounds) readContact(w, t, end + item, t->roundStart[round + 2], relaxing, &ahead);
+        barrier(CLK_LOCAL_MEM_FENCE);
+#pragma unroll 1
+        for (; k < end; k += TILE_GROUP) {
+            solveContact(w, t, k, &reading, relaxing, last);
+            readContact(w, t, k + TILE_GROUP, end, relaxing, &reading);
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// The biased pass of a tile: gravity and the walls, the contacts, the circles' move.
+void pushTile(const World *w, local Tile *t, int tile, int subStep) {
+    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
+    global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
+    global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    int circles = t->circles;
+#pragma unroll 1
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        int slot = slots[i] & ~NOT_OWN;
+        float4 m = w->motion[slot];
+        float4 traits = oldTraits[slot];
+        float2 before, bounce;
+        bool loaded;
+        accelerate(w, w->circle[slot], &m, &traits, w->load[slot], &before, &bounce, &loaded);
+        t->velocity[i] = m.zw;
+        t->load[i] = before;
+        t->inverseMass[i] = traits.x;
+        t->flags[i] = loaded ? LOADED : 0;
+        if (slots[i] >= 0) {
+            newTraits[slot] = traits;
+            w->wallBounce[slot] = bounce;
+            if (subStep == 0) w->homeMemory[slot] = NONE;
+        }
+    }
+    solveRounds(w, t, false, false);
+#pragma unroll 1
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        int slot = slots[i];
+        if (slot < 0) continue;
+        float4 m = w->motion[slot];
+        m.zw = t->velocity[i];
+        float4 traits = newTraits[slot];
+        bool loaded = t->flags[i] & LOADED;
+        moveCircle(w, slot, w->circle[slot], &m, &traits, w->wallBounce[slot], loaded);
+        newTraits[slot] = traits;
+        w->pushedVelocity[slot] = (float4)(m.z, m.w, traits.x, loaded ? 1.0f : 0.0f);
+        w->pushedDisplacement[slot] = m.xy;
+    }
+}
+
+// Measures a contact after the circles have moved.
+void measureContact(const World *w, int c) {
+    uint2 p = w->ordered[c];
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    float4 n;
+    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, w->pushedDisplacement[p.x], w->pushedDisplacement[p.y])) {
+        n.xy = w->contact[c].xy;
+    }
+    n.w = 0.0f;
+    w->contact[c] = n;
+}
+
+// Index space: any number of work-items, which take the contacts in turn.
+kernel void solver_measure(WORLD_PARAMETERS) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
+}
+
+// The relaxing pass of a tile: the contacts; in the last sub-step the circles go home.
+void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) {
+    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
+    global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    int circles = t->circles;
+#pragma unroll 1
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        float4 v = w->pushedVelocity[slots[i] & ~NOT_OWN];
+        t->velocity[i] = v.xy;
+        t->load[i] = (float2)(0.0f);
+        t->inverseMass[i] = v.z;
+        t->flags[i] = v.w > 0.0f ? LOADED : 0;
+    }
+    solveRounds(w, t, true, last);
+#pragma unroll 1
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        int slot = slots[i];
+        if (slot < 0) continue;
+        float2 d = w->pushedDisplacement[slot];
+        float2 v = t->velocity[i];
+        float4 m = (float4)(d.x, d.y, v.x, v.y);
+        if (last) {
+            goHome(w, slot, w->circle[slot], m, newTraits[slot]);
+        } else {
+            float2 load = t->load[i];
+            w->motion[slot] = m;
+            w->load[slot] = (float4)(load.x, load.y, 0.0f, t->flags[i] & CARRIED ? 1.0f : 0.0f);
+        }
+    }
+}
+
+// Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
+// looked up by id.
+void rememberHeld(const World *w, int c) {
+    float lambda = w->held[c];
+    if (!(lambda > 0.0f)) return;
+    uint2 p = w->ordered[c];
+    int next = atomic_xchg(&w->homeMemory[p.x], c);
+    w->old[c] = (int4)(w->id[p.y], as_int(lambda), next, 0);
+}
+
+// Index space: any number of work-items, which take the contacts in turn.
+kernel void solver_remember(WORLD_PARAMETERS) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
+}
+
+// Index space of each: a work-group a tile. Cost: see Tiles.cl.
+
+TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
+    World w = WORLD;
+    local Tile t;
+    int tile = (int) get_group_id(0);
+    if (!refused(&w) && takeTile(&w, &t, tile)) pushTile(&w, &t, tile, subStep);
+}
+
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep, int last) {
+    World w = WORLD;
+    local Tile t;
+    int tile = (int) get_group_id(0);
+    if (refused(&w)) return;
+    if (last && get_global_id(0) == 0) status[STEPS_DONE]++;
+    if (takeTile(&w, &t, tile)) relaxTile(&w, &t, tile, subStep, last);
+}

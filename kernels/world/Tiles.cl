@@ -1,0 +1,324 @@
+// Tiles: how a pass over all contacts is made in one launch, where all circles are of one level. A work-group takes a tile
+// of cells and a region around it, copies the circles of the region into local memory, makes the pass there, and writes back
+// what is its own: the circles in the cells of the tile, and the contacts of the groups there.
+//
+// A group touches the 2 x 2 cells from its own on, so what a colour changes depends on the cells next to it alone. Tiles
+// begin at odd columns and rows. Going back from colour 3, whose groups begin at odd columns and rows too, to colour 0, the
+// cells that the result depends on grow by a column at each side a colour, and by a row between colours 2 and 1: a region
+// reaches 3 columns and 1 row beyond its tile. What lies there is computed by several work-groups, to the same bits. So a
+// pass reads one copy of the state and writes another. A tile that spans the torus has no border on that axis.
+//
+// Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
+// others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
+// dependent steps as the longest groups of the colours would take, and all work-items have work.
+//
+// This file: regions, and the order of their contacts, once a step. Cost: the circles of a region, and its contacts one after
+// another in their groups.
+
+// From the host: TILE_GROUP work-items of a work-group; TILE_CIRCLES, TILE_CONTACTS: room for those of a region.
+#define TILE_CELLS 400
+#define TILE_ROWS 20
+#define TILE_ROUNDS 96
+#define HALO_COLUMNS 3
+#define HALO_ROWS 1
+#define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
+
+// A tile's record: circles, rounds, by round its first contact and the end, slots, contacts. A contact: its number, its
+// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
+#define RECORD_CIRCLES 0
+#define RECORD_ROUNDS 1
+#define RECORD_STARTS 2
+#define RECORD_SLOTS (RECORD_STARTS + TILE_ROUNDS + 2)
+#define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
+#define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
+#define NOT_OWN ((int) 0x80000000)
+
+global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
+
+global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
+
+// Flags of a circle.
+#define LOADED 1
+#define CARRIED 2
+
+// A tile and the region around it, in cells of the torus.
+typedef struct {
+    int columnsLog, columnMask, rowMask; // of the torus
+    int firstColumn, firstRow;           // where the region begins
+    int columns, rows;                   // of the region
+    int left, bottom;                    // where the tile begins in the region
+    int width, height;                   // of the tile
+    bool ringX, ringY;                   // whether it spans the torus
+} Region;
+
+int tileCount(const World *w) {
+    int l = w->levels->used[0];
+    return 1 << (w->levels->columnsLog[l] - w->levels->tileColumnsLog + w->levels->rowsLog[l] - w->levels->tileRowsLog);
+}
+
+Region regionOf(const World *w, int tile) {
+    int l = w->levels->used[0];
+    int cl = w->levels->columnsLog[l];
+    int rl = w->levels->rowsLog[l];
+    int wl = w->levels->tileColumnsLog;
+    int hl = w->levels->tileRowsLog;
+    Region r;
+    r.columnsLog = cl;
+    r.columnMask = (1 << cl) - 1;
+    r.rowMask = (1 << rl) - 1;
+    r.ringX = wl == cl;
+    r.ringY = hl == rl;
+    r.width = 1 << wl;
+    r.height = 1 << hl;
+    r.left = r.ringX ? 0 : HALO_COLUMNS;
+    r.bottom = r.ringY ? 0 : HALO_ROWS;
+    r.columns = r.width + 2 * r.left;
+    r.rows = r.height + 2 * r.bottom;
+    int tx = tile & ((1 << (cl - wl)) - 1);
+    int ty = tile >> (cl - wl);
+    r.firstColumn = r.ringX ? 0 : ((tx << wl) + 1 - HALO_COLUMNS) & r.columnMask;
+    r.firstRow = r.ringY ? 0 : ((ty << hl) + 1 - HALO_ROWS) & r.rowMask;
+    return r;
+}
+
+bool owns(const Region *r, int column, int row) {
+    return column >= r->left && column < r->left + r->width && row >= r->bottom && row < r->bottom + r->height;
+}
+
+// What is known of a region while its contacts are put in order.
+typedef struct {
+    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
+    int rowStart[TILE_ROWS + 1];      // by row: its first circle
+    int rowCount[TILE_ROWS];          // by row: its circles
+    float2 load[TILE_CIRCLES];        // sums of impulses, in order
+    uchar flags[TILE_CIRCLES];
+    uchar round[TILE_CIRCLES];  // the first round in which the circle is free
+    uchar degree[TILE_CIRCLES]; // contacts so far
+    int2 contact[TILE_CONTACTS];
+    uchar contactRound[TILE_CONTACTS];
+    int roundCount[TILE_ROUNDS + 1];
+    int roundStart[TILE_ROUNDS + 2];
+    int contacts;
+    int overfull; // 1 where there are too many contacts or rounds
+    int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
+} Arrangement;
+
+// The bucket in which a row of a region begins on the torus, at column 0.
+int bucketOfRow(const World *w, const Region *r, int row) {
+    return w->levels->first[w->levels->used[0]] + (((r->firstRow + row) & r->rowMask) << r->columnsLog);
+}
+
+// The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
+int4 slotsInRow(const World *w, const Region *r, int row) {
+    int bucket = bucketOfRow(w, r, row);
+    int width = 1 << r->columnsLog;
+    int end = r->firstColumn + r->columns;
+    int wrapped = w->bucketStart[bucket];
+    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], wrapped,
+                  end <= width ? wrapped : w->bucketStart[bucket + end - width]);
+}
+
+// Numbers the circles of a region. All work-items of the work-group; returns how many there are.
+int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
+    int item = (int) get_local_id(0);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item < r->rows) {
+        int4 slots = slotsInRow(w, r, item);
+        a->rowCount[item] = slots.y - slots.x + slots.w - slots.z;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item <= r->rows) {
+        int sum = 0;
+#pragma unroll 1
+        for (int before = 0; before < item; before++) sum += a->rowCount[before];
+        a->rowStart[item] = sum;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int circles = a->rowStart[r->rows];
+    if (circles > TILE_CIRCLES) return circles;
+    int cells = r->columns * r->rows;
+#pragma unroll 1
+    for (int cell = item; cell < cells; cell += TILE_GROUP) {
+        int row = cell / r->columns;
+        int inRow = cell - row * r->columns;
+        int column = (r->firstColumn + inRow) & r->columnMask;
+        int4 slots = slotsInRow(w, r, row);
+        int bucket = bucketOfRow(w, r, row) + column;
+        int from = w->bucketStart[bucket];
+        int to = w->bucketStart[bucket + 1];
+        int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
+        a->cellStart[cell] = (ushort) i;
+        int own = owns(r, inRow, row) ? 0 : NOT_OWN;
+        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
+    }
+    for (int i = item; i < circles; i += TILE_GROUP) {
+        a->load[i] = (float2)(0.0f);
+        a->flags[i] = 0;
+        a->round[i] = 0;
+        a->degree[i] = 0;
+    }
+    for (int i = item; i <= TILE_ROUNDS; i += TILE_GROUP) a->roundCount[i] = 0;
+    if (item == 0) {
+        a->contacts = 0;
+        a->overfull = 0;
+        a->crowded = 0;
+    }
+    return circles;
+}
+
+// A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
+// bits) and the cell (column, row); and whether the contact carries as the step begins.
+#define LINK_PLACE 0x1fff
+#define LINK_COLUMN 0x2000
+#define LINK_ROW 0x4000
+#define LINK_CARRYING 0x8000
+
+uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow, int highPlace, bool carrying) {
+    return (uint) (lowPlace & LINK_PLACE) | (lowColumn ? LINK_COLUMN : 0) | (lowRow ? LINK_ROW : 0) |
+           (carrying ? LINK_CARRYING : 0) |
+           (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
+}
+
+int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
+    if (part & LINK_COLUMN) column++;
+    if (part & LINK_ROW) row++;
+    if (r->ringX) column &= r->columnMask;
+    if (r->ringY) row &= r->rowMask;
+    return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
+}
+
+// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
+void takeContact(const World *w, const Region *r, local Arrangement *a, int column, int row, int c) {
+    uint link = w->link[c];
+    float4 n = w->contact[c];
+    int lo = circleOfLink(r, a, column, row, link);
+    int hi = circleOfLink(r, a, column, row, link >> 16);
+    float2 loadLo = a->load[lo];
+    float2 loadHi = a->load[hi];
+    a->load[lo] = (float2)(loadLo.x - n.x * n.w, loadLo.y - n.y * n.w);
+    a->load[hi] = (float2)(loadHi.x + n.x * n.w, loadHi.y + n.y * n.w);
+    if (link & LINK_CARRYING) {
+        a->flags[lo] = CARRIED;
+        a->flags[hi] = CARRIED;
+    }
+    int round = max(a->round[lo], a->round[hi]);
+    int k = atomic_inc(&a->contacts);
+    if (round >= TILE_ROUNDS || k >= TILE_CONTACTS) {
+        a->overfull = 1;
+        return;
+    }
+    // No more than there have been rounds, so it fits.
+    a->degree[lo]++;
+    a->degree[hi]++;
+    if (max(a->degree[lo], a->degree[hi]) > CROWD) a->crowded = 1;
+    a->round[lo] = (uchar) (round + 1);
+    a->round[hi] = (uchar) (round + 1);
+    a->contact[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
+    a->contactRound[k] = (uchar) round;
+    atomic_inc(&a->roundCount[round]);
+}
+
+// Takes all contacts that a tile depends on.
+void takeContacts(const World *w, const Region *r, local Arrangement *a) {
+    int l = w->levels->used[0];
+#pragma unroll 1
+    for (int colour = 0; colour < 4; colour++) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        int px = colour & 1;
+        int py = colour >> 1;
+        int across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
+        int down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - py;
+#pragma unroll 1
+        for (int g = (int) get_local_id(0); g < across * down; g += TILE_GROUP) {
+            int line = g / across;
+            int column = (r->ringX ? px : colour) + 2 * (g - line * across);
+            int row = py + 2 * line;
+            int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
+            int to = w->groupStart[group + 1];
+            for (int c = w->groupStart[group]; c < to; c++) takeContact(w, r, a, column, row, c);
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Puts the contacts of a region in the order of rounds, and writes the tile's record.
+void recordContacts(local Arrangement *a, global int *record, int circles) {
+    int item = (int) get_local_id(0);
+    for (int round = item; round <= TILE_ROUNDS + 1; round += TILE_GROUP) {
+        int sum = 0;
+#pragma unroll 1
+        for (int before = 0; before < round; before++) sum += a->roundCount[before];
+        a->roundStart[round] = sum;
+        record[RECORD_STARTS + round] = sum;
+        // The first round without contacts, and all behind it are so too.
+        if (round <= TILE_ROUNDS && a->roundCount[round] == 0 && (round == 0 || a->roundCount[round - 1] > 0)) {
+            record[RECORD_ROUNDS] = round;
+            record[RECORD_CIRCLES] = circles;
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    for (int k = item; k < a->contacts; k += TILE_GROUP) {
+        contactsOf(record)[atomic_inc(&a->roundStart[a->contactRound[k]])] = a->contact[k];
+    }
+}
+
+// Whether the step has been refused, asked while others may refuse it.
+bool refusedMeanwhile(const World *w) {
+    return tooFast(w) || atomic_or(&w->status[OUT_OF_ROOM], 0) != 0 || atomic_or(&w->status[CROWDED], 0) != 0;
+}
+
+// Refuses the step: tiles must be smaller, or there must be none.
+void refuseTile(const World *w, int peak) {
+    atomic_max(&w->status[TILE_PEAK], peak);
+    atomic_or(&w->status[OUT_OF_ROOM], 1);
+}
+
+// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit.
+void arrangeTile(const World *w, local Arrangement *a, int tile) {
+    Region r = regionOf(w, tile);
+    global int *record = recordOf(w, tile);
+    int circles = numberCircles(w, &r, a, record);
+    if (circles == 0 || circles > TILE_CIRCLES) {
+        if (get_local_id(0) == 0) {
+            record[RECORD_CIRCLES] = 0;
+            if (circles > 0) refuseTile(w, 100 * circles / TILE_CIRCLES + 1);
+        }
+        return;
+    }
+    takeContacts(w, &r, a);
+    int contacts = a->contacts;
+    if (a->overfull || a->crowded) {
+        if (get_local_id(0) == 0) {
+            record[RECORD_CIRCLES] = 0;
+            if (a->crowded) {
+                atomic_or(&w->status[CROWDED], 1);
+            } else {
+                refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);
+            }
+        }
+        return;
+    }
+    recordContacts(a, record, circles);
+    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+        int slot = record[RECORD_SLOTS + i];
+        if (slot < 0) continue;
+        float2 sum = a->load[i];
+        w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+    }
+    if (get_local_id(0) == 0) {
+        atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
+    }
+}
+
+#define TILE_KERNEL kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void
+
+// Index space: a work-group a tile.
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Arrangement arrangement;
+    local int no;
+    // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
+    if (get_local_id(0) == 0) no = refusedMeanwhile(&w);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (!no) arrangeTile(&w, &arrangement, (int) get_group_id(0));
+}

@@ -1,0 +1,117 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Session;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+
+/** Applies commands on a device; {@code kernels/world/Commands.cl}. */
+final class ClCommands {
+    private final Session session;
+    private final ClBuffers buffers;
+    private final Kernel apply;
+    private final Kernel confine;
+    private DeviceBuffer records;
+    private DeviceBuffer links;
+
+    /** By id: its last record so far of the batch numbered by {@link #batchOf}. */
+    private int[] last = new int[64];
+
+    private int[] batchOf = new int[64];
+    private int batch;
+    private int[] link = new int[0];
+
+    ClCommands(Session session, ClKernels kernels, ClBuffers buffers) {
+        this.session = session;
+        this.buffers = buffers;
+        apply = kernels.plain("commands_apply");
+        confine = kernels.plain("commands_confine");
+        records = session.allocate("commands", 4L * Commands.STRIDE * 64);
+        links = session.allocate("command links", 8L * 64);
+    }
+
+    /**
+     * Applies commands in call order. New circles take slots from {@code slots} on.
+     *
+     * @return slots at home afterwards
+     */
+    int apply(Commands commands, int slots) {
+        int count = commands.count();
+        int[] words = commands.records();
+        int nextSlot = link(words, count, slots);
+        if (records.bytes() < 4L * Commands.STRIDE * count) {
+            DeviceBuffer larger = session.allocate("commands", 4L * Commands.STRIDE * (count + (count >> 1)));
+            records.close();
+            records = larger;
+        }
+        if (links.bytes() < 8L * count) {
+            DeviceBuffer larger = session.allocate("command links", 8L * (count + (count >> 1)));
+            links.close();
+            links = larger;
+        }
+        buffers.ensureSlots(nextSlot, slots);
+        records.write(0, IntBuffer.wrap(words, 0, Commands.STRIDE * count));
+        links.write(0, IntBuffer.wrap(link, 0, 2 * count));
+        apply.arg(0, records).arg(1, links).arg(2, count);
+        int[] homes = {
+            ClBuffers.HOME_CIRCLE,
+            ClBuffers.HOME_MOTION,
+            ClBuffers.HOME_TRAITS,
+            ClBuffers.HOME_ID,
+            ClBuffers.HOME_MEMORY,
+            ClBuffers.SLOT_OF
+        };
+        for (int i = 0; i < homes.length; i++) {
+            apply.arg(3 + i, buffers.get(homes[i]));
+        }
+        apply.run(count);
+        return nextSlot;
+    }
+
+    /** Brings circles that are outside of new bounds inside. */
+    void confine(Bounds bounds, int slots) {
+        confine.arg(0, buffers.get(ClBuffers.HOME_ID))
+                .arg(1, buffers.get(ClBuffers.HOME_CIRCLE))
+                .arg(2, buffers.get(ClBuffers.HOME_MOTION))
+                .arg(3, buffers.get(ClBuffers.HOME_TRAITS))
+                .arg(4, slots)
+                .arg(5, bounds.minX())
+                .arg(6, bounds.minY())
+                .arg(7, bounds.maxX())
+                .arg(8, bounds.maxY())
+                .run(slots);
+    }
+
+    /**
+     * Links the records of each circle: for a record, the next of the same circle or -1, and (slot of a new circle) times
+     * 2, plus 1 for its circle's first record.
+     */
+    private int link(int[] words, int count, int slots) {
+        if (link.length < 2 * count) {
+            link = new int[2 * count + count];
+        }
+        batch++;
+        int nextSlot = slots;
+        for (int r = 0; r < count; r++) {
+            int id = words[r * Commands.STRIDE + 1];
+            if (id >= last.length) {
+                last = Arrays.copyOf(last, id + (id >> 1));
+                batchOf = Arrays.copyOf(batchOf, last.length);
+            }
+            boolean first = batchOf[id] != batch;
+            if (!first) {
+                link[2 * last[id]] = r;
+            }
+            batchOf[id] = batch;
+            last[id] = r;
+            link[2 * r] = -1;
+            int slot = words[r * Commands.STRIDE] == Commands.ADD ? nextSlot++ : 0;
+            link[2 * r + 1] = 2 * slot + (first ? 1 : 0);
+        }
+        if (nextSlot > slots) {
+            buffers.ensureIds(last.length);
+        }
+        return nextSlot;
+    }
+}

@@ -1,0 +1,102 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The compiled stages, and the one argument list that all their kernels share. */
+final class ClKernels {
+    private static final String[] FILES = {
+        "CircleMath",
+        "World",
+        "Scan",
+        "Commands",
+        "Grid",
+        "Sweep",
+        "Contacts",
+        "Solver",
+        "Tiles",
+        "TileContacts",
+        "TileSolver",
+        "Readback"
+    };
+
+    private final Program program;
+    private final List<Kernel> staged = new ArrayList<>();
+    private int boundVersion = -1;
+    private int boundSlots = -1;
+    private int boundCircles = -1;
+
+    ClKernels(Session session, boolean resident) {
+        program = session.build(source(resident), options(session.device()));
+    }
+
+    /**
+     * The source of all stages; the numbers that host and device share are defined from their one place in Java.
+     *
+     * @param resident whether to make steps in one launch, which not every device can
+     */
+    static KernelSource source(boolean resident) {
+        List<String> files = new ArrayList<>();
+        for (String file : FILES) {
+            files.add("world/" + file + ".cl");
+        }
+        if (resident) {
+            files.add("world/Resident.cl");
+        }
+        return KernelSource.of(files.toArray(String[]::new))
+                .define("LEVELS", Levels.COUNT)
+                .define("MARGIN", Tuning.MARGIN)
+                .define("CAP", Tuning.CAP)
+                .define("TRAVEL", Tuning.TRAVEL)
+                .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
+                .define("LEASH", Tuning.LEASH)
+                .define("CROWD", Tuning.CROWD)
+                .define("COINCIDENT", Tuning.COINCIDENT)
+                .define("TILE_CIRCLES", ClTiles.CIRCLES)
+                .define("TILE_CONTACTS", ClTiles.CONTACTS)
+                .define("TILE_GROUP", ClTiles.GROUP)
+                .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
+    }
+
+    /** Without this option a device may round divisions and square roots as it likes, and some do. */
+    static String[] options(Device device) {
+        return device.correctlyRounded() ? new String[] {"-cl-fp32-correctly-rounded-divide-sqrt"} : new String[0];
+    }
+
+    /** A kernel with an argument list of its own. */
+    Kernel plain(String name) {
+        return program.kernel(name);
+    }
+
+    /** A kernel of a stage: its first {@link ClBuffers#COUNT} arguments are WORLD_PARAMETERS. */
+    Kernel staged(String name) {
+        Kernel kernel = program.kernel(name);
+        staged.add(kernel);
+        return kernel;
+    }
+
+    /** Brings the shared arguments up to date. */
+    void bind(ClBuffers buffers, int slots, int circles) {
+        boolean replaced = boundVersion != buffers.version();
+        for (Kernel kernel : staged) {
+            if (replaced) {
+                buffers.bind(kernel);
+                kernel.arg(ClBuffers.CONTACT_ROOM, buffers.contactRoom());
+            }
+            if (replaced || boundSlots != slots) {
+                kernel.arg(ClBuffers.SLOTS, slots);
+            }
+            if (replaced || boundCircles != circles) {
+                kernel.arg(ClBuffers.CIRCLES, circles);
+            }
+        }
+        boundVersion = buffers.version();
+        boundSlots = slots;
+        boundCircles = circles;
+    }
+}

@@ -1,0 +1,117 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+
+/** Packs the constants of a step and the shape of the grids as the structs of {@code World.cl}, and sends what changed. */
+final class ClParameters {
+    private static final int FLOATS = 21;
+    static final int CONSTANT_INTS = FLOATS + 3;
+    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 3;
+
+    // Positions of single constants.
+    private static final int WARM_SCALE = 16;
+    private static final int SUB_STEPS = FLOATS;
+    private static final int SWEEPING = FLOATS + 1;
+    private static final int THINNING = FLOATS + 2;
+
+    private final int[] constants = new int[CONSTANT_INTS];
+    private final int[] levels = new int[LEVEL_INTS];
+    private final int[] sentConstants = new int[CONSTANT_INTS];
+    private final int[] sentLevels = new int[LEVEL_INTS];
+    private final IntBuffer constantsView = IntBuffer.wrap(constants);
+    private final IntBuffer levelsView = IntBuffer.wrap(levels);
+
+    /** Takes down what the next steps are made with. */
+    void set(StepConstants k, Levels shape) {
+        packConstants(k);
+        packLevels(shape);
+    }
+
+    /** Sets the size of a tile: log2 of its columns and rows of cells. */
+    void setTile(int columnsLog, int rowsLog) {
+        levels[LEVEL_INTS - 2] = columnsLog;
+        levels[LEVEL_INTS - 1] = rowsLog;
+    }
+
+    /** Sets what impulses of the step before are multiplied by. */
+    void setWarmScale(float scale) {
+        pack(WARM_SCALE, scale);
+    }
+
+    /** Sets whether the step takes fast circles, and crowds. */
+    void setPlan(boolean sweeping, boolean thinning) {
+        constants[SWEEPING] = sweeping ? 1 : 0;
+        constants[THINNING] = thinning ? 1 : 0;
+    }
+
+    /** Sends both, in the order of the device's commands, where they are not there yet. */
+    void send(ClBuffers buffers) {
+        send(constants, constantsView, sentConstants, buffers.get(ClBuffers.CONSTANTS));
+        send(levels, levelsView, sentLevels, buffers.get(ClBuffers.LEVELS));
+    }
+
+    private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {
+        // No constants and no shape are all zeros.
+        if (!Arrays.equals(words, sent)) {
+            to.write(0, view);
+            System.arraycopy(words, 0, sent, 0, words.length);
+        }
+    }
+
+    private void packConstants(StepConstants k) {
+        pack(0, k.dt);
+        pack(1, k.h);
+        pack(2, k.inverseH);
+        pack(3, k.gravityStepX);
+        pack(4, k.gravityStepY);
+        pack(5, k.fallX);
+        pack(6, k.fallY);
+        pack(7, k.biasRate);
+        pack(8, k.massScale);
+        pack(9, k.impulseScale);
+        pack(10, k.wallBiasRate);
+        pack(11, k.wallMassScale);
+        pack(12, k.wallImpulseScale);
+        pack(13, k.thresholdRate);
+        pack(14, k.pushPerLength);
+        pack(15, k.pushPerRoot);
+        pack(WARM_SCALE, k.warmScale);
+        pack(17, k.bounds.minX());
+        pack(18, k.bounds.minY());
+        pack(19, k.bounds.maxX());
+        pack(20, k.bounds.maxY());
+        constants[SUB_STEPS] = k.subSteps;
+    }
+
+    private void pack(int at, float value) {
+        constants[at] = Float.floatToRawIntBits(value);
+    }
+
+    private void packLevels(Levels shape) {
+        levels[0] = Float.floatToRawIntBits(shape.minX);
+        levels[1] = Float.floatToRawIntBits(shape.minY);
+        levels[2] = Float.floatToRawIntBits(shape.rmax);
+        levels[3] = shape.usedCount;
+        int at = 4;
+        for (int level = 0; level < Levels.COUNT; level++) {
+            levels[at + level] = Float.floatToRawIntBits(shape.inverseEdge[level]);
+        }
+        at += Levels.COUNT;
+        for (int level = 0; level < Levels.COUNT; level++) {
+            levels[at + level] = Float.floatToRawIntBits(shape.top[level]);
+        }
+        at += Levels.COUNT;
+        System.arraycopy(shape.levelOf, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.columnsLog, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.rowsLog, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.used, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.first, 0, levels, at, Levels.COUNT);
+        levels[at + Levels.COUNT] = shape.buckets();
+    }
+}

@@ -1,0 +1,319 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Session;
+import java.nio.IntBuffer;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * The World engine on an OpenCL device. Steps are enqueued and not waited for; the next call that needs their result looks
+ * at their status first. They are enqueued for the case that is common: there is room for the contacts, no circle is fast,
+ * none stands in a crowd. A step that meets another case is refused: it changes nothing, nor do those behind it. The host then
+ * enlarges the buffers, or enqueues the missing steps with what the case needs.
+ */
+public final class ClPipeline implements Pipeline {
+    // Ints of the status, as in World.cl.
+    private static final int OUT_OF_ROOM = 0;
+    private static final int CONTACTS = 1;
+    private static final int STEPS_DONE = 2;
+    private static final int FAST = 3;
+    private static final int CROWDED = 4;
+    private static final int TILE_PEAK = 5;
+    private static final int STATUS_HEAD = 6;
+
+    /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
+    private static final int MOST_PENDING = 64;
+
+    /** After so many batches of steps without a fast circle, or a crowd, steps are made without heed of them again. */
+    private static final int CALM = 16;
+
+    /** Contacts a circle for which room is made, before it is tried whether crowds can be thinned out. */
+    private static final int ROOM_PER_CIRCLE = 24;
+
+    private static final int LEAST_ROOM = 4096;
+
+    private final Session session;
+    private final boolean profiling;
+    private final ClBuffers buffers;
+    private final ClKernels kernels;
+    private final ClParameters parameters = new ClParameters();
+    private final ClCommands commands;
+    private final ClGrid grid;
+    private final ClSweep sweep;
+    private final ClContacts contacts;
+    private final ClSolver solver;
+    private final ClTiles tiles;
+    private final ClPlan plan;
+
+    /** Null where the plan is another. */
+    private final ClResident resident;
+
+    private final ClReadback readback;
+    private final ClStats stats;
+    private final int[] status = new int[ClBuffers.STATUS_INTS];
+    private final IntBuffer statusView = IntBuffer.wrap(status);
+    private final IntBuffer statusHead = IntBuffer.wrap(status, 0, STATUS_HEAD);
+
+    private int slots;
+    private int circles;
+
+    /** Contacts of the last step, which remembered impulses are numbered by. */
+    private int remembered;
+
+    /** The steps that have been enqueued and not been looked at. */
+    private int pendingSteps;
+
+    /** Steps written home when it was looked last. */
+    private int stepsSeen;
+
+    /** For how many more batches steps heed fast circles; 0 where they do not. */
+    private int sweeping;
+
+    /** For how many more batches steps thin crowds out; 0 where they do not. */
+    private int thinning;
+
+    private final Levels levels = new Levels();
+    private int subSteps;
+    private float warmScale;
+
+    /**
+     * An empty world.
+     *
+     * @param device what to run on
+     * @param capacity number of circles to make room for
+     * @param profiling whether to measure the time of each stage
+     */
+    public ClPipeline(Device device, int capacity, boolean profiling) {
+        this(device, capacity, profiling, ClPlan.choose(device));
+    }
+
+    ClPipeline(Device device, int capacity, boolean profiling, ClPlan plan) {
+        this.profiling = profiling;
+        this.plan = plan;
+        session = Session.open(device, profiling);
+        try {
+            buffers = new ClBuffers(session, capacity);
+            kernels = new ClKernels(session, plan == ClPlan.RESIDENT);
+            commands = new ClCommands(session, kernels, buffers);
+            ClScan scan = new ClScan(kernels);
+            grid = new ClGrid(kernels, buffers, scan);
+            sweep = new ClSweep(kernels);
+            contacts = new ClContacts(kernels, buffers, scan);
+            solver = new ClSolver(kernels);
+            tiles = new ClTiles(kernels, buffers, scan, device);
+            resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
+            readback = new ClReadback(session, kernels, buffers);
+            stats = new ClStats(kernels, buffers);
+            buffers.get(ClBuffers.STATUS).write(0, statusView);
+        } catch (RuntimeException e) {
+            session.close();
+            throw e;
+        }
+    }
+
+    @Override
+    public void apply(Commands changes) {
+        settle();
+        if (changes.count() == 0) {
+            return;
+        }
+        int added = 0;
+        for (int r = 0; r < changes.count(); r++) {
+            int operation = changes.records()[r * Commands.STRIDE];
+            added += operation == Commands.ADD ? 1 : 0;
+            circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
+        }
+        if (slots + added > buffers.slotRoom()) {
+            stats.keep(levels);
+        }
+        slots = commands.apply(changes, slots);
+    }
+
+    @Override
+    public void step(StepConstants constants, Levels shape, int steps) {
+        settle();
+        if (circles == 0) {
+            slots = 0;
+            return;
+        }
+        // Copies: the caller may change both before these steps are known to have found room.
+        levels.copy(shape);
+        subSteps = constants.subSteps;
+        warmScale = constants.warmScale;
+        parameters.set(constants, shape);
+        buffers.ensureBuckets(levels.buckets());
+        for (int left = steps; left > 0; left -= pendingSteps) {
+            settle();
+            pendingSteps = Math.min(left, MOST_PENDING);
+            enqueue();
+        }
+    }
+
+    private void enqueue() {
+        parameters.setPlan(sweeping > 0, thinning > 0);
+        boolean small = resident != null && ClResident.suits(circles);
+        int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
+        boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
+        if (tiled && small) {
+            parameters.setWarmScale(warmScale);
+            parameters.send(buffers);
+            kernels.bind(buffers, slots, circles);
+            resident.run(tiles.tiles(), circles, pendingSteps);
+            return;
+        }
+        int from = slots;
+        for (int step = 0; step < pendingSteps; step++) {
+            // From the second step on, the length of the step before is that of the step.
+            parameters.setWarmScale(step == 0 ? warmScale : 1f);
+            parameters.send(buffers);
+            kernels.bind(buffers, from, circles);
+            grid.build(levels, from, circles);
+            if (sweeping > 0) {
+                sweep.sweep(levels, circles);
+            }
+            if (tiled) {
+                tiles.list(levels, circles);
+                tiles.solve(circles, subSteps);
+            } else {
+                contacts.list(levels, circles, thinning > 0);
+                solver.solve(levels, circles, subSteps);
+            }
+            from = circles;
+        }
+    }
+
+    /** Sees to it that the steps asked for have been made. */
+    private void settle() {
+        while (pendingSteps > 0) {
+            buffers.get(ClBuffers.STATUS).read(statusView);
+            int done = status[STEPS_DONE] - stepsSeen;
+            stepsSeen = status[STEPS_DONE];
+            if (done > 0) {
+                slots = circles;
+                warmScale = 1f;
+            }
+            pendingSteps -= done;
+            tiles.learn(status[TILE_PEAK]);
+            if (pendingSteps == 0) {
+                remembered = status[CONTACTS];
+                stats.stepped(circles, remembered);
+                sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
+                thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
+            } else {
+                adapt();
+                enqueue();
+            }
+        }
+    }
+
+    /** Sees to it that the step that has been refused can be made. */
+    private void adapt() {
+        if (sweeping == 0 && status[FAST] != 0) {
+            sweeping = CALM;
+        }
+        if (status[OUT_OF_ROOM] != 0 && status[CONTACTS] > buffers.contactRoom()) {
+            if (thinning == 0 && status[CONTACTS] > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
+                thinning = CALM;
+            } else {
+                buffers.ensureContacts(status[CONTACTS]);
+            }
+        }
+        if (thinning == 0 && status[CROWDED] != 0) {
+            thinning = CALM;
+        }
+        status[OUT_OF_ROOM] = 0;
+        status[FAST] = 0;
+        status[CROWDED] = 0;
+        status[TILE_PEAK] = 0;
+        buffers.get(ClBuffers.STATUS).write(0, statusHead);
+    }
+
+    @Override
+    public void readCircles(Roster roster, float[] to) {
+        settle();
+        readback.circles(roster, slots, to);
+    }
+
+    @Override
+    public void readVelocities(Roster roster, float[] to) {
+        settle();
+        readback.velocities(roster, slots, to);
+    }
+
+    @Override
+    public void confine(Bounds bounds) {
+        settle();
+        commands.confine(bounds, slots);
+    }
+
+    @Override
+    public long hash() {
+        settle();
+        return new ClState(buffers, slots, remembered).hash();
+    }
+
+    @Override
+    public void save(SavedState into) {
+        settle();
+        new ClState(buffers, slots, remembered).save(into);
+    }
+
+    @Override
+    public void load(SavedState from) {
+        settle();
+        ClState.load(from, buffers);
+        slots = from.circles;
+        circles = from.circles;
+        remembered = from.impulses;
+        stats.stepped(0, 0);
+    }
+
+    @Override
+    public long candidatePairs() {
+        settle();
+        return stats.candidatePairs(levels);
+    }
+
+    @Override
+    public int contacts() {
+        settle();
+        return stats.contacts();
+    }
+
+    @Override
+    public int greatestContacts() {
+        settle();
+        return stats.greatestContacts();
+    }
+
+    @Override
+    public long bytesHeld() {
+        return session.allocatedBytes();
+    }
+
+    @Override
+    public Map<String, Double> stageMillis() {
+        if (!profiling) {
+            return Map.of();
+        }
+        Map<String, Double> millis = new TreeMap<>();
+        session.profileNanos().forEach((kernel, nanos) -> millis.merge(stageOf(kernel), nanos * 1e-6, Double::sum));
+        return millis;
+    }
+
+    private static String stageOf(String kernel) {
+        String prefix = kernel.substring(0, kernel.indexOf('_'));
+        return Character.toUpperCase(prefix.charAt(0)) + prefix.substring(1);
+    }
+
+    @Override
+    public String device() {
+        return session.device().toString();
+    }
+
+    @Override
+    public void close() {
+        session.close();
+    }
+}

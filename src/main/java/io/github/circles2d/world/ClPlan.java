@@ -1,0 +1,36 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+
+/** How the steps of a World are put to a device. All plans give the same bits; they differ in how well they suit devices. */
+enum ClPlan {
+    /** A launch a colour of contacts: takes any world, and suits devices to which launches are cheap. */
+    COLOURS,
+
+    /** A launch a pass over all contacts, by {@link ClTiles}; colours where the world is not one for tiles. */
+    TILES,
+
+    /** One launch for many steps of worlds that are not too large, by {@link ClResident}; else tiles. */
+    RESIDENT;
+
+    private static final System.Logger LOG = System.getLogger(ClPlan.class.getName());
+
+    /** The plan that suits a device, with the reason in the log. */
+    static ClPlan choose(Device device) {
+        ClPlan plan = COLOURS;
+        String reason = "it is no GPU";
+        if (device.kind() == Device.Kind.GPU) {
+            plan = TILES;
+            reason = "a GPU with " + device.localMemoryBytes() + " bytes of local memory";
+            if (!ClTiles.fit(device)) {
+                plan = COLOURS;
+                reason += ", too few for tiles";
+            } else if (ClResident.fits(device)) {
+                plan = RESIDENT;
+                reason += ", of a vendor whose work-groups can wait for each other";
+            }
+        }
+        LOG.log(System.Logger.Level.DEBUG, "World on {0} uses plan {1}: {2}", device.name(), plan, reason);
+        return plan;
+    }
+}

@@ -1,0 +1,45 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import java.util.Locale;
+
+/**
+ * Whole steps in one launch on a device; {@code kernels/world/Resident.cl}. A launch costs the host several microseconds, a
+ * barrier over resident work-groups one or two; a large world has other costs, and is better off with launches.
+ */
+final class ClResident {
+    /** Worlds of more circles use a launch a pass. */
+    private static final int MOST_CIRCLES = 150_000;
+
+    /** Work-groups of {@link ClTiles#GROUP} work-items that surely run at once on a compute unit. */
+    private static final int GROUPS_A_UNIT = 2;
+
+    private final Kernel steps;
+    private final int mostGroups;
+
+    ClResident(ClKernels kernels, Device device) {
+        steps = kernels.staged("resident_steps");
+        mostGroups = mostGroups(device);
+    }
+
+    /** Whether a device is known to run work-groups that wait for each other. */
+    static boolean fits(Device device) {
+        return device.vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
+    }
+
+    /** How many work-groups run at once for sure. */
+    static int mostGroups(Device device) {
+        return GROUPS_A_UNIT * device.computeUnits();
+    }
+
+    static boolean suits(int circles) {
+        return circles <= MOST_CIRCLES;
+    }
+
+    void run(int tiles, int circles, int count) {
+        int needed = Math.max(tiles, (circles + ClTiles.GROUP - 1) / ClTiles.GROUP);
+        int groups = Math.min(needed, mostGroups);
+        steps.arg(ClBuffers.COUNT, count).run((long) groups * ClTiles.GROUP, ClTiles.GROUP);
+    }
+}

@@ -1,0 +1,127 @@
+package io.github.circles2d.world;
+
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+
+/** A copy of a device's state on the host, for what is needed seldom: the hash and snapshots. */
+final class ClState {
+    private static final int OLD_STRIDE = 4;
+
+    private final int slots;
+    private final int[] id;
+    private final float[] circle;
+    private final float[] motion;
+    private final float[] traits;
+    private final int[] memory;
+    private final int[] slotOf;
+
+    /** Remembered contacts, {@value #OLD_STRIDE} ints each: higher id, impulse, next contact. */
+    private final int[] old;
+
+    /**
+     * Reads the state.
+     *
+     * @param slots slots at home
+     * @param remembered number of contacts of the last step
+     */
+    ClState(ClBuffers buffers, int slots, int remembered) {
+        this.slots = slots;
+        id = ClReadback.ints(buffers.get(ClBuffers.HOME_ID), slots);
+        circle = ClReadback.floats(buffers.get(ClBuffers.HOME_CIRCLE), 4 * slots);
+        motion = ClReadback.floats(buffers.get(ClBuffers.HOME_MOTION), 4 * slots);
+        traits = ClReadback.floats(buffers.get(ClBuffers.HOME_TRAITS), 4 * slots);
+        memory = ClReadback.ints(buffers.get(ClBuffers.HOME_MEMORY), slots);
+        slotOf = ClReadback.ints(buffers.get(ClBuffers.SLOT_OF), (int)
+                (buffers.get(ClBuffers.SLOT_OF).bytes() / 4));
+        old = ClReadback.ints(buffers.get(ClBuffers.OLD), OLD_STRIDE * remembered);
+    }
+
+    long hash() {
+        long sum = 0;
+        for (int slot = 0; slot < slots; slot++) {
+            if (id[slot] >= 0) {
+                sum += hashOfCircle(slot) + hashOfMemory(slot);
+            }
+        }
+        return sum;
+    }
+
+    private long hashOfCircle(int slot) {
+        int s = 4 * slot;
+        long h = StateHash.absorb(StateHash.circle(), id[slot]);
+        for (int k = 0; k < 4; k++) {
+            h = StateHash.absorb(h, circle[s + k]);
+        }
+        for (int k = 0; k < 4; k++) {
+            h = StateHash.absorb(h, motion[s + k]);
+        }
+        for (int k = 1; k < 4; k++) {
+            h = StateHash.absorb(h, traits[s + k]);
+        }
+        return h;
+    }
+
+    private long hashOfMemory(int slot) {
+        long sum = 0;
+        for (int c = memory[slot]; c >= 0; c = old[OLD_STRIDE * c + 2]) {
+            if (isRecalled(c)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), id[slot]), old[OLD_STRIDE * c]);
+                sum += StateHash.absorb(h, Float.intBitsToFloat(old[OLD_STRIDE * c + 1]));
+            }
+        }
+        return sum;
+    }
+
+    /** Whether the circle of higher id is still the one that the impulse belongs to. */
+    private boolean isRecalled(int c) {
+        int hi = slotOf[old[OLD_STRIDE * c]];
+        return hi >= 0 && memory[hi] != ClBuffers.FRESH;
+    }
+
+    /** Saves the circles whose ids are given, and the impulses. */
+    void save(SavedState into) {
+        into.impulses = 0;
+        for (int k = 0; k < into.circles; k++) {
+            int slot = slotOf[into.id[k]];
+            System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
+            System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
+            System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
+            for (int c = memory[slot]; c >= 0; c = old[OLD_STRIDE * c + 2]) {
+                if (isRecalled(c)) {
+                    into.addImpulse(id[slot], old[OLD_STRIDE * c], Float.intBitsToFloat(old[OLD_STRIDE * c + 1]));
+                }
+            }
+        }
+    }
+
+    /** Writes saved circles and impulses to a device; slots are in the order of the ids. */
+    static void load(SavedState from, ClBuffers buffers) {
+        int n = from.circles;
+        buffers.ensureSlots(n, 0);
+        buffers.ensureIds(from.ids);
+        buffers.ensureContacts(from.impulses);
+        int[] slotOf = new int[(int) (buffers.get(ClBuffers.SLOT_OF).bytes() / 4)];
+        Arrays.fill(slotOf, -1);
+        for (int slot = 0; slot < n; slot++) {
+            slotOf[from.id[slot]] = slot;
+        }
+        int[] memory = new int[n];
+        Arrays.fill(memory, -1);
+        int[] old = new int[OLD_STRIDE * from.impulses];
+        for (int c = 0; c < from.impulses; c++) {
+            int lo = slotOf[from.lo[c]];
+            old[OLD_STRIDE * c] = from.hi[c];
+            old[OLD_STRIDE * c + 1] = Float.floatToRawIntBits(from.lambda[c]);
+            old[OLD_STRIDE * c + 2] = memory[lo];
+            memory[lo] = c;
+        }
+        buffers.get(ClBuffers.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, 4 * n));
+        buffers.get(ClBuffers.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, 4 * n));
+        buffers.get(ClBuffers.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, 4 * n));
+        buffers.get(ClBuffers.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
+        buffers.get(ClBuffers.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
+        buffers.get(ClBuffers.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
+        buffers.get(ClBuffers.OLD).write(0, IntBuffer.wrap(old));
+    }
+}

@@ -1,0 +1,74 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Kernel;
+import java.nio.IntBuffer;
+
+/** Counts what the last step did, when asked: from the grid and the contact list that it has left behind. */
+final class ClStats {
+    private final ClKernels kernels;
+    private final ClBuffers buffers;
+    private final Kernel candidates;
+    private final Kernel degrees;
+
+    /** Circles and contacts of the last step. */
+    private int circles;
+
+    private int contacts;
+
+    /** Counts of the last step, or -1 where they have not been asked for. */
+    private long candidatePairs;
+
+    private int greatestContacts;
+
+    ClStats(ClKernels kernels, ClBuffers buffers) {
+        this.kernels = kernels;
+        this.buffers = buffers;
+        candidates = kernels.staged("contacts_candidates");
+        degrees = kernels.plain("contacts_degrees");
+    }
+
+    /** Takes note of a step. */
+    void stepped(int circlesOfStep, int contactsOfStep) {
+        circles = circlesOfStep;
+        contacts = contactsOfStep;
+        candidatePairs = -1;
+        greatestContacts = -1;
+    }
+
+    int contacts() {
+        return contacts;
+    }
+
+    /** Counts while what the step has left behind is still there. */
+    void keep(Levels levels) {
+        candidatePairs(levels);
+        greatestContacts();
+    }
+
+    long candidatePairs(Levels levels) {
+        if (candidatePairs < 0) {
+            kernels.bind(buffers, circles, circles);
+            candidates.run(circles);
+            candidatePairs = 0;
+            for (int tested : ClReadback.ints(buffers.get(ClBuffers.RANK), circles)) {
+                candidatePairs += tested;
+            }
+        }
+        return candidatePairs;
+    }
+
+    int greatestContacts() {
+        if (greatestContacts < 0) {
+            buffers.get(ClBuffers.RANK).write(0, IntBuffer.wrap(new int[circles]));
+            degrees.arg(0, buffers.get(ClBuffers.PAIR))
+                    .arg(1, contacts)
+                    .arg(2, buffers.get(ClBuffers.RANK))
+                    .run(contacts);
+            greatestContacts = 0;
+            for (int degree : ClReadback.ints(buffers.get(ClBuffers.RANK), circles)) {
+                greatestContacts = Math.max(greatestContacts, degree);
+            }
+        }
+        return greatestContacts;
+    }
+}

@@ -1,0 +1,152 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+
+/**
+ * The stages Contacts and Solver on a device, where all circles are of one level: a launch a pass instead of a launch a
+ * colour; {@code kernels/world/Tiles.cl} tells how. Chooses the size of a tile: as large as gives the device enough tiles to
+ * work on at once, but so that the circles around none of them exceed {@link #CIRCLES}, which a step finds out.
+ */
+final class ClTiles {
+    /** Circles that the local memory of a work-group has room for. */
+    static final int CIRCLES = 768;
+
+    /** Contacts that the local memory of a work-group has room for. */
+    static final int CONTACTS = 2048;
+
+    /** Ints of a tile's record; see {@code Tiles.cl}. */
+    static final int RECORD = 100 + CIRCLES + 2 * CONTACTS;
+
+    /** A peak that says that no tile would do. */
+    private static final int NO_TILE = Integer.MAX_VALUE;
+
+    /** Local memory that a work-group takes. */
+    private static final int LOCAL_BYTES = 33 << 10;
+
+    /** Work-items of a work-group: as many groups as a colour may have around a tile. */
+    static final int GROUP = 128;
+
+    /** The smallest size that is ever better for speed; smaller ones are for crowds. */
+    private static final int SMALLEST = 2;
+
+    /** Tiles that were given up are tried again after so many calls for the state. */
+    private static final int RETRY = 256;
+
+    /** Sizes of a tile, largest first: log2 of its columns and rows. */
+    private static final int[][] SIZES = {{4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
+
+    private final ClBuffers buffers;
+    private final ClScan scan;
+    private final Device device;
+    private final Kernel count;
+    private final Kernel list;
+    private final Kernel link;
+    private final Kernel arrange;
+    private final Kernel push;
+    private final Kernel measure;
+    private final Kernel remember;
+    private final Kernel relax;
+
+    /** The largest size that may be chosen: larger ones held too many circles. None may where it is the number of sizes. */
+    private int largestSize;
+
+    /** How often there has been something to learn since tiles were given up. */
+    private int without;
+
+    private int size;
+    private int tiles;
+
+    ClTiles(ClKernels kernels, ClBuffers buffers, ClScan scan, Device device) {
+        this.buffers = buffers;
+        this.scan = scan;
+        this.device = device;
+        count = kernels.staged("contacts_count");
+        list = kernels.staged("contacts_list");
+        arrange = kernels.staged("contacts_arrange");
+        link = kernels.staged("contacts_link");
+        remember = kernels.staged("solver_remember");
+        measure = kernels.staged("solver_measure");
+        push = kernels.staged("solver_pushTile");
+        relax = kernels.staged("solver_relaxTile");
+    }
+
+    /** Whether a device can run the tiles at all. */
+    static boolean fit(Device device) {
+        return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= GROUP;
+    }
+
+    /**
+     * Chooses the size of a tile for the next steps.
+     *
+     * @param atOnce how many work-groups run at once, where each had better have one tile; 0 where they come and go
+     * @return false where no tile would do
+     */
+    boolean choose(Levels levels, ClParameters parameters, int atOnce) {
+        if (levels.usedCount != 1 || largestSize == SIZES.length) {
+            return false;
+        }
+        int columns = levels.columnsLog[levels.used[0]];
+        int rows = levels.rowsLog[levels.used[0]];
+        size = largestSize;
+        while (size < SMALLEST && enough(tiles(size, columns, rows), tiles(size + 1, columns, rows), atOnce)) {
+            size++;
+        }
+        parameters.setTile(Math.min(SIZES[size][0], columns), Math.min(SIZES[size][1], rows));
+        tiles = tiles(size, columns, rows);
+        buffers.ensureTiles(tiles);
+        return true;
+    }
+
+    /** Whether a smaller size is better: a tile for each work-group that waits, or several for each compute unit. */
+    private boolean enough(int tilesOfThis, int tilesOfNext, int atOnce) {
+        return atOnce > 0 ? tilesOfNext <= atOnce : tilesOfThis < 3 * device.computeUnits();
+    }
+
+    private static int tiles(int size, int columns, int rows) {
+        return 1 << (columns + rows - Math.min(SIZES[size][0], columns) - Math.min(SIZES[size][1], rows));
+    }
+
+    int tiles() {
+        return tiles;
+    }
+
+    /**
+     * Takes note of how full the fullest tile was: tiles become smaller where that was too much, and larger where there is
+     * room again.
+     *
+     * @param peak percent of the room; 0 where no tiles were used
+     */
+    void learn(int peak) {
+        if (peak > 100) {
+            largestSize = peak == NO_TILE ? SIZES.length : size + 1;
+            without = 0;
+        } else if (largestSize == SIZES.length) {
+            if (++without == RETRY) {
+                largestSize--;
+            }
+        } else if (size == largestSize && size > 0 && peak > 0 && peak < 40) {
+            largestSize--;
+        }
+    }
+
+    void list(Levels levels, int circles) {
+        count.run(circles);
+        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
+        list.run(circles);
+        link.run(2L * circles);
+        arrange.run((long) tiles * GROUP, GROUP);
+    }
+
+    void solve(int circles, int subSteps) {
+        long items = (long) tiles * GROUP;
+        for (int sub = 0; sub < subSteps; sub++) {
+            push.arg(ClBuffers.COUNT, sub).run(items, GROUP);
+            measure.run(2L * circles);
+            relax.arg(ClBuffers.COUNT, sub)
+                    .arg(ClBuffers.COUNT + 1, sub == subSteps - 1 ? 1 : 0)
+                    .run(items, GROUP);
+        }
+        remember.run(2L * circles);
+    }
+}
