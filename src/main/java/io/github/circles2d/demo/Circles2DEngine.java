@@ -10,8 +10,8 @@ import java.util.Locale;
 
 /** {@link Circles2D}, the engine of the thesis, as the demo sees it. */
 final class Circles2DEngine implements Engine {
-    private static final List<String> STRATEGIES =
-            List.of("strategy 0 (computed)", "strategy 1 (look-up table)", "strategy 2 (row search)", "strategy 3 (exact)");
+    private static final List<String> STRATEGIES = List.of(
+            "strategy 0 (computed)", "strategy 1 (look-up table)", "strategy 2 (row search)", "strategy 3 (exact)");
 
     private final Circles2D circles2d;
     private final Scene scene;

@@ -69,7 +69,12 @@ final class OptionsParser {
                     v -> strategy = integer(v, 0, 3)),
             new Option("--restitution", "", "E", "0, inelastic, to 1, elastic (0.5)", v -> restitution = real(v, 0, 1)),
             new Option("--gravity", "", "X,Y", "arena sides per second squared, y up (0,-0.01)", this::gravity),
-            new Option("--device", "", "DEVICE", "best, gpu, cpu, a number or a part of a name; world: jvm, too (best)", this::device),
+            new Option(
+                    "--device",
+                    "",
+                    "DEVICE",
+                    "best, gpu, cpu, a number or a part of a name; world: jvm, too (best)",
+                    this::device),
             new Option("--seed", "", "S", "seed of the random start (1)", this::seed),
             new Option("--engine", "", "NAME", ENGINES + " (circles2d)", this::engine),
             new Option("--frames", "", "N", "end after N frames", v -> frames = integer(v, 1, Integer.MAX_VALUE)),

@@ -115,6 +115,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void finish() {
+        // a step has been made when step returns
+    }
+
+    @Override
     public void confine(Bounds bounds) {
         state.confine(bounds);
     }
