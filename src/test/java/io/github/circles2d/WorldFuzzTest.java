@@ -79,6 +79,10 @@ class WorldFuzzTest {
         private final long seed;
         private final Random random;
         private List<Long> stale = new ArrayList<>(List.of(0L, -1L, 77L));
+
+        /** Most circles of a program have radii of about the arena over 10 to the power of this. */
+        private final int scale;
+
         private World world;
         private Model model = new Model();
         private ByteBuffer snapshot;
@@ -89,13 +93,14 @@ class WorldFuzzTest {
         Program(long seed) {
             this.seed = seed;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
+            scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
 
         void run() {
             try {
                 world = build();
                 try {
-                    int calls = 5 + random.nextInt(25);
+                    int calls = 5 + random.nextInt(40);
                     for (int k = 0; k < calls; k++) {
                         call();
                     }
@@ -116,7 +121,7 @@ class WorldFuzzTest {
             float size = (float) StrictMath.pow(10, random.nextInt(16) - 6);
             float offset = random.nextInt(3) == 0 ? (random.nextFloat() - 0.5f) * 1e9f : 0;
             for (int k = 0; k < 4; k++) {
-                w[k] = value(offset - size, offset + size);
+                w[k] = k < 2 ? value(offset - size, offset) : value(offset, offset + size);
             }
             ask(false, () -> {
                 builder.bounds(w[0], w[1], w[2], w[3]);
@@ -134,10 +139,10 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(17)) {
+            switch (random.nextInt(18)) {
                 case 0, 1, 2, 3 -> add();
-                case 4 -> addAll();
-                case 5 -> remove();
+                case 4, 5 -> addAll();
+                case 17 -> remove();
                 case 6 -> setPosition();
                 case 7 -> setVelocity();
                 case 8 -> setRadius();
@@ -159,7 +164,7 @@ class WorldFuzzTest {
         }
 
         private void addAll() {
-            int n = random.nextInt(12);
+            int n = random.nextInt(random.nextInt(10) == 0 ? 80 : 12);
             float[] circles = new float[4 * n];
             boolean bad = false;
             float[] one = circle();
@@ -357,7 +362,7 @@ class WorldFuzzTest {
         // -------------------------------------------------------------------------------------------------
 
         private float value(float low, float high) {
-            return random.nextInt(40) == 0
+            return random.nextInt(150) == 0
                     ? HOSTILE[random.nextInt(HOSTILE.length)]
                     : low + (high - low) * random.nextFloat();
         }
@@ -372,7 +377,8 @@ class WorldFuzzTest {
 
         private float radius() {
             float extent = Math.min(model.maxX - model.minX, model.maxY - model.minY);
-            return value(0, 0.55f * extent * (float) StrictMath.pow(10, -random.nextInt(7)));
+            float least = random.nextInt(4) == 0 ? 0 : 0.02f * extent;
+            return value(least, 0.52f * extent * (float) StrictMath.pow(10, -scale - random.nextInt(2)));
         }
 
         private float mass() {
