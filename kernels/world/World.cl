@@ -9,7 +9,7 @@
 typedef struct {
     float dt, h, inverseH, gravityStepX, gravityStepY, fallX, fallY;
     float biasRate, massScale, impulseScale, wallBiasRate, wallMassScale, wallImpulseScale;
-    float thresholdRate, pushPerLength, pushPerRoot, warmScale;
+    float thresholdRate, restRate, pushPerLength, pushPerRoot, warmScale;
     float minX, minY, maxX, maxY;
     int subSteps;
     int sweeping; // 1 where the step has the stage Sweep, else it does not take fast circles

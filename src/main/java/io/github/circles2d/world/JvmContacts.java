@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 final class JvmContacts {
     /** Floats a contact. */
-    static final int STRIDE = 12;
+    static final int STRIDE = 14;
 
     /** Difference of the bases, x. */
     static final int EX = 0;
@@ -49,8 +49,17 @@ final class JvmContacts {
     /** Target speed of a bounce, between the two passes of a sub-step. */
     static final int BOUNCE = 11;
 
+    /** Effective mass. */
+    static final int MASS = 12;
+
+    /** Square of the bounce threshold. */
+    static final int THRESHOLD = 13;
+
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
     private static final int SHORT = 48;
+
+    /** Groups whose contacts are laid out together. */
+    static final int TOGETHER = 16;
 
     /** Pairs a circle for which a list has room, before it is given up. */
     private static final int ROOM_PER_CIRCLE = 24;
@@ -380,16 +389,35 @@ final class JvmContacts {
     // ---- filling
     // -----------------------------------------------------------------------------------------------------
 
-    /** Orders the contacts of a group, and fills them. */
-    void fillGroup(int worker, int group, StepConstants constants) {
-        int from = start[group];
-        int to = start[group + 1];
-        sort(from, to);
-        for (int c = from; c < to; c++) {
-            fill(c, constants);
+    /**
+     * Orders the contacts of some groups of one colour, and fills them: the first contact of each group, then the second of each.
+     * Groups of one colour share no circle, so a processor can work on neighbours in this order at the same time.
+     */
+    void fillGroups(int worker, int fromGroup, int toGroup, StepConstants constants) {
+        Found f = found[worker];
+        int open = 0;
+        for (int group = fromGroup; group < toGroup; group++) {
+            if (start[group] < start[group + 1]) {
+                sort(start[group], start[group + 1]);
+                f.next[open] = start[group];
+                f.end[open++] = start[group + 1];
+            }
         }
-        if (found[worker].mode == LIST) {
-            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
+        int to = start[fromGroup];
+        while (open > 0) {
+            int left = 0;
+            for (int k = 0; k < open; k++) {
+                int from = f.next[k];
+                fill(from, to++, constants);
+                if (from + 1 < f.end[k]) {
+                    f.next[left] = from + 1;
+                    f.end[left++] = f.end[k];
+                }
+            }
+            open = left;
+        }
+        if (f.mode == LIST) {
+            f.most = Math.max(f.most, countCandidates(start[fromGroup], start[toGroup]));
         }
     }
 
@@ -429,9 +457,9 @@ final class JvmContacts {
         }
     }
 
-    private void fill(int c, StepConstants constants) {
-        int lo = (int) (slots[c] >>> 32);
-        int hi = (int) slots[c];
+    private void fill(int from, int c, StepConstants constants) {
+        int lo = (int) (slots[from] >>> 32);
+        int hi = (int) slots[from];
         int i = 4 * lo;
         int j = 4 * hi;
         float[] circle = state.circle;
@@ -440,20 +468,32 @@ final class JvmContacts {
         pair[2 * c] = i;
         pair[2 * c + 1] = j;
         float sum = circle[i + 2] + circle[j + 2];
-        contact[k + EX] = circle[j] - circle[i];
-        contact[k + EY] = circle[j + 1] - circle[i + 1];
+        float ex = circle[j] - circle[i];
+        float ey = circle[j + 1] - circle[i + 1];
+        float e = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + EX] = ex;
+        contact[k + EY] = ey;
         contact[k + SUM] = sum;
-        contact[k + E] = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + E] = e;
+        contact[k + THRESHOLD] = CircleMath.bounceThreshold(sum, e, constants.thresholdRate, constants.restRate);
         contact[k + W_LO] = traits[i];
         contact[k + W_HI] = traits[j];
+        contact[k + MASS] = 1f / (traits[i] + traits[j]);
         contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
-        int hash = CircleMath.pairHash((int) (key[c] >>> 32), (int) key[c]);
+        if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
+            part(k, CircleMath.pairHash((int) (key[from] >>> 32), (int) key[from]));
+        }
+        contact[k + LAMBDA] =
+                state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[from]) * constants.warmScale;
+    }
+
+    /** Gives a contact a normal for the case that its circles turn out to have one centre. */
+    private void part(int k, int hash) {
         float px = CircleMath.partingX(hash);
         float py = CircleMath.partingY(hash);
-        float length = CircleMath.norm(px, py);
-        contact[k + NX] = px / length;
-        contact[k + NY] = py / length;
-        contact[k + LAMBDA] = state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[c]) * constants.warmScale;
+        float norm = CircleMath.norm(px, py);
+        contact[k + NX] = px / norm;
+        contact[k + NY] = py / norm;
     }
 
     // ---- memory
@@ -471,7 +511,7 @@ final class JvmContacts {
     /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
     void remember(int c, float lambda) {
         int lo = pair[2 * c] >> 2;
-        oldHi[c] = (int) key[c];
+        oldHi[c] = state.id[pair[2 * c + 1] >> 2];
         oldLambda[c] = lambda;
         oldNext[c] = state.memory[lo];
         state.memory[lo] = c;
@@ -552,6 +592,11 @@ final class JvmContacts {
 
     /** Pairs that one thread found. */
     private static final class Found {
+        /** By open group, while groups are filled: its next contact, and the end of its contacts. */
+        private final int[] next = new int[TOGETHER];
+
+        private final int[] end = new int[TOGETHER];
+
         private int count;
         private long tested;
         private int[] records = new int[1024];
