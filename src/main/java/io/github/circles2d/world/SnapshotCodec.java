@@ -26,7 +26,7 @@ public final class SnapshotCodec {
     private static final int VERSION = 1;
 
     private static final int LENGTH_AT = 8;
-    private static final int CHECK_AT = 64;
+    static final int CHECK_AT = 64;
 
     /** Bytes of the header. */
     public static final int HEADER = 72;
@@ -177,7 +177,7 @@ public final class SnapshotCodec {
     }
 
     /** Mixes all bytes but those of the check itself. */
-    private static long check(ByteBuffer in, int length) {
+    static long check(ByteBuffer in, int length) {
         long h = MAGIC;
         int k = 0;
         for (; k + 4 <= length; k += 4) {

@@ -1,0 +1,100 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.sun.management.ThreadMXBean;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.nio.LongBuffer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A game that runs leaves no garbage. */
+class WorldAllocationTest {
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3})
+    void stepsAndReadsAllocateNothingOnTheJvm(int threads) {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        int n = scene.size();
+        float[] circles = new float[4 * n];
+        float[] velocities = new float[2 * n];
+        long[] handles = new long[n];
+        FloatBuffer circleBuffer =
+                ByteBuffer.allocateDirect(16 * n).order(ByteOrder.nativeOrder()).asFloatBuffer();
+        FloatBuffer velocityBuffer = FloatBuffer.allocate(2 * n);
+        LongBuffer handleBuffer = LongBuffer.allocate(n);
+        try (World world = WorldScenes.world(
+                scene,
+                WorldScenes.builder(scene)
+                        .backend(Backend.JVM)
+                        .threads(threads)
+                        .leastShare(1)
+                        .profiling(true))) {
+            Runnable frame = () -> {
+                world.readHandles(handles);
+                world.setVelocity(handles[7], 0.01f, 0);
+                world.applyImpulse(handles[8], 0.01f, 0);
+                world.step(scene.timeStep());
+                world.step(scene.timeStep(), 2);
+                world.read(circles);
+                world.readVelocities(velocities);
+                world.read(circleBuffer.clear());
+                world.readVelocities(velocityBuffer.clear());
+                world.readHandles(handleBuffer.clear());
+                consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
+            };
+            for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
+                frame.run();
+            }
+            // the virtual machine may still leave some hundred bytes now and then; what a frame leaves, every frame
+            // does
+            long least = Long.MAX_VALUE;
+            for (int k = 0; k < 10 && least != 0; k++) {
+                least = Math.min(least, allocatedBy(frame, 50));
+            }
+            assertThat(least).isZero();
+        }
+    }
+
+    @Test
+    void theMeasurementSeesWhatIsAllocated() {
+        byte[][] own = new byte[1][];
+        assertThat(allocatedBy(() -> own[0] = new byte[100_000], 10)).isGreaterThanOrEqualTo(1_000_000);
+    }
+
+    private static volatile double sink;
+
+    private static void consume(double value) {
+        sink = value;
+    }
+
+    /** Bytes that all threads but those of the test's runner allocate in some runs, without those for measuring. */
+    private static long allocatedBy(Runnable action, int runs) {
+        long[] ids = Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> !thread.getName().startsWith("surefire"))
+                .mapToLong(Thread::getId)
+                .toArray();
+        measure(ids);
+        long start = measure(ids);
+        long before = measure(ids);
+        for (int k = 0; k < runs; k++) {
+            action.run();
+        }
+        return measure(ids) - before - (before - start);
+    }
+
+    private static long measure(long[] ids) {
+        long sum = 0;
+        for (long id : ids) {
+            sum += Math.max(0, THREADS.getThreadAllocatedBytes(id));
+        }
+        return sum;
+    }
+}

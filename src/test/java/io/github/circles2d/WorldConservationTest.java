@@ -1,0 +1,135 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What must stay, and what must not grow. */
+class WorldConservationTest {
+    @Test
+    void anElasticGasKeepsItsEnergyFor10000Steps() {
+        Scene scene = Scenes.gas(500, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            double before = new Totals(world).energy;
+            world.step(scene.timeStep(), 10_000);
+            double after = new Totals(world).energy;
+            assertThat(after / before).isCloseTo(1, within(1e-4));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {0, 0.5f, 1})
+    void collisionsKeepTheMomentum(float restitution) {
+        Scene scene = Scenes.gas(500, Scenes.SEED);
+        // the gas in the middle of an arena so wide that no circle comes to a wall
+        try (World world = World.builder()
+                .bounds(-100, -100, 101, 101)
+                .restitution(restitution)
+                .build()) {
+            for (int i = 0; i < scene.size(); i++) {
+                world.add(scene.x(i), scene.y(i), scene.radius(i), scene.mass(i), scene.vx(i), scene.vy(i));
+            }
+            Totals before = new Totals(world);
+            int contacts = 0;
+            for (int k = 0; k < 30; k++) {
+                world.step(scene.timeStep(), 100);
+                contacts += world.stats().contacts();
+            }
+            Totals after = new Totals(world);
+            assertThat(contacts).isPositive();
+            assertThat((after.momentumX - before.momentumX) / before.momenta).isCloseTo(0, within(1e-5));
+            assertThat((after.momentumY - before.momentumY) / before.momenta).isCloseTo(0, within(1e-5));
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({"0, 1e-5", "0.05, 1e-3", "0.1, 1e-3", "0.3, 1e-6", "0.7, 1e-6", "0.95, 1e-6", "1, 1e-6"})
+    void noStepWithoutGravityAddsMoreThanAShareOfTheFirstEnergy(float restitution, double share) {
+        Scene scene = Scenes.gas(800, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).restitution(restitution))) {
+            for (int i = 0; i < scene.size(); i++) {
+                world.setRestitution(handleOf(world, i), restitution);
+            }
+            double first = new Totals(world).energy;
+            double before = first;
+            double worst = 0;
+            for (int step = 0; step < 1500; step++) {
+                world.step(scene.timeStep());
+                double energy = new Totals(world).energy;
+                worst = Math.max(worst, (energy - before) / first);
+                before = energy;
+            }
+            assertThat(before).isLessThanOrEqualTo(first * (1 + 1e-6));
+            assertThat(worst).isLessThanOrEqualTo(share);
+        }
+    }
+
+    private static long handleOf(World world, int place) {
+        long[] handles = new long[world.size()];
+        world.readHandles(handles);
+        return handles[place];
+    }
+
+    @Test
+    void whereNothingMayTouchNothingEverDoes() {
+        Scene scene = Scenes.noCollide();
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            int n = scene.size();
+            float[] circles = new float[4 * n];
+            float[] velocities = new float[2 * n];
+            for (int step = 0; step < 3000; step++) {
+                world.step(scene.timeStep());
+                world.read(circles);
+                world.readVelocities(velocities);
+                for (int i = 0; i < n; i++) {
+                    boolean alongX = scene.vx(i) != 0;
+                    boolean alongY = scene.vy(i) != 0;
+                    // exactly: any contact would leave a trace
+                    assertThat(Math.abs(velocities[2 * i])).isEqualTo(alongX ? 100f : 0f);
+                    assertThat(Math.abs(velocities[2 * i + 1])).isEqualTo(alongY ? 100f : 0f);
+                    if (!alongX) {
+                        assertThat(circles[4 * i]).isEqualTo(scene.x(i));
+                    }
+                    if (!alongY) {
+                        assertThat(circles[4 * i + 1]).isEqualTo(scene.y(i));
+                    }
+                }
+            }
+        }
+    }
+
+    /** Sums over all circles that are not fixed, in double. */
+    private static final class Totals {
+        private double energy;
+        private double momentumX;
+        private double momentumY;
+
+        /** Sum of the magnitudes of all momenta: what rounding errors are to be measured by. */
+        private double momenta;
+
+        Totals(World world) {
+            int n = world.size();
+            float[] circles = new float[4 * n];
+            float[] velocities = new float[2 * n];
+            world.read(circles);
+            world.readVelocities(velocities);
+            for (int i = 0; i < n; i++) {
+                double m = circles[4 * i + 3];
+                double vx = velocities[2 * i];
+                double vy = velocities[2 * i + 1];
+                if (m < Double.POSITIVE_INFINITY) {
+                    energy += 0.5 * m * (vx * vx + vy * vy);
+                    momentumX += m * vx;
+                    momentumY += m * vy;
+                    momenta += m * Math.sqrt(vx * vx + vy * vy);
+                }
+            }
+        }
+    }
+}

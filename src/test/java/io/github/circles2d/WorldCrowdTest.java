@@ -1,0 +1,59 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.scenes.Quality;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import org.junit.jupiter.api.Test;
+
+/** Circles that are all in one place: slow, never wrong. */
+class WorldCrowdTest {
+    /** 10,000 come apart as well, which takes the better part of a minute. */
+    private static final int CIRCLES = Integer.getInteger("circles2d.crowd.circles", 2000);
+
+    @Test
+    void allCirclesAtOnePointComeApart() {
+        assertComesApart(Scenes.onePoint(CIRCLES, Scenes.SEED));
+    }
+
+    @Test
+    void allCirclesInOneCellComeApart() {
+        assertComesApart(Scenes.oneCell(CIRCLES, Scenes.SEED));
+    }
+
+    private static void assertComesApart(Scene scene) {
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            for (int k = 0; k < 40; k++) {
+                world.step(scene.timeStep(), 10);
+                assertInside(world, scene);
+            }
+            Quality quality = WorldScenes.quality(world);
+            assertThat(quality.meanDepth()).isLessThanOrEqualTo(0.003);
+            assertThat(quality.deep()).isLessThanOrEqualTo(1);
+        }
+    }
+
+    @Test
+    void tenThousandCirclesAtOnePointHaveFarFewerContactsThanPairs() {
+        Scene scene = Scenes.onePoint(10_000, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            for (int k = 0; k < 3; k++) {
+                world.step(scene.timeStep());
+                assertInside(world, scene);
+                assertThat(world.stats().contacts()).isBetween(100_000, 400_000);
+                assertThat(world.stats().bytesHeld()).isLessThan(100_000_000);
+            }
+        }
+    }
+
+    private static void assertInside(World world, Scene scene) {
+        float[] circles = new float[4 * world.size()];
+        world.read(circles);
+        for (int i = 0; i < world.size(); i++) {
+            float r = circles[4 * i + 2];
+            assertThat(circles[4 * i]).isBetween(scene.minX() + r, scene.maxX() - r);
+            assertThat(circles[4 * i + 1]).isBetween(scene.minY() + r, scene.maxY() - r);
+        }
+    }
+}

@@ -1,0 +1,410 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
+ * does what a plain model of the world does; the state is finite and within the bounds whatever happens. The system property
+ * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
+ */
+class WorldFuzzTest {
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 10_000);
+    private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
+
+    private static final float[] HOSTILE = {
+        Float.NaN,
+        Float.POSITIVE_INFINITY,
+        Float.NEGATIVE_INFINITY,
+        0,
+        -0f,
+        Float.MIN_VALUE,
+        -Float.MIN_VALUE,
+        Float.MIN_NORMAL,
+        Float.MAX_VALUE,
+        -Float.MAX_VALUE,
+        1e-9f,
+        1e-6f,
+        1e9f,
+        -1e9f,
+        1.0000001e9f,
+        1e18f,
+        -1e18f,
+        1,
+        -1
+    };
+
+    @Test
+    void anyProgramGivesClearExceptionsOrASoundWorld() {
+        for (int k = 0; k < PROGRAMS; k++) {
+            new Program(SEED + k).run();
+        }
+    }
+
+    /** What must live, and what is known of it. */
+    private static final class Model {
+        /** Radius and mass by handle, in the order of the ids. */
+        private final TreeMap<Long, float[]> circles =
+                new TreeMap<>((a, b) -> Integer.compare(a.intValue(), b.intValue()));
+
+        private float minX;
+        private float minY;
+        private float maxX;
+        private float maxY;
+
+        Model copy() {
+            Model copy = new Model();
+            circles.forEach((handle, values) -> copy.circles.put(handle, values.clone()));
+            copy.walls(minX, minY, maxX, maxY);
+            return copy;
+        }
+
+        void walls(float x0, float y0, float x1, float y1) {
+            minX = x0;
+            minY = y0;
+            maxX = x1;
+            maxY = y1;
+        }
+    }
+
+    private static final class Program {
+        private final long seed;
+        private final Random random;
+        private List<Long> stale = new ArrayList<>(List.of(0L, -1L, 77L));
+
+        /** Most circles of a program have radii of about the arena over 10 to the power of this. */
+        private final int scale;
+
+        private World world;
+        private Model model = new Model();
+        private ByteBuffer snapshot;
+        private Model snapshotModel;
+        private List<Long> snapshotStale;
+        private String last = "";
+
+        Program(long seed) {
+            this.seed = seed;
+            random = new Random(seed * 0x9E3779B97F4A7C15L);
+            scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
+        }
+
+        void run() {
+            try {
+                world = build();
+                try {
+                    int calls = 5 + random.nextInt(40);
+                    for (int k = 0; k < calls; k++) {
+                        call();
+                    }
+                    check();
+                } finally {
+                    world.close();
+                }
+            } catch (AssertionError | RuntimeException e) {
+                throw new AssertionError("program of seed " + seed + ", in " + last, e);
+            }
+        }
+
+        private World build() {
+            World.Builder builder =
+                    World.builder().backend(Backend.JVM).threads(1).capacity(0);
+            model.walls(0, 0, 1, 1);
+            float[] w = new float[4];
+            float size = (float) StrictMath.pow(10, random.nextInt(16) - 6);
+            float offset = random.nextInt(3) == 0 ? (random.nextFloat() - 0.5f) * 1e9f : 0;
+            for (int k = 0; k < 4; k++) {
+                w[k] = k < 2 ? value(offset - size, offset) : value(offset, offset + size);
+            }
+            ask(false, () -> {
+                builder.bounds(w[0], w[1], w[2], w[3]);
+                model.walls(w[0], w[1], w[2], w[3]);
+            });
+            float g = random.nextInt(4) == 0 ? 1e9f : 10;
+            float gx = value(-g, g);
+            float gy = value(-g, g);
+            ask(bad(gx) || bad(gy), () -> builder.gravity(gx, gy));
+            float e = value(0, 1);
+            ask(bad(e), () -> builder.restitution(e));
+            int subSteps = random.nextInt(19);
+            ask(subSteps < 1 || subSteps > 16, () -> builder.subSteps(subSteps));
+            return builder.build();
+        }
+
+        private void call() {
+            switch (random.nextInt(18)) {
+                case 0, 1, 2, 3 -> add();
+                case 4, 5 -> addAll();
+                case 17 -> remove();
+                case 6 -> setPosition();
+                case 7 -> setVelocity();
+                case 8 -> setRadius();
+                case 9 -> setMass();
+                case 10 -> setRestitution();
+                case 11 -> impulse();
+                case 12 -> setWorld();
+                case 13 -> saveOrRestore();
+                default -> step();
+            }
+        }
+
+        private void add() {
+            float[] c = circle();
+            float vx = value(-speed(), speed());
+            float vy = value(-speed(), speed());
+            last = "add " + Arrays.toString(c) + " " + vx + " " + vy;
+            ask(bad(c) || bad(vx) || bad(vy), () -> entered(world.add(c[0], c[1], c[2], c[3], vx, vy), c[2], c[3]));
+        }
+
+        private void addAll() {
+            int n = random.nextInt(random.nextInt(10) == 0 ? 80 : 12);
+            float[] circles = new float[4 * n];
+            boolean bad = false;
+            float[] one = circle();
+            for (int i = 0; i < n; i++) {
+                float[] c = random.nextInt(3) == 0 ? one : circle(); // some at the same place
+                System.arraycopy(c, 0, circles, 4 * i, 4);
+                bad |= bad(c);
+            }
+            long[] handles = new long[n];
+            last = "addAll " + Arrays.toString(circles);
+            ask(bad, () -> {
+                world.addAll(circles, handles);
+                for (int i = 0; i < n; i++) {
+                    entered(handles[i], circles[4 * i + 2], circles[4 * i + 3]);
+                }
+            });
+        }
+
+        private void entered(long handle, float radius, float mass) {
+            assertThat(stale).doesNotContain(handle);
+            assertThat(model.circles.put(handle, new float[] {radius, mass})).isNull();
+        }
+
+        private void remove() {
+            long handle = handle();
+            last = "remove " + handle;
+            ask(unknown(handle), () -> {
+                world.remove(handle);
+                model.circles.remove(handle);
+                stale.add(handle);
+            });
+        }
+
+        private void setPosition() {
+            long handle = handle();
+            float x = value(model.minX, model.maxX);
+            float y = value(model.minY, model.maxY);
+            last = "setPosition " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> world.setPosition(handle, x, y));
+        }
+
+        private void setVelocity() {
+            long handle = handle();
+            float x = value(-speed(), speed());
+            float y = value(-speed(), speed());
+            last = "setVelocity " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> world.setVelocity(handle, x, y));
+        }
+
+        private void setRadius() {
+            long handle = handle();
+            float radius = radius();
+            last = "setRadius " + radius;
+            ask(unknown(handle) || bad(radius) || !(radius > 0), () -> {
+                world.setRadius(handle, radius);
+                model.circles.get(handle)[0] = radius;
+            });
+        }
+
+        private void setMass() {
+            long handle = handle();
+            float mass = mass();
+            last = "setMass " + mass;
+            ask(unknown(handle) || Float.isNaN(mass) || !(mass > 0), () -> {
+                world.setMass(handle, mass);
+                model.circles.get(handle)[1] = mass;
+            });
+        }
+
+        private void setRestitution() {
+            long handle = handle();
+            float e = value(0, 1);
+            last = "setRestitution " + e;
+            ask(unknown(handle) || !(e >= 0 && e <= 1), () -> world.setRestitution(handle, e));
+        }
+
+        private void impulse() {
+            long handle = handle();
+            float x = value(-1e18f, 1e18f);
+            float y = value(-1, 1);
+            last = "applyImpulse " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> world.applyImpulse(handle, x, y));
+        }
+
+        private void setWorld() {
+            if (random.nextBoolean()) {
+                float gx = value(-1e9f, 1e9f);
+                float gy = value(-20, 20);
+                last = "setGravity " + gx + " " + gy;
+                ask(bad(gx) || bad(gy), () -> world.setGravity(gx, gy));
+            } else {
+                float w = model.maxX - model.minX;
+                float[] b = {
+                    value(model.minX, model.minX + 0.3f * w),
+                    value(model.minY - w, model.minY + w),
+                    value(model.maxX - 0.3f * w, model.maxX),
+                    value(model.maxY - 0.1f * w, model.maxY + w)
+                };
+                last = "setBounds " + Arrays.toString(b);
+                ask(bad(b[0]) || bad(b[1]) || bad(b[2]) || bad(b[3]), () -> {
+                    world.setBounds(b[0], b[1], b[2], b[3]);
+                    model.walls(b[0], b[1], b[2], b[3]);
+                });
+            }
+        }
+
+        private void saveOrRestore() {
+            if (snapshot == null || random.nextBoolean()) {
+                last = "snapshot";
+                snapshot = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(snapshot);
+                snapshot.flip();
+                snapshotModel = model.copy();
+                snapshotStale = new ArrayList<>(stale);
+                return;
+            }
+            last = "restore";
+            if (random.nextInt(3) == 0) {
+                byte[] damaged = snapshot.array().clone();
+                damaged[random.nextInt(damaged.length)] ^= (byte) (1 << random.nextInt(8));
+                ask(true, () -> world.restore(ByteBuffer.wrap(damaged)));
+                return;
+            }
+            if (random.nextBoolean()) {
+                world.close();
+                world = World.builder()
+                        .backend(Backend.JVM)
+                        .threads(1)
+                        .capacity(0)
+                        .build();
+            }
+            world.restore(snapshot.duplicate());
+            model = snapshotModel.copy();
+            stale = new ArrayList<>(snapshotStale);
+            check();
+        }
+
+        private void step() {
+            float dt = random.nextInt(3) == 0 ? value(0, 1) : 1 / 60f;
+            int steps = random.nextInt(8) == 0 ? random.nextInt(3) - 1 : 1 + random.nextInt(3);
+            last = "step " + dt + " " + steps;
+            ask(bad(dt) || !(dt > 0) || steps < 1, () -> world.step(dt, steps));
+            check();
+        }
+
+        /** Makes a call that must be refused, or that may be where the values are odd; a refused one must change nothing. */
+        private void ask(boolean mustRefuse, Runnable call) {
+            long hash = world == null ? 0 : world.hash();
+            boolean refused = false;
+            try {
+                call.run();
+            } catch (IllegalArgumentException e) {
+                refused = true;
+                assertThat(e.getMessage()).isNotBlank();
+                if (world != null) {
+                    assertThat(world.hash()).isEqualTo(hash);
+                }
+            }
+            assertThat(refused || !mustRefuse).as("refused").isTrue();
+        }
+
+        private void check() {
+            int n = model.circles.size();
+            assertThat(world.size()).isEqualTo(n);
+            float[] circles = new float[4 * n];
+            float[] velocities = new float[2 * n];
+            long[] handles = new long[n];
+            world.read(circles);
+            world.readVelocities(velocities);
+            world.readHandles(handles);
+            int k = 0;
+            for (Map.Entry<Long, float[]> entry : model.circles.entrySet()) {
+                boolean sound = handles[k] == entry.getKey()
+                        && circles[4 * k] >= model.minX
+                        && circles[4 * k] <= model.maxX
+                        && circles[4 * k + 1] >= model.minY
+                        && circles[4 * k + 1] <= model.maxY
+                        && circles[4 * k + 2] == entry.getValue()[0]
+                        && circles[4 * k + 3] == entry.getValue()[1]
+                        && Math.abs(velocities[2 * k]) <= 1e9f
+                        && Math.abs(velocities[2 * k + 1]) <= 1e9f;
+                assertThat(sound)
+                        .as(
+                                "circle %d at %s, %s, velocity %s, %s",
+                                k, circles[4 * k], circles[4 * k + 1], velocities[2 * k], velocities[2 * k + 1])
+                        .isTrue();
+                k++;
+            }
+            for (long handle : stale) {
+                assertThat(world.contains(handle)).isFalse();
+            }
+        }
+
+        // ---- values
+        // -------------------------------------------------------------------------------------------------
+
+        private float value(float low, float high) {
+            return random.nextInt(150) == 0
+                    ? HOSTILE[random.nextInt(HOSTILE.length)]
+                    : low + (high - low) * random.nextFloat();
+        }
+
+        private float speed() {
+            return (float) StrictMath.pow(10, random.nextInt(14) - 4);
+        }
+
+        private float[] circle() {
+            return new float[] {value(model.minX, model.maxX), value(model.minY, model.maxY), radius(), mass()};
+        }
+
+        private float radius() {
+            float extent = Math.min(model.maxX - model.minX, model.maxY - model.minY);
+            float least = random.nextInt(4) == 0 ? 0 : 0.02f * extent;
+            return value(least, 0.52f * extent * (float) StrictMath.pow(10, -scale - random.nextInt(2)));
+        }
+
+        private float mass() {
+            return random.nextInt(8) == 0
+                    ? Float.POSITIVE_INFINITY
+                    : value(0, (float) StrictMath.pow(10, random.nextInt(19) - 9));
+        }
+
+        private long handle() {
+            if (model.circles.isEmpty() || random.nextInt(12) == 0) {
+                return random.nextInt(8) == 0 ? random.nextLong() : stale.get(random.nextInt(stale.size()));
+            }
+            int place = random.nextInt(model.circles.size());
+            return model.circles.keySet().stream().skip(place).findFirst().orElseThrow();
+        }
+
+        private boolean unknown(long handle) {
+            return model.circles.keySet().stream().noneMatch(known -> known == handle);
+        }
+
+        private static boolean bad(float value) {
+            return !Float.isFinite(value);
+        }
+
+        private static boolean bad(float[] c) {
+            return bad(c[0]) || bad(c[1]) || bad(c[2]) || !(c[2] > 0) || Float.isNaN(c[3]) || !(c[3] > 0);
+        }
+    }
+}

@@ -1,0 +1,338 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.LongBuffer;
+import java.util.ConcurrentModificationException;
+import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The calls of a World: handles, order, ranges, states. */
+class WorldTest {
+    private static World.Builder builder() {
+        return World.builder().bounds(0, 0, 10, 10).backend(Backend.JVM).threads(1);
+    }
+
+    @Test
+    void circlesAreReadInTheOrderOfTheirIdsAndTheLowestFreeIdIsTaken() {
+        try (World world = builder().build()) {
+            long a = world.add(1, 1, 0.1f, 1);
+            long b = world.add(2, 2, 0.2f, 2);
+            long c = world.add(3, 3, 0.3f, Float.POSITIVE_INFINITY);
+            assertThat(handles(world)).containsExactly(a, b, c);
+            assertThat(circles(world)).containsExactly(1, 1, 0.1f, 1, 2, 2, 0.2f, 2, 3, 3, 0.3f, 1 / 0f);
+            world.remove(a);
+            assertThat(handles(world)).containsExactly(b, c);
+            long d = world.add(4, 4, 0.4f, 4);
+            assertThat((int) d).isEqualTo((int) a);
+            assertThat(d).isNotEqualTo(a);
+            assertThat(handles(world)).containsExactly(d, b, c);
+            assertThat(circles(world)).startsWith(4, 4, 0.4f, 4, 2, 2);
+            long e = world.add(5, 5, 0.5f, 5);
+            assertThat(handles(world)).containsExactly(d, b, c, e);
+        }
+    }
+
+    @Test
+    void everyCallRefusesAStaleHandleEvenIfItsIdIsInUseAgain() {
+        try (World world = builder().build()) {
+            long stale = world.add(1, 1, 0.1f, 1);
+            world.remove(stale);
+            world.add(2, 2, 0.1f, 1);
+            long hash = world.hash();
+            for (long handle : new long[] {stale, 0, -1, Long.MIN_VALUE, Long.MAX_VALUE, 1L << 32 | 77, 5}) {
+                assertThat(world.contains(handle)).isFalse();
+                refused(() -> world.remove(handle));
+                refused(() -> world.setPosition(handle, 1, 1));
+                refused(() -> world.setVelocity(handle, 1, 1));
+                refused(() -> world.setRadius(handle, 1));
+                refused(() -> world.setMass(handle, 1));
+                refused(() -> world.setRestitution(handle, 1));
+                refused(() -> world.applyImpulse(handle, 1, 1));
+                refused(() -> world.x(handle));
+                refused(() -> world.vy(handle));
+            }
+            assertThat(world.hash()).isEqualTo(hash);
+        }
+    }
+
+    @Test
+    void valuesOutOfRangeAreRefusedAndChangeNothing() {
+        try (World world = builder().build()) {
+            long a = world.add(1, 1, 0.1f, 1);
+            long hash = world.hash();
+            for (float bad : new float[] {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY, 1e30f, -1e30f}) {
+                refused(() -> world.add(bad, 1, 0.1f, 1));
+                refused(() -> world.add(1, bad, 0.1f, 1));
+                refused(() -> world.add(1, 1, bad, 1));
+                refused(() -> world.add(1, 1, 0.1f, 1, bad, 0));
+                refused(() -> world.add(1, 1, 0.1f, 1, 0, bad));
+                refused(() -> world.setPosition(a, bad, 1));
+                refused(() -> world.setVelocity(a, 1, bad));
+                refused(() -> world.setRadius(a, bad));
+                refused(() -> world.setRestitution(a, bad));
+                refused(() -> world.applyImpulse(a, bad, 0));
+                refused(() -> world.setGravity(0, bad));
+                refused(() -> world.setBounds(bad, 0, 1, 1));
+                refused(() -> world.step(bad));
+                refused(() -> World.builder().bounds(0, 0, bad, 1));
+                refused(() -> World.builder().gravity(bad, 0));
+                refused(() -> World.builder().restitution(bad));
+                if (bad != Float.POSITIVE_INFINITY) {
+                    refused(() -> world.add(1, 1, 0.1f, bad));
+                    refused(() -> world.setMass(a, bad));
+                }
+            }
+            refused(() -> world.add(11, 1, 0.1f, 1));
+            refused(() -> world.add(1, 1, 0, 1));
+            refused(() -> world.add(1, 1, -1, 1));
+            refused(() -> world.add(1, 1, 5.1f, 1));
+            refused(() -> world.add(1, 1, 1e-6f, 1));
+            refused(() -> world.add(1, 1, 1, 0));
+            refused(() -> world.add(1, 1, 1, -1));
+            refused(() -> world.setRestitution(a, 1.01f));
+            refused(() -> world.step(0));
+            refused(() -> world.step(1.5f));
+            refused(() -> world.step(0.1f, 0));
+            refused(() -> world.setBounds(0, 0, 0.1f, 0.1f));
+            refused(() -> world.setBounds(5, 0, 5, 10));
+            refused(() -> World.builder().subSteps(0));
+            refused(() -> World.builder().subSteps(17));
+            refused(() -> World.builder().threads(0));
+            refused(() -> World.builder().threads(257));
+            refused(() -> World.builder().capacity(-1));
+            assertThat(world.hash()).isEqualTo(hash);
+            assertThat(world.size()).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void addsAllOrNone() {
+        try (World world = builder().build()) {
+            long[] handles = new long[2];
+            world.addAll(new float[] {1, 1, 0.1f, 1, 2, 2, 0.2f, 2}, new float[] {3, 4, 5, 6}, handles);
+            assertThat(handles(world)).containsExactly(handles);
+            assertThat(velocities(world)).containsExactly(3, 4, 5, 6);
+            float[] oneBad = {3, 3, 0.1f, 1, 4, 4, Float.NaN, 1};
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.addAll(oneBad, null))
+                    .withMessageContaining("circle 1")
+                    .withMessageContaining("NaN");
+            refused(() -> world.addAll(new float[7], null));
+            refused(() -> world.addAll(new float[] {1, 1, 0.1f, 1}, new float[3], null));
+            refused(() -> world.addAll(new float[] {1, 1, 0.1f, 1}, new float[] {0, Float.NaN}, null));
+            refused(() -> world.addAll(new float[] {1, 1, 0.1f, 1}, new long[0]));
+            assertThatThrownBy(() -> world.addAll(null, null)).isInstanceOf(NullPointerException.class);
+            assertThat(world.size()).isEqualTo(2);
+            world.addAll(new float[0], null);
+            world.addAll(new float[] {5, 5, 0.5f, 5}, null);
+            assertThat(world.size()).isEqualTo(3);
+        }
+    }
+
+    @Test
+    void aBulkAddGivesTheSameWorldAsSingleAdds() {
+        Scene scene = Scenes.gas(300, 1);
+        try (World one = WorldScenes.world(scene, WorldScenes.builder(scene));
+                World all = WorldScenes.builder(scene).build()) {
+            all.addAll(circles(one), velocities(one), null);
+            one.step(scene.timeStep(), 30);
+            all.step(scene.timeStep(), 30);
+            assertThat(all.hash()).isEqualTo(one.hash());
+        }
+    }
+
+    @Test
+    void changesTakeEffectInCallOrder() {
+        try (World world = builder().gravity(0, -1).build()) {
+            long a = world.add(1, 1, 0.1f, 2);
+            world.setPosition(a, 3, 4);
+            world.setVelocity(a, 1, 2);
+            world.applyImpulse(a, 4, -2);
+            world.setMass(a, 4);
+            world.applyImpulse(a, 4, 4);
+            world.setRadius(a, 0.5f);
+            assertThat(circles(world)).containsExactly(3, 4, 0.5f, 4);
+            assertThat(velocities(world)).containsExactly(4, 2);
+            assertThat(new float[] {world.x(a), world.y(a), world.radius(a), world.mass(a), world.vx(a), world.vy(a)})
+                    .containsExactly(3, 4, 0.5f, 4, 4, 2);
+            world.setMass(a, Float.POSITIVE_INFINITY);
+            world.applyImpulse(a, 4, 4);
+            world.step(0.5f);
+            assertThat(velocities(world)).containsExactly(4, 2);
+            assertThat(circles(world)).containsExactly(5, 5, 0.5f, Float.POSITIVE_INFINITY);
+        }
+    }
+
+    @Test
+    void singleReadsSeeEveryChange() {
+        try (World world = builder().gravity(0, -1).build()) {
+            long a = world.add(1, 1, 0.1f, 1);
+            long b = world.add(2, 5, 0.1f, 1);
+            assertThat(world.x(b)).isEqualTo(2);
+            world.remove(a);
+            assertThat(world.x(b)).isEqualTo(2);
+            world.step(0.01f);
+            assertThat(world.y(b)).isLessThan(5);
+            assertThat(world.vy(b)).isNegative();
+            world.setPosition(b, 7, 7);
+            assertThat(world.x(b)).isEqualTo(7);
+            world.setBounds(0, 0, 5, 5);
+            assertThat(world.x(b)).isEqualTo(4.9f);
+        }
+    }
+
+    @Test
+    void readsIntoBuffersFromTheirPositionOn() {
+        try (World world = builder().build()) {
+            long a = world.add(1, 2, 0.1f, 1, 5, 6);
+            FloatBuffer circles = FloatBuffer.allocate(9);
+            circles.position(3);
+            world.read(circles);
+            assertThat(circles.position()).isEqualTo(7);
+            assertThat(circles.array()).containsExactly(0, 0, 0, 1, 2, 0.1f, 1, 0, 0);
+            FloatBuffer velocities = ByteBuffer.allocateDirect(8).asFloatBuffer();
+            world.readVelocities(velocities);
+            assertThat(velocities.get(0)).isEqualTo(5);
+            assertThat(velocities.get(1)).isEqualTo(6);
+            LongBuffer handles = LongBuffer.allocate(1);
+            world.readHandles(handles);
+            assertThat(handles.get(0)).isEqualTo(a);
+            refused(() -> world.read(new float[3]));
+            refused(() -> world.readVelocities(new float[1]));
+            refused(() -> world.readHandles(new long[0]));
+            refused(() -> world.read(circles));
+            refused(() -> world.readVelocities(velocities));
+            refused(() -> world.readHandles(handles));
+        }
+    }
+
+    @Test
+    void circlesThatNewBoundsLeaveOutsideAreBroughtInside() {
+        try (World world = builder().build()) {
+            world.add(9, 9, 0.5f, 1);
+            world.add(9, 1, 0.5f, Float.POSITIVE_INFINITY);
+            world.setBounds(0, 0, 5, 8);
+            assertThat(circles(world)).containsExactly(4.5f, 7.5f, 0.5f, 1, 5, 1, 0.5f, 1 / 0f);
+        }
+    }
+
+    @Test
+    void statsSayWhatTheLastStepDid() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        try (World world = WorldScenes.world(
+                scene, WorldScenes.builder(scene).backend(Backend.JVM).profiling(true))) {
+            WorldStats before = world.stats();
+            assertThat(before.contacts()).isZero();
+            assertThat(before.circles()).isEqualTo(1250);
+            world.step(scene.timeStep(), 10);
+            WorldStats stats = world.stats();
+            assertThat(stats.contacts()).isBetween(1000, 10_000);
+            assertThat(stats.candidatePairs()).isGreaterThan(stats.contacts());
+            assertThat(stats.greatestContacts()).isBetween(3, 200);
+            assertThat(stats.bytesHeld()).isBetween(1250L * 100, 1250L * 4000);
+            assertThat(stats.stageMillis()).containsOnlyKeys("Grid", "Sweep", "Contacts", "Solver");
+            assertThat(stats.stageMillis().get("Solver")).isPositive();
+            assertThat(stats.backend()).isEqualTo(Backend.JVM);
+            assertThat(stats.device()).startsWith("Java ");
+            assertThat(stats.reason()).isEqualTo("asked for");
+            long[] handles = handles(world);
+            for (int k = 0; k < 1200; k++) {
+                world.remove(handles[k]);
+            }
+            assertThat(world.stats().greatestContacts()).isEqualTo(stats.greatestContacts());
+            for (int k = 1200; k < 1250; k++) {
+                world.remove(handles[k]);
+            }
+            world.step(scene.timeStep());
+            assertThat(world.stats().contacts()).isZero();
+            assertThat(world.stats().greatestContacts()).isZero();
+        }
+    }
+
+    @Test
+    void afterCloseOnlyCloseIsAllowed() {
+        World world = builder().threads(3).leastShare(1).build();
+        long a = world.add(1, 1, 0.1f, 1);
+        world.add(1, 2, 0.1f, 1);
+        world.add(1, 3, 0.1f, 1);
+        world.step(0.01f);
+        world.close();
+        world.close();
+        Consumer<Runnable> closed =
+                call -> assertThatIllegalStateException().isThrownBy(call::run).withMessageContaining("closed");
+        closed.accept(() -> world.add(1, 1, 0.1f, 1));
+        closed.accept(() -> world.addAll(new float[4], null));
+        closed.accept(() -> world.remove(a));
+        closed.accept(() -> world.contains(a));
+        closed.accept(world::size);
+        closed.accept(() -> world.step(0.01f));
+        closed.accept(() -> world.read(new float[12]));
+        closed.accept(() -> world.x(a));
+        closed.accept(world::hash);
+        closed.accept(world::stats);
+        closed.accept(world::snapshotBytes);
+        closed.accept(() -> world.restore(ByteBuffer.allocate(100)));
+        world.close();
+    }
+
+    @Test
+    @Timeout(30)
+    void aSecondThreadIsSentAwayWhileOneIsInside() throws InterruptedException {
+        Scene scene = Scenes.packed(5000, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).threads(1))) {
+            CountDownLatch started = new CountDownLatch(1);
+            Thread stepping = new Thread(() -> {
+                started.countDown();
+                world.step(scene.timeStep(), 300);
+            });
+            stepping.start();
+            started.await();
+            int refusals = 0;
+            while (stepping.isAlive()) {
+                try {
+                    world.size();
+                } catch (ConcurrentModificationException e) {
+                    refusals++;
+                    assertThatThrownBy(world::close).isInstanceOf(ConcurrentModificationException.class);
+                    break;
+                }
+            }
+            stepping.join();
+            assertThat(refusals).isPositive();
+            assertThat(world.size()).isEqualTo(5000); // and it is usable again, from any thread
+        }
+    }
+
+    private static void refused(Runnable call) {
+        assertThatIllegalArgumentException().isThrownBy(call::run).satisfies(e -> assertThat(e.getMessage())
+                .isNotBlank());
+    }
+
+    private static float[] circles(World world) {
+        float[] circles = new float[4 * world.size()];
+        world.read(circles);
+        return circles;
+    }
+
+    private static float[] velocities(World world) {
+        float[] velocities = new float[2 * world.size()];
+        world.readVelocities(velocities);
+        return velocities;
+    }
+
+    private static long[] handles(World world) {
+        long[] handles = new long[world.size()];
+        world.readHandles(handles);
+        return handles;
+    }
+}
