@@ -110,7 +110,9 @@ void listAll(World *w, local Local *l) {
     if (refused(w)) return;
     int tiles = tileCount(w);
 #pragma unroll 1
-    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) arrangeTile(w, &l->arrangement, tile);
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
+        arrangeTile(w, &l->arrangement, tile, false);
+    }
     deviceBarrier(arrivals);
 }
 
@@ -120,7 +122,7 @@ void solveAll(const World *w, local Tile *t, int contacts) {
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
     int groups = (int) get_num_groups(0);
-    bool kept = tiles <= groups && group < tiles && takeTile(w, t, group);
+    if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
 #pragma unroll 1
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
@@ -131,9 +133,12 @@ void solveAll(const World *w, local Tile *t, int contacts) {
         }
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
-            bool any = tiles <= groups ? kept : takeTile(w, t, tile);
-            if (any && relaxing) relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
-            if (any && !relaxing) pushTile(w, t, tile, subStep);
+            if (tiles > groups) takeTile(w, t, tile, false);
+            if (relaxing) {
+                relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+            } else {
+                pushTile(w, t, tile, subStep);
+            }
         }
         deviceBarrier(arrivals);
     }

@@ -14,23 +14,20 @@ typedef struct {
     int circles, rounds;
 } Tile;
 
-// Takes a tile from its record. Returns whether there is anything in it.
-bool takeTile(const World *w, local Tile *t, int tile) {
-    int item = (int) get_local_id(0);
+// Takes a tile from its record. idle: as one without circles.
+void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
-    int circles = record[RECORD_CIRCLES];
+    int circles = idle ? 0 : record[RECORD_CIRCLES];
+    int rounds = circles > 0 ? record[RECORD_ROUNDS] : 0;
+    int contacts = circles > 0 ? record[RECORD_STARTS + rounds] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (circles == 0) return false;
-    int rounds = record[RECORD_ROUNDS];
-    int contacts = record[RECORD_STARTS + rounds];
-    if (item == 0) {
+    if (get_local_id(0) == 0) {
         t->circles = circles;
         t->rounds = rounds;
     }
-    for (int round = item; round <= rounds; round += TILE_GROUP) t->roundStart[round] = record[RECORD_STARTS + round];
-    for (int k = item; k < contacts; k += TILE_GROUP) t->contact[k] = contactsOf(record)[k];
+    TILE_EACH(round, rounds + 1) t->roundStart[round] = circles > 0 ? record[RECORD_STARTS + round] : 0;
+    TILE_EACH(k, contacts) t->contact[k] = contactsOf(record)[k];
     barrier(CLK_LOCAL_MEM_FENCE);
-    return true;
 }
 
 void applyTo(local Tile *t, int2 p, float2 vi, float2 vj, float nx, float ny, float wi, float wj, float impulse) {
@@ -137,7 +134,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
     int circles = t->circles;
 #pragma unroll 1
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, circles) {
         int slot = slots[i] & ~NOT_OWN;
         float4 m = w->motion[slot];
         float4 traits = oldTraits[slot];
@@ -156,7 +153,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     }
     solveRounds(w, t, false, false);
 #pragma unroll 1
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, circles) {
         int slot = slots[i];
         if (slot < 0) continue;
         float4 m = w->motion[slot];
@@ -197,7 +194,7 @@ void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) 
     global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
     int circles = t->circles;
 #pragma unroll 1
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, circles) {
         float4 v = w->pushedVelocity[slots[i] & ~NOT_OWN];
         t->velocity[i] = v.xy;
         t->load[i] = (float2)(0.0f);
@@ -206,7 +203,7 @@ void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) 
     }
     solveRounds(w, t, true, last);
 #pragma unroll 1
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, circles) {
         int slot = slots[i];
         if (slot < 0) continue;
         float2 d = w->pushedDisplacement[slot];
@@ -246,14 +243,16 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
     local Tile t;
     int tile = (int) get_group_id(0);
-    if (!refused(&w) && takeTile(&w, &t, tile)) pushTile(&w, &t, tile, subStep);
+    takeTile(&w, &t, tile, refused(&w));
+    pushTile(&w, &t, tile, subStep);
 }
 
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep, int last) {
     World w = WORLD;
     local Tile t;
     int tile = (int) get_group_id(0);
-    if (refused(&w)) return;
-    if (last && get_global_id(0) == 0) status[STEPS_DONE]++;
-    if (takeTile(&w, &t, tile)) relaxTile(&w, &t, tile, subStep, last);
+    bool idle = refused(&w);
+    if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
+    takeTile(&w, &t, tile, idle);
+    relaxTile(&w, &t, tile, subStep, last);
 }

@@ -33,6 +33,12 @@
 #define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
 #define NOT_OWN ((int) 0x80000000)
 
+// The work-items of a work-group take 0 to count - 1 in turn. All of them go round equally often, and no barrier here stands
+// behind a condition: compilers that run the work-items of a work-group in loops have been seen to get that wrong.
+#define TILE_EACH(i, count)                                                                                            \
+    for (int first_##i = 0, i; first_##i < (count); first_##i += TILE_GROUP)                                           \
+        if ((i = first_##i + (int) get_local_id(0)) < (count))
+
 global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
 
 global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
@@ -118,7 +124,7 @@ int4 slotsInRow(const World *w, const Region *r, int row) {
                   end <= width ? wrapped : w->bucketStart[bucket + end - width]);
 }
 
-// Numbers the circles of a region. All work-items of the work-group; returns how many there are.
+// Numbers the circles of a region, where there is room for them. All work-items of the work-group; returns how many there are.
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -135,10 +141,9 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     }
     barrier(CLK_LOCAL_MEM_FENCE);
     int circles = a->rowStart[r->rows];
-    if (circles > TILE_CIRCLES) return circles;
-    int cells = r->columns * r->rows;
+    int cells = circles > TILE_CIRCLES ? 0 : r->columns * r->rows;
 #pragma unroll 1
-    for (int cell = item; cell < cells; cell += TILE_GROUP) {
+    TILE_EACH(cell, cells) {
         int row = cell / r->columns;
         int inRow = cell - row * r->columns;
         int column = (r->firstColumn + inRow) & r->columnMask;
@@ -151,13 +156,13 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int own = owns(r, inRow, row) ? 0 : NOT_OWN;
         for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
     }
-    for (int i = item; i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
         a->flags[i] = 0;
         a->round[i] = 0;
         a->degree[i] = 0;
     }
-    for (int i = item; i <= TILE_ROUNDS; i += TILE_GROUP) a->roundCount[i] = 0;
+    TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
     if (item == 0) {
         a->contacts = 0;
         a->overfull = 0;
@@ -218,8 +223,8 @@ void takeContact(const World *w, const Region *r, local Arrangement *a, int colu
     atomic_inc(&a->roundCount[round]);
 }
 
-// Takes all contacts that a tile depends on.
-void takeContacts(const World *w, const Region *r, local Arrangement *a) {
+// Takes all contacts that a tile depends on, or none.
+void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
     int l = w->levels->used[0];
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
@@ -228,8 +233,9 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a) {
         int py = colour >> 1;
         int across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
         int down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - py;
+        int groups = any ? across * down : 0;
 #pragma unroll 1
-        for (int g = (int) get_local_id(0); g < across * down; g += TILE_GROUP) {
+        TILE_EACH(g, groups) {
             int line = g / across;
             int column = (r->ringX ? px : colour) + 2 * (g - line * across);
             int row = py + 2 * line;
@@ -241,10 +247,10 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a) {
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Puts the contacts of a region in the order of rounds, and writes the tile's record.
+// Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
 void recordContacts(local Arrangement *a, global int *record, int circles) {
-    int item = (int) get_local_id(0);
-    for (int round = item; round <= TILE_ROUNDS + 1; round += TILE_GROUP) {
+    int starts = circles > 0 ? TILE_ROUNDS + 2 : 0;
+    TILE_EACH(round, starts) {
         int sum = 0;
 #pragma unroll 1
         for (int before = 0; before < round; before++) sum += a->roundCount[before];
@@ -253,11 +259,12 @@ void recordContacts(local Arrangement *a, global int *record, int circles) {
         // The first round without contacts, and all behind it are so too.
         if (round <= TILE_ROUNDS && a->roundCount[round] == 0 && (round == 0 || a->roundCount[round - 1] > 0)) {
             record[RECORD_ROUNDS] = round;
-            record[RECORD_CIRCLES] = circles;
         }
     }
+    if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    for (int k = item; k < a->contacts; k += TILE_GROUP) {
+    int contacts = circles > 0 ? a->contacts : 0;
+    TILE_EACH(k, contacts) {
         contactsOf(record)[atomic_inc(&a->roundStart[a->contactRound[k]])] = a->contact[k];
     }
 }
@@ -273,40 +280,31 @@ void refuseTile(const World *w, int peak) {
     atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
-// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit.
-void arrangeTile(const World *w, local Arrangement *a, int tile) {
+// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit. idle: do nothing.
+void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     Region r = regionOf(w, tile);
     global int *record = recordOf(w, tile);
-    int circles = numberCircles(w, &r, a, record);
-    if (circles == 0 || circles > TILE_CIRCLES) {
-        if (get_local_id(0) == 0) {
-            record[RECORD_CIRCLES] = 0;
-            if (circles > 0) refuseTile(w, 100 * circles / TILE_CIRCLES + 1);
-        }
-        return;
-    }
-    takeContacts(w, &r, a);
+    int found = numberCircles(w, &r, a, record);
+    bool any = !idle && found > 0 && found <= TILE_CIRCLES;
+    takeContacts(w, &r, a, any);
     int contacts = a->contacts;
-    if (a->overfull || a->crowded) {
-        if (get_local_id(0) == 0) {
-            record[RECORD_CIRCLES] = 0;
-            if (a->crowded) {
-                atomic_or(&w->status[CROWDED], 1);
-            } else {
-                refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);
-            }
-        }
-        return;
-    }
+    bool fits = any && !a->overfull && !a->crowded;
+    int circles = fits ? found : 0;
     recordContacts(a, record, circles);
-    for (int i = (int) get_local_id(0); i < circles; i += TILE_GROUP) {
+    TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
-        if (slot < 0) continue;
         float2 sum = a->load[i];
-        w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
     }
-    if (get_local_id(0) == 0) {
+    if (get_local_id(0) != 0 || idle) return;
+    if (fits) {
         atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
+    } else if (found > TILE_CIRCLES) {
+        refuseTile(w, 100 * found / TILE_CIRCLES + 1);
+    } else if (found > 0 && a->crowded) {
+        atomic_or(&w->status[CROWDED], 1);
+    } else if (found > 0) {
+        refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);
     }
 }
 
@@ -320,5 +318,5 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) no = refusedMeanwhile(&w);
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (!no) arrangeTile(&w, &arrangement, (int) get_group_id(0));
+    arrangeTile(&w, &arrangement, (int) get_group_id(0), no);
 }

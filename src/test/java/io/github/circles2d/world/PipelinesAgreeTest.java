@@ -160,7 +160,7 @@ class PipelinesAgreeTest {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
         pipelines.add(new ClPipeline(device, 0, false, ClPlan.COLOURS));
-        if (Boolean.getBoolean("tiles") && ClTiles.fit(device)) {
+        if (ClTiles.fit(device)) {
             pipelines.add(new ClPipeline(device, 0, false, ClPlan.TILES));
         }
         if (ClResident.fits(device)) {
