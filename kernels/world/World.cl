@@ -155,3 +155,8 @@ int groupOf(const World *w, int atLevel, int ox, int oy) {
     int colour = (ox & 1) + 2 * (oy & 1);
     return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
 }
+
+// The square of the bounce threshold of a pair: sum of the radii, restitution.
+float thresholdOf(const World *w, float sum, float e) {
+    return bounceThreshold(sum, e, w->k.thresholdRate, w->k.restRate);
+}

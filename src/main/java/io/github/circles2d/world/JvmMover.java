@@ -58,10 +58,7 @@ final class JvmMover {
         float side = Branchless.signOf(fromMax - fromMin);
         float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * m[s + axis];
         float v = m[s + 2 + axis];
-        if (traits[s + 2 + axis] == 0f
-                & gap > 0f
-                & gap * inverseH + side * v >= 0f
-                & gap + side * before * h >= 0f) {
+        if (traits[s + 2 + axis] == 0f & gap > 0f & gap * inverseH + side * v >= 0f & gap + side * before * h >= 0f) {
             // adding zeros, as the long way does: the sign of a zero is part of the state
             m[s + 2 + axis] = v + side * 0f;
             traits[s + 2 + axis] = side * 0f;

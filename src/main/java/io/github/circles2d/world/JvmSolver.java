@@ -191,7 +191,8 @@ final class JvmSolver {
                 if (bounce > 0f) {
                     next = CircleMath.rigid(lambda, mass, vn, -bounce);
                 } else {
-                    // CircleMath.rigid where there is a gap, else CircleMath.soft, of which it is the case of scales 1 and 0
+                    // CircleMath.rigid where there is a gap, else CircleMath.soft, of which it is the case of scales 1
+                    // and 0
                     int gap = Branchless.isPositive(s);
                     float massScale = Branchless.choose(gap, 1f, k.massScale);
                     float impulseScale = Branchless.choose(gap, 0f, k.impulseScale);
