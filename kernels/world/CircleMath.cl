@@ -64,7 +64,10 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
 
 float nearest(float dx, float dy, float px, float py) {
     float square = px * px + py * py;
-    return square > 0.0f ? bounded((dx * px + dy * py) / square, 0.0f, 1.0f) : 0.0f;
+    if (!(square > 0.0f)) return 0.0f;
+    float share = (dx * px + dy * py) / square;
+    // Some compilers bring a number into 0 to 1 by saturation, which makes 0 of NaN; bounded makes 1.
+    return isnan(share) ? 1.0f : bounded(share, 0.0f, 1.0f);
 }
 
 int sizeClass(float r, float rmax) {

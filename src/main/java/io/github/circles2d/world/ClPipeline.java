@@ -34,7 +34,6 @@ public final class ClPipeline implements Pipeline {
     private static final int LEAST_ROOM = 4096;
 
     private final Session session;
-    private final boolean profiling;
     private final ClBuffers buffers;
     private final ClKernels kernels;
     private final ClParameters parameters = new ClParameters();
@@ -89,7 +88,6 @@ public final class ClPipeline implements Pipeline {
     }
 
     ClPipeline(Device device, int capacity, boolean profiling, ClPlan plan) {
-        this.profiling = profiling;
         this.plan = plan;
         session = Session.open(device, profiling);
         try {
@@ -299,12 +297,15 @@ public final class ClPipeline implements Pipeline {
 
     @Override
     public Map<String, Double> stageMillis() {
-        if (!profiling) {
-            return Map.of();
-        }
         Map<String, Double> millis = new TreeMap<>();
-        session.profileNanos().forEach((kernel, nanos) -> millis.merge(stageOf(kernel), nanos * 1e-6, Double::sum));
+        kernelNanos().forEach((kernel, nanos) -> millis.merge(stageOf(kernel), nanos * 1e-6, Double::sum));
         return millis;
+    }
+
+    /** Time on the device by kernel; empty unless profiling. */
+    Map<String, Long> kernelNanos() {
+        settle();
+        return session.profileNanos();
     }
 
     private static String stageOf(String kernel) {

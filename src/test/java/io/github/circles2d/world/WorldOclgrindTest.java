@@ -1,0 +1,86 @@
+package io.github.circles2d.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.TestDevices;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.opentest4j.TestAbortedException;
+
+/**
+ * Every kernel of the World under Oclgrind, which runs OpenCL in an interpreter that watches each access to memory: no race,
+ * no access out of bounds, no use of what was not initialised. Where Oclgrind is not installed the test fails if a device is
+ * required, unless {@code -Dcircles2d.oclgrind=absent} says that it is known to be absent. {@code -Dcircles2d.oclgrind=FILE}
+ * names its driver where it is not in the usual place.
+ */
+class WorldOclgrindTest {
+    private static final String PROPERTY = "circles2d.oclgrind";
+    private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
+    private static final Pattern KERNEL = Pattern.compile(
+            "^kernel (?:__attribute__\\S*\\(SCAN_GROUP, 1, 1\\)\\)\\) )?void\\s+(\\w+)|^TILE_KERNEL (\\w+)",
+            Pattern.MULTILINE);
+
+    @Test
+    void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws IOException {
+        String driver = System.getProperty(PROPERTY, DRIVER);
+        if (driver.equals("absent") || !Files.exists(Path.of(driver)) && !TestDevices.required()) {
+            throw new TestAbortedException("Oclgrind is not installed");
+        }
+        assertThat(Path.of(driver)).as("Oclgrind's driver").exists();
+        Set<String> ran = new TreeSet<>();
+        for (String world : List.of("COLOURS", "TILES", "fast", "crowd")) {
+            ran.addAll(run(driver, world));
+        }
+        assertThat(ran).containsAll(kernelsInFiles());
+    }
+
+    /** Returns the kernels that ran, none of which was reported. */
+    private static List<String> run(String driver, String world) throws IOException {
+        Path log = Files.createTempFile("oclgrind", ".log");
+        ForkedJvm.Result result = new ForkedJvm()
+                .option("-Djavacl.cacheBinaries=false")
+                .environment("OCL_ICD_VENDORS", driver)
+                .environment("OCLGRIND_DATA_RACES", "1")
+                .environment("OCLGRIND_UNINITIALIZED", "1")
+                .environment("OCLGRIND_CHECK_API", "1")
+                .environment("OCLGRIND_LOCAL_MEM_SIZE", "65536")
+                // Optimised, a vector that is put together from its parts counts as not initialised.
+                .environment("OCLGRIND_BUILD_OPTIONS", "-cl-opt-disable")
+                .environment("OCLGRIND_LOG", log.toString())
+                .run(OclgrindWorlds.class, world);
+        assertThat(result.exitStatus()).as(result.output()).isZero();
+        assertThat(result.output()).contains("done");
+        assertThat(Files.readString(log)).as(world).isEmpty();
+        Files.delete(log);
+        return result.output()
+                .lines()
+                .filter(line -> line.startsWith("kernels "))
+                .flatMap(line -> Arrays.stream(line.split(" ")).skip(1))
+                .toList();
+    }
+
+    /** All kernels but those of whole steps in one launch, which only some vendors' devices can run. */
+    private static Set<String> kernelsInFiles() throws IOException {
+        Set<String> kernels = new TreeSet<>();
+        try (Stream<Path> files = Files.list(Path.of("kernels", "world"))) {
+            for (Path file : files.filter(f -> !f.endsWith("Resident.cl")).toList()) {
+                Matcher matcher = KERNEL.matcher(Files.readString(file));
+                while (matcher.find()) {
+                    kernels.add(matcher.group(1) != null ? matcher.group(1) : matcher.group(2));
+                }
+            }
+        }
+        assertThat(kernels).contains("scan_sums", "grid_gather", "solver_push", "solver_pushTile", "sweep_look");
+        return kernels;
+    }
+}
