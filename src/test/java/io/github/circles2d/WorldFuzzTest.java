@@ -114,8 +114,7 @@ class WorldFuzzTest {
         }
 
         private World build() {
-            World.Builder builder =
-                    World.builder().backend(Backend.JVM).threads(1).capacity(0);
+            World.Builder builder = WorldScenes.jvm().threads(1).capacity(0);
             model.walls(0, 0, 1, 1);
             float[] w = new float[4];
             float size = (float) StrictMath.pow(10, random.nextInt(16) - 6);
@@ -290,11 +289,7 @@ class WorldFuzzTest {
             }
             if (random.nextBoolean()) {
                 world.close();
-                world = World.builder()
-                        .backend(Backend.JVM)
-                        .threads(1)
-                        .capacity(0)
-                        .build();
+                world = WorldScenes.jvm().threads(1).capacity(0).build();
             }
             world.restore(snapshot.duplicate());
             model = snapshotModel.copy();

@@ -60,19 +60,15 @@ final class JvmContacts {
     /** Contacts that fit into one array. */
     private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
 
-    /** Modes of finding: list all pairs, or what is left of crowds. */
-    private static final int LIST = 0;
-
-    private static final int THIN = 1;
-
     private final JvmState state;
     private final JvmGrid grid;
     private final Levels levels;
     private final Team team;
+    private final JvmMemory memory;
     private final JvmSums sums;
 
     /** By worker: the pairs that it has found. */
-    private final Found[] found;
+    private final FoundPairs[] found;
 
     /** Number of contacts. */
     int count;
@@ -92,14 +88,6 @@ final class JvmContacts {
     /** By contact: {@link #STRIDE} floats. */
     float[] contact = new float[0];
 
-    /** By contact of the step before: id of the circle of higher id. */
-    private int[] oldHi = new int[0];
-
-    private float[] oldLambda = new float[0];
-
-    /** By contact of the step before: the next with the same circle of lower id, or -1. */
-    private int[] oldNext = new int[0];
-
     /** By contact, while the list is built: ids, lower above higher. */
     private long[] key = new long[0];
 
@@ -111,10 +99,11 @@ final class JvmContacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
+        memory = new JvmMemory(state);
         sums = new JvmSums(team);
-        found = new Found[team.most()];
+        found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
-            found[worker] = new Found();
+            found[worker] = new FoundPairs();
         }
     }
 
@@ -137,13 +126,13 @@ final class JvmContacts {
         int groups = levels.buckets();
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        Found f = found[worker];
+        FoundPairs f = found[worker];
         Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
         if (!thinned) {
             Arrays.fill(candidates, from, to, 0);
         }
         team.sync(worker);
-        f.reset(thinned ? THIN : LIST, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
+        f.reset(thinned, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
         find(f, from, to);
         team.sync(worker);
         if (overflowed()) {
@@ -244,16 +233,14 @@ final class JvmContacts {
             slots = new long[c];
             pair = new int[2 * c];
             contact = new float[STRIDE * c];
-            oldHi = Arrays.copyOf(oldHi, c);
-            oldLambda = Arrays.copyOf(oldLambda, c);
-            oldNext = Arrays.copyOf(oldNext, c);
+            memory.ensure(c);
         }
     }
 
     // ---- finding
     // -----------------------------------------------------------------------------------------------------
 
-    private void find(Found f, int from, int to) {
+    private void find(FoundPairs f, int from, int to) {
         for (int slot = from; slot < to && f.count <= f.room; slot++) {
             int level = grid.level[slot];
             findInOwnLevel(f, slot, level);
@@ -264,7 +251,7 @@ final class JvmContacts {
     }
 
     /** Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above. */
-    private void findInOwnLevel(Found f, int slot, int level) {
+    private void findInOwnLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int w = levels.columnsLog[level];
         int mask = (1 << w) - 1;
@@ -295,7 +282,7 @@ final class JvmContacts {
         }
     }
 
-    private void findInCoarserLevel(Found f, int slot, int level) {
+    private void findInCoarserLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int column = grid.column(state.circle[4 * slot], level);
         int row = grid.row(state.circle[4 * slot + 1], level);
@@ -323,7 +310,7 @@ final class JvmContacts {
     }
 
     /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
-    private void scan(Found f, int slot, int level, int column, int row, int from, int to) {
+    private void scan(FoundPairs f, int slot, int level, int column, int row, int from, int to) {
         float[] circle = state.circle;
         float[] reach = grid.reach;
         float x = circle[4 * slot];
@@ -340,7 +327,7 @@ final class JvmContacts {
         }
     }
 
-    private void add(Found f, int slot, int other, int level, int column, int row) {
+    private void add(FoundPairs f, int slot, int other, int level, int column, int row) {
         if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
             return;
         }
@@ -349,7 +336,7 @@ final class JvmContacts {
             return;
         }
         boolean lower = state.id[slot] < state.id[other];
-        if (f.mode == THIN) {
+        if (f.thinned) {
             int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
             if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
                 f.count--;
@@ -365,7 +352,7 @@ final class JvmContacts {
         f.add(lower ? slot : other, lower ? other : slot, group, rank);
     }
 
-    private void scatter(Found f) {
+    private void scatter(FoundPairs f) {
         int[] id = state.id;
         int[] records = f.records;
         for (int k = 0; k < 4 * f.count; k += 4) {
@@ -388,7 +375,7 @@ final class JvmContacts {
         for (int c = from; c < to; c++) {
             fill(c, constants);
         }
-        if (found[worker].mode == LIST) {
+        if (!found[worker].thinned) {
             found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
         }
     }
@@ -453,56 +440,24 @@ final class JvmContacts {
         float length = CircleMath.norm(px, py);
         contact[k + NX] = px / length;
         contact[k + NY] = py / length;
-        contact[k + LAMBDA] = state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[c]) * constants.warmScale;
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[c]) * constants.warmScale;
     }
 
-    // ---- memory
-    // ------------------------------------------------------------------------------------------------------
-
-    private float remembered(int first, int hiId) {
-        for (int c = first; c >= 0; c = oldNext[c]) {
-            if (oldHi[c] == hiId) {
-                return oldLambda[c];
-            }
-        }
-        return 0f;
+    /** What the contacts of the step before have left. */
+    JvmMemory memory() {
+        return memory;
     }
 
     /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
     void remember(int c, float lambda) {
-        int lo = pair[2 * c] >> 2;
-        oldHi[c] = (int) key[c];
-        oldLambda[c] = lambda;
-        oldNext[c] = state.memory[lo];
-        state.memory[lo] = c;
+        memory.remember(c, pair[2 * c] >> 2, (int) key[c], lambda);
     }
 
-    /** Saves the remembered impulses of a slot, as the circle of lower id, that the next step may recall. */
-    void save(int slot, SavedState into) {
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                into.addImpulse(state.id[slot], oldHi[c], oldLambda[c]);
-            }
-        }
-    }
-
-    /** Takes over saved impulses; the circles have been taken over before. */
+    /** Takes over saved impulses in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
         ensureContacts(from.impulses);
-        for (int c = 0; c < from.impulses; c++) {
-            int lo = state.slotOf[from.lo[c]];
-            oldHi[c] = from.hi[c];
-            oldLambda[c] = from.lambda[c];
-            oldNext[c] = state.memory[lo];
-            state.memory[lo] = c;
-        }
-    }
-
-    /** Whether the circle of higher id is still the one that the impulse belongs to. */
-    private boolean isRecalled(int c) {
-        int hi = state.slotOf[oldHi[c]];
-        return hi >= 0 && !state.fresh[hi];
+        memory.load(from);
     }
 
     /** Pairs whose distance was tested. */
@@ -521,11 +476,11 @@ final class JvmContacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;
-        for (Found f : found) {
-            sum += 4L * f.records.length;
+        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE) * key.length;
+        for (FoundPairs f : found) {
+            sum += f.bytes();
         }
-        return sum;
+        return sum + memory.bytes();
     }
 
     /** Greatest number of contacts of one circle. */
@@ -536,50 +491,5 @@ final class JvmContacts {
             greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
         }
         return greatest;
-    }
-
-    /** The part of a circle's remembered impulses in the hash of the state. */
-    long hashOfMemory(int slot) {
-        long sum = 0;
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
-                sum += StateHash.absorb(h, oldLambda[c]);
-            }
-        }
-        return sum;
-    }
-
-    /** Pairs that one thread found. */
-    private static final class Found {
-        private int count;
-        private long tested;
-        private int[] records = new int[1024];
-
-        private int room;
-        private int mode;
-
-        /** Greatest number of candidates of one circle, of those that this thread has filled last. */
-        private int most;
-
-        void reset(int newMode, int newRoom) {
-            mode = newMode;
-            room = newRoom;
-            count = 0;
-            tested = 0;
-            most = 0;
-        }
-
-        /** Keeps a pair, which has been counted. */
-        void add(int lo, int hi, int group, int rank) {
-            int k = 4 * (count - 1);
-            if (k == records.length) {
-                records = Arrays.copyOf(records, 2 * records.length);
-            }
-            records[k] = lo;
-            records[k + 1] = hi;
-            records[k + 2] = group;
-            records[k + 3] = rank;
-        }
     }
 }
