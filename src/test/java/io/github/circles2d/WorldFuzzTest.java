@@ -47,7 +47,7 @@ class WorldFuzzTest {
     void anyProgramGivesClearExceptionsOrASoundWorld() {
         try (World twin = WorldScenes.jvm().threads(3).leastShare(1).build()) {
             for (int k = 0; k < PROGRAMS; k++) {
-                new Program(SEED + k, k % 8 == 0 ? twin : null).run();
+                new Program(SEED + k, k % 32 == 0 ? twin : null).run();
             }
         }
     }
