@@ -956,7 +956,10 @@ public final class World implements AutoCloseable {
         user.setRelease(null);
     }
 
-    /** Ends the world and gives its memory, threads and devices back. Closing it again does nothing. */
+    /**
+     * Ends the world and gives its memory, threads and devices back. Closing it again does nothing. The threads of a world that
+     * is never closed do not keep the virtual machine running, and end some time after the world has been forgotten.
+     */
     @Override
     public void close() {
         if (!user.compareAndSet(null, Thread.currentThread())) {

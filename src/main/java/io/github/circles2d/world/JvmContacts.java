@@ -69,19 +69,15 @@ final class JvmContacts {
     /** Contacts that fit into one array. */
     private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
 
-    /** Modes of finding: list all pairs, or what is left of crowds. */
-    private static final int LIST = 0;
-
-    private static final int THIN = 1;
-
     private final JvmState state;
     private final JvmGrid grid;
     private final Levels levels;
     private final Team team;
+    private final JvmMemory memory;
     private final JvmSums sums;
 
     /** By worker: the pairs that it has found. */
-    private final Found[] found;
+    private final FoundPairs[] found;
 
     /** Number of contacts. */
     int count;
@@ -101,14 +97,6 @@ final class JvmContacts {
     /** By contact: {@link #STRIDE} floats. */
     float[] contact = new float[0];
 
-    /** By contact of the step before: id of the circle of higher id. */
-    private int[] oldHi = new int[0];
-
-    private float[] oldLambda = new float[0];
-
-    /** By contact of the step before: the next with the same circle of lower id, or -1. */
-    private int[] oldNext = new int[0];
-
     /** By contact, while the list is built: ids, lower above higher. */
     private long[] key = new long[0];
 
@@ -120,10 +108,11 @@ final class JvmContacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
+        memory = new JvmMemory(state);
         sums = new JvmSums(team);
-        found = new Found[team.most()];
+        found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
-            found[worker] = new Found();
+            found[worker] = new FoundPairs();
         }
     }
 
@@ -146,13 +135,13 @@ final class JvmContacts {
         int groups = levels.buckets();
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        Found f = found[worker];
+        FoundPairs f = found[worker];
         Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
         if (!thinned) {
             Arrays.fill(candidates, from, to, 0);
         }
         team.sync(worker);
-        f.reset(thinned ? THIN : LIST, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
+        f.reset(thinned, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
         find(f, from, to);
         team.sync(worker);
         if (overflowed()) {
@@ -253,16 +242,14 @@ final class JvmContacts {
             slots = new long[c];
             pair = new int[2 * c];
             contact = new float[STRIDE * c];
-            oldHi = Arrays.copyOf(oldHi, c);
-            oldLambda = Arrays.copyOf(oldLambda, c);
-            oldNext = Arrays.copyOf(oldNext, c);
+            memory.ensure(c);
         }
     }
 
     // ---- finding
     // -----------------------------------------------------------------------------------------------------
 
-    private void find(Found f, int from, int to) {
+    private void find(FoundPairs f, int from, int to) {
         for (int slot = from; slot < to && f.count <= f.room; slot++) {
             int level = grid.level[slot];
             findInOwnLevel(f, slot, level);
@@ -273,7 +260,7 @@ final class JvmContacts {
     }
 
     /** Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above. */
-    private void findInOwnLevel(Found f, int slot, int level) {
+    private void findInOwnLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int w = levels.columnsLog[level];
         int mask = (1 << w) - 1;
@@ -304,7 +291,7 @@ final class JvmContacts {
         }
     }
 
-    private void findInCoarserLevel(Found f, int slot, int level) {
+    private void findInCoarserLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int column = grid.column(state.circle[4 * slot], level);
         int row = grid.row(state.circle[4 * slot + 1], level);
@@ -332,7 +319,7 @@ final class JvmContacts {
     }
 
     /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
-    private void scan(Found f, int slot, int level, int column, int row, int from, int to) {
+    private void scan(FoundPairs f, int slot, int level, int column, int row, int from, int to) {
         float[] circle = state.circle;
         float[] reach = grid.reach;
         float x = circle[4 * slot];
@@ -349,7 +336,7 @@ final class JvmContacts {
         }
     }
 
-    private void add(Found f, int slot, int other, int level, int column, int row) {
+    private void add(FoundPairs f, int slot, int other, int level, int column, int row) {
         if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
             return;
         }
@@ -358,7 +345,7 @@ final class JvmContacts {
             return;
         }
         boolean lower = state.id[slot] < state.id[other];
-        if (f.mode == THIN) {
+        if (f.thinned) {
             int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
             if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
                 f.count--;
@@ -374,7 +361,7 @@ final class JvmContacts {
         f.add(lower ? slot : other, lower ? other : slot, group, rank);
     }
 
-    private void scatter(Found f) {
+    private void scatter(FoundPairs f) {
         int[] id = state.id;
         int[] records = f.records;
         for (int k = 0; k < 4 * f.count; k += 4) {
@@ -403,6 +390,7 @@ final class JvmContacts {
                 f.end[open++] = start[group + 1];
             }
         }
+<<<<<<< HEAD
         int to = start[fromGroup];
         while (open > 0) {
             int left = 0;
@@ -418,6 +406,10 @@ final class JvmContacts {
         }
         if (f.mode == LIST) {
             f.most = Math.max(f.most, countCandidates(start[fromGroup], start[toGroup]));
+=======
+        if (!found[worker].thinned) {
+            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
+>>>>>>> wj
         }
     }
 
@@ -491,58 +483,41 @@ final class JvmContacts {
     private void part(int k, int hash) {
         float px = CircleMath.partingX(hash);
         float py = CircleMath.partingY(hash);
+<<<<<<< HEAD
         float norm = CircleMath.norm(px, py);
         contact[k + NX] = px / norm;
         contact[k + NY] = py / norm;
+=======
+        float length = CircleMath.norm(px, py);
+        contact[k + NX] = px / length;
+        contact[k + NY] = py / length;
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[c]) * constants.warmScale;
+>>>>>>> wj
     }
 
-    // ---- memory
-    // ------------------------------------------------------------------------------------------------------
-
-    private float remembered(int first, int hiId) {
-        for (int c = first; c >= 0; c = oldNext[c]) {
-            if (oldHi[c] == hiId) {
-                return oldLambda[c];
-            }
-        }
-        return 0f;
+    /** What the contacts of the step before have left. */
+    JvmMemory memory() {
+        return memory;
     }
 
     /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
     void remember(int c, float lambda) {
+<<<<<<< HEAD
         int lo = pair[2 * c] >> 2;
         oldHi[c] = state.id[pair[2 * c + 1] >> 2];
         oldLambda[c] = lambda;
         oldNext[c] = state.memory[lo];
         state.memory[lo] = c;
+=======
+        memory.remember(c, pair[2 * c] >> 2, (int) key[c], lambda);
+>>>>>>> wj
     }
 
-    /** Saves the remembered impulses of a slot, as the circle of lower id, that the next step may recall. */
-    void save(int slot, SavedState into) {
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                into.addImpulse(state.id[slot], oldHi[c], oldLambda[c]);
-            }
-        }
-    }
-
-    /** Takes over saved impulses; the circles have been taken over before. */
+    /** Takes over saved impulses in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
         ensureContacts(from.impulses);
-        for (int c = 0; c < from.impulses; c++) {
-            int lo = state.slotOf[from.lo[c]];
-            oldHi[c] = from.hi[c];
-            oldLambda[c] = from.lambda[c];
-            oldNext[c] = state.memory[lo];
-            state.memory[lo] = c;
-        }
-    }
-
-    /** Whether the circle of higher id is still the one that the impulse belongs to. */
-    private boolean isRecalled(int c) {
-        int hi = state.slotOf[oldHi[c]];
-        return hi >= 0 && !state.fresh[hi];
+        memory.load(from);
     }
 
     /** Pairs whose distance was tested. */
@@ -561,11 +536,11 @@ final class JvmContacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;
-        for (Found f : found) {
-            sum += 4L * f.records.length;
+        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE) * key.length;
+        for (FoundPairs f : found) {
+            sum += f.bytes();
         }
-        return sum;
+        return sum + memory.bytes();
     }
 
     /** Greatest number of contacts of one circle. */
@@ -577,6 +552,7 @@ final class JvmContacts {
         }
         return greatest;
     }
+<<<<<<< HEAD
 
     /** The part of a circle's remembered impulses in the hash of the state. */
     long hashOfMemory(int slot) {
@@ -627,4 +603,6 @@ final class JvmContacts {
             records[k + 3] = rank;
         }
     }
+=======
+>>>>>>> wj
 }
