@@ -25,6 +25,12 @@ final class FoundPairs {
     /** Greatest number of candidates of one circle, of those whose contacts this thread has filled last. */
     int most;
 
+    /** By group that is being filled: its next contact. */
+    final int[] next = new int[JvmContacts.TOGETHER];
+
+    /** By group that is being filled: the end of its contacts. */
+    final int[] end = new int[JvmContacts.TOGETHER];
+
     void reset(boolean keepsAShare, int newRoom) {
         thinned = keepsAShare;
         room = newRoom;

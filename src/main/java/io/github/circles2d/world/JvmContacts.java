@@ -381,7 +381,7 @@ final class JvmContacts {
      * Groups of one colour share no circle, so a processor can work on neighbours in this order at the same time.
      */
     void fillGroups(int worker, int fromGroup, int toGroup, StepConstants constants) {
-        Found f = found[worker];
+        FoundPairs f = found[worker];
         int open = 0;
         for (int group = fromGroup; group < toGroup; group++) {
             if (start[group] < start[group + 1]) {
@@ -390,7 +390,6 @@ final class JvmContacts {
                 f.end[open++] = start[group + 1];
             }
         }
-<<<<<<< HEAD
         int to = start[fromGroup];
         while (open > 0) {
             int left = 0;
@@ -404,12 +403,8 @@ final class JvmContacts {
             }
             open = left;
         }
-        if (f.mode == LIST) {
+        if (!f.thinned) {
             f.most = Math.max(f.most, countCandidates(start[fromGroup], start[toGroup]));
-=======
-        if (!found[worker].thinned) {
-            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
->>>>>>> wj
         }
     }
 
@@ -475,24 +470,16 @@ final class JvmContacts {
         if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
             part(k, CircleMath.pairHash((int) (key[from] >>> 32), (int) key[from]));
         }
-        contact[k + LAMBDA] =
-                state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[from]) * constants.warmScale;
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[from]) * constants.warmScale;
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */
     private void part(int k, int hash) {
         float px = CircleMath.partingX(hash);
         float py = CircleMath.partingY(hash);
-<<<<<<< HEAD
         float norm = CircleMath.norm(px, py);
         contact[k + NX] = px / norm;
         contact[k + NY] = py / norm;
-=======
-        float length = CircleMath.norm(px, py);
-        contact[k + NX] = px / length;
-        contact[k + NY] = py / length;
-        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[c]) * constants.warmScale;
->>>>>>> wj
     }
 
     /** What the contacts of the step before have left. */
@@ -502,15 +489,8 @@ final class JvmContacts {
 
     /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
     void remember(int c, float lambda) {
-<<<<<<< HEAD
         int lo = pair[2 * c] >> 2;
-        oldHi[c] = state.id[pair[2 * c + 1] >> 2];
-        oldLambda[c] = lambda;
-        oldNext[c] = state.memory[lo];
-        state.memory[lo] = c;
-=======
-        memory.remember(c, pair[2 * c] >> 2, (int) key[c], lambda);
->>>>>>> wj
+        memory.remember(c, lo, state.id[pair[2 * c + 1] >> 2], lambda);
     }
 
     /** Takes over saved impulses in place of contacts; the circles have been taken over before. */
@@ -552,57 +532,4 @@ final class JvmContacts {
         }
         return greatest;
     }
-<<<<<<< HEAD
-
-    /** The part of a circle's remembered impulses in the hash of the state. */
-    long hashOfMemory(int slot) {
-        long sum = 0;
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
-                sum += StateHash.absorb(h, oldLambda[c]);
-            }
-        }
-        return sum;
-    }
-
-    /** Pairs that one thread found. */
-    private static final class Found {
-        /** By open group, while groups are filled: its next contact, and the end of its contacts. */
-        private final int[] next = new int[TOGETHER];
-
-        private final int[] end = new int[TOGETHER];
-
-        private int count;
-        private long tested;
-        private int[] records = new int[1024];
-
-        private int room;
-        private int mode;
-
-        /** Greatest number of candidates of one circle, of those that this thread has filled last. */
-        private int most;
-
-        void reset(int newMode, int newRoom) {
-            mode = newMode;
-            room = newRoom;
-            count = 0;
-            tested = 0;
-            most = 0;
-        }
-
-        /** Keeps a pair, which has been counted. */
-        void add(int lo, int hi, int group, int rank) {
-            int k = 4 * (count - 1);
-            if (k == records.length) {
-                records = Arrays.copyOf(records, 2 * records.length);
-            }
-            records[k] = lo;
-            records[k + 1] = hi;
-            records[k + 2] = group;
-            records[k + 3] = rank;
-        }
-    }
-=======
->>>>>>> wj
 }
