@@ -22,7 +22,10 @@ final class PairProbe implements AutoCloseable {
         KernelSource source = KernelSource.of(
                         "CirclePhysV2.cl", "thesis/ExactPairs.cl", "thesis/WrongSlots.cl", "thesis/PairProbe.cl")
                 .define("ROW_SEARCH_ROUNDS", RowSearchPairs.rounds(n));
-        program = session.build(source, "-cl-finite-math-only");
+        // As Simulation.source has it: on a GPU some helpers are compiled otherwise.
+        program = session.build(
+                device.kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source,
+                "-cl-finite-math-only");
     }
 
     DeviceBuffer noTable() {
