@@ -29,6 +29,19 @@
     if (c < (uint)(slots))
 #endif
 
+// The slots whose MTVs a work-item of the resolve kernels reads before it looks at the first of them. One read a work-item
+// is too few to keep the memory of a GPU busy: at n = 15000, where an H200 resolves in 0.37 ms with a group of 1, it takes
+// 0.35, 0.33 and 0.30 ms with groups of 4, 8 and 16. The slots of a group lie as far apart as there are work-items, so
+// that neighbours read neighbours.
+#ifdef FEW_WORK_ITEMS
+#define GROUP 16
+#define FOR_EACH_GROUP(first, slots) \
+    for (size_t first = get_global_id(0); first < (uint)(slots); first += GROUP * get_global_size(0))
+#else
+#define GROUP 1
+#define FOR_EACH_GROUP(first, slots) FOR_EACH_SLOT(first, slots)
+#endif
+
 // ---------------------------------------------------------------------------------------------- pair indexing
 
 // The second circle of slot c, given that c lies in row i; exact. For 0 <= i < n - 1 and any slot c of n circles the
@@ -45,10 +58,15 @@ HELPER int collision_pair_is_right(int2 pair, int circles) {
     return (pair.x >= 0) & (pair.x < pair.y) & (pair.y < circles);
 }
 
-// An int of at least 0 as a float, rounded toward zero. As convert_float_rtz, which on POCL is many times slower.
+// An int of at least 0 as a float, rounded toward zero. A GPU has an instruction for it; on POCL convert_float_rtz is many
+// times slower than this.
 HELPER float round_toward_zero(int value) {
+#ifdef FEW_WORK_ITEMS
+    return convert_float_rtz(value);
+#else
     const float nearest = (float)value;
     return (int)nearest > value ? as_float(as_int(nearest) - 1) : nearest;
+#endif
 }
 
 // Strategy 0, computed: the root of a quadratic in single precision, as in the thesis. Where 4m(m+1) and 8c pass 2^24,
@@ -129,6 +147,20 @@ HELPER void resolve_pair(
 
 HELPER int has_mtv(float2 mtv) {
     return mtv.x * mtv.x + mtv.y * mtv.y > 0.0f;
+}
+
+// Slot k of the group that begins at slot `first`.
+HELPER size_t slot_of_group(size_t first, int k) {
+    return first + k * get_global_size(0);
+}
+
+// Reads the MTVs of a group; those of slots that there are not are none.
+HELPER void read_group(float2 *mtvs, __global const float2 *collision, size_t first, int slots) {
+#pragma unroll
+    for (int k = 0; k < GROUP; k++) {
+        const size_t c = slot_of_group(first, k);
+        mtvs[k] = c < (uint)slots ? collision[c] : (float2)(0.0f, 0.0f);
+    }
 }
 
 // ---------------------------------------------------------------------------------------------- the kernels
@@ -222,13 +254,18 @@ __kernel void resolve_collisions(
     int potential_collisions,
     int circles,
     float restitution) {
-    FOR_EACH_SLOT(c, potential_collisions) {
-        const float2 mtv = collision[c];
-        if (has_mtv(mtv)) {
-            const int2 pair = collision_map_s1((uint)c, circles);
-            // Asked again: the compiler may round the formula otherwise here than in detect_collisions.
-            if (collision_pair_is_right(pair, circles)) {
-                resolve_pair(circle, velocities, mtv, pair, restitution);
+    FOR_EACH_GROUP(first, potential_collisions) {
+        float2 mtvs[GROUP];
+        read_group(mtvs, collision, first, potential_collisions);
+#pragma unroll
+        for (int k = 0; k < GROUP; k++) {
+            if (has_mtv(mtvs[k])) {
+                const size_t c = slot_of_group(first, k);
+                const int2 pair = collision_map_s1((uint)c, circles);
+                // Asked again: the compiler may round the formula otherwise here than in detect_collisions.
+                if (collision_pair_is_right(pair, circles)) {
+                    resolve_pair(circle, velocities, mtvs[k], pair, restitution);
+                }
             }
         }
     }
@@ -243,10 +280,15 @@ __kernel void resolve_collisions_with_rows(
     int potential_collisions,
     int circles,
     float restitution) {
-    FOR_EACH_SLOT(c, potential_collisions) {
-        const float2 mtv = collision[c];
-        if (has_mtv(mtv)) {
-            resolve_pair(circle, velocities, mtv, collision_map_s3((uint)c, rows, circles), restitution);
+    FOR_EACH_GROUP(first, potential_collisions) {
+        float2 mtvs[GROUP];
+        read_group(mtvs, collision, first, potential_collisions);
+#pragma unroll
+        for (int k = 0; k < GROUP; k++) {
+            if (has_mtv(mtvs[k])) {
+                const size_t c = slot_of_group(first, k);
+                resolve_pair(circle, velocities, mtvs[k], collision_map_s3((uint)c, rows, circles), restitution);
+            }
         }
     }
 }
@@ -259,10 +301,15 @@ __kernel void resolve_collisions_with_pairs(
     __global const int2 *indexes,
     int potential_collisions,
     float restitution) {
-    FOR_EACH_SLOT(c, potential_collisions) {
-        const float2 mtv = collision[c];
-        if (has_mtv(mtv)) {
-            resolve_pair(circle, velocities, mtv, collision_map_s2(c, indexes), restitution);
+    FOR_EACH_GROUP(first, potential_collisions) {
+        float2 mtvs[GROUP];
+        read_group(mtvs, collision, first, potential_collisions);
+#pragma unroll
+        for (int k = 0; k < GROUP; k++) {
+            if (has_mtv(mtvs[k])) {
+                const size_t c = slot_of_group(first, k);
+                resolve_pair(circle, velocities, mtvs[k], collision_map_s2(c, indexes), restitution);
+            }
         }
     }
 }

@@ -39,10 +39,15 @@ __kernel void resolve_collisions_exact(
     int potential_collisions,
     int circles,
     float restitution) {
-    FOR_EACH_SLOT(c, potential_collisions) {
-        const float2 mtv = collision[c];
-        if (has_mtv(mtv)) {
-            resolve_pair(circle, velocities, mtv, collision_map_exact((uint)c, potential_collisions, circles), restitution);
+    FOR_EACH_GROUP(first, potential_collisions) {
+        float2 mtvs[GROUP];
+        read_group(mtvs, collision, first, potential_collisions);
+#pragma unroll
+        for (int k = 0; k < GROUP; k++) {
+            if (has_mtv(mtvs[k])) {
+                const size_t c = slot_of_group(first, k);
+                resolve_pair(circle, velocities, mtvs[k], collision_map_exact((uint)c, potential_collisions, circles), restitution);
+            }
         }
     }
 }

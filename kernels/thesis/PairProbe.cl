@@ -2,14 +2,23 @@
 // thesis/WrongSlots.cl. None of the kernels needs a collision buffer.
 
 // Defines a kernel that adds the number of slots that MAP gets wrong to wrong[0], as count_wrong_slots does for strategy
-// 0; and one that writes the pair of every slot. TABLE is the strategy's buffer. One work-item a slot, which costs what
-// the mapping costs.
+// 0; and one that writes the pair of every slot. TABLE is the strategy's buffer. The first shares the slots out in blocks
+// to as many work-items as the host starts: a long block is a loop of vector instructions, which counts the
+// 2,147,450,880 slots of n = 65536 five times faster where the mapping is arithmetic, and five times slower where it reads
+// a table. The second takes one work-item a slot. A slot costs what the mapping costs.
 #define PROBE(NAME, TABLE, MAP)                                                                        \
     __kernel void count_wrong_##NAME(                                                                  \
         __global uint *wrong, __global const int2 *TABLE, int potential_collisions, int circles) {     \
-        const uint c = (uint)get_global_id(0);                                                         \
-        if (c < (uint)potential_collisions && !slot_holds_pair(c, MAP, circles)) {                     \
-            atomic_inc(wrong);                                                                         \
+        const uint slots = (uint)potential_collisions;                                                 \
+        const uint block = (slots - 1) / (uint)get_global_size(0) + 1;                                 \
+        const uint first = (uint)get_global_id(0) * block;                                             \
+        const uint end = min(first + block, slots);                                                    \
+        uint count = 0;                                                                                \
+        for (uint c = first; c < end; c++) {                                                           \
+            count += !slot_holds_pair(c, MAP, circles);                                                \
+        }                                                                                              \
+        if (count > 0) {                                                                               \
+            atomic_add(wrong, count);                                                                  \
         }                                                                                              \
     }                                                                                                  \
     __kernel void map_##NAME(                                                                          \

@@ -110,6 +110,11 @@ float along(float nx, float ny, float vx, float vy) { return nx * vx + ny * vy; 
 #define LEAVE 1
 #define BOUNCE 2
 
+float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    float creep = lengthRate * ((1.0f - e) * sum);
+    return gravityRate * sum + creep * creep;
+}
+
 int freeFlight(float vn, bool meets, float thr2) {
     if (vn * vn > thr2) {
         if (vn > 0.0f) return LEAVE;
@@ -142,6 +147,8 @@ float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f
 float wallGap(float base, float displacement, float r, float side, float min, float max) {
     return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
 }
+
+float leftBehind(float gap, float vn, float gain) { return gap > 0.0f && vn < 0.0f ? gain * (gap / -vn) : 0.0f; }
 
 float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
 

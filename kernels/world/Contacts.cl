@@ -293,7 +293,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, bool *carrying) {
     n.w = 0.0f;
     if (w->memory[p.y] != FRESH) n.w = remembered(w, w->memory[p.x], (int) ids) * w->warmScale;
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    *carrying = carries(n.w, n.z, vn, w->k.thresholdRate * sum);
+    *carrying = carries(n.w, n.z, vn, thresholdOf(w, sum, greatest(w->traits[p.x].y, w->traits[p.y].y)));
     return n;
 }
 

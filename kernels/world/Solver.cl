@@ -4,15 +4,15 @@
 // One axis of a circle against the wall that it is nearer to: biased pass. before: velocity along the axis before any
 // impulse; v: after those of its contacts; stored: the wall's impulse, positive for the lower wall. Returns the new velocity
 // along the axis.
-float pushFromWall(const World *w, float x, float dx, float before, float v, float r, float e, bool loaded, float min,
+float pushFromWall(const World *w, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
                    float max, float *stored, float *bounceOut) {
     const StepConstants *k = &w->k;
     float side = wallSide(x, min, max);
-    float gap = wallGap(x, dx, r, side, min, max);
+    float gap = wallGap(x, *dx, r, side, min, max);
     float lambda = wallImpulse(*stored, side);
     v += side * lambda;
     float vn = side * v;
-    float thr2 = k->thresholdRate * (2.0f * r);
+    float thr2 = thresholdOf(w, 2.0f * r, e);
     float bounce = e > 0.0f && loaded ? bounceSpeed(e, side * before, gap, k->h, thr2) : 0.0f;
     int visit = e > 0.0f && !loaded ? freeFlight(vn, gap * k->inverseH + vn < 0.0f, thr2) : SOLVE;
     float next = lambda;
@@ -29,6 +29,7 @@ float pushFromWall(const World *w, float x, float dx, float before, float v, flo
         p = next - lambda;
     } else {
         p = visit == BOUNCE ? freeBounce(e, vn, 1.0f) : 0.0f;
+        *dx -= leftBehind(gap, vn, side * p);
     }
     *stored = side * next;
     *bounceOut = bounce;
@@ -58,14 +59,17 @@ void accelerate(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2
         float v = y ? vy : vx;
         float wall = y ? t->w : t->z;
         float target;
-        float next = pushFromWall(w, y ? c.y : c.x, y ? m->y : m->x, v, limitSpeed(v + t->x * (y ? l.y : l.x)), c.z, t->y,
+        float dx = y ? m->y : m->x;
+        float next = pushFromWall(w, y ? c.y : c.x, &dx, v, limitSpeed(v + t->x * (y ? l.y : l.x)), c.z, t->y,
                                   *loaded, y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall, &target);
         if (y) {
             nextY = next;
+            m->y = dx;
             t->w = wall;
             bounce->y = target;
         } else {
             nextX = next;
+            m->x = dx;
             t->z = wall;
             bounce->x = target;
         }
@@ -140,7 +144,7 @@ void pushContact(const World *w, int c) {
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
     float before = along(n.x, n.y, lj.x - li.x, lj.y - li.y);
     float next, bounce, p;
-    bool moves = pushImpulse(w, n, b.w, w->k.thresholdRate * b.z, 1.0f / (q.x + q.y), q.z, vn, before,
+    bool moves = pushImpulse(w, n, b.w, thresholdOf(w, b.z, b.w), 1.0f / (q.x + q.y), q.z, vn, before,
                              li.z + lj.z > 0.0f, &next, &bounce, &p);
     w->masses[c].w = bounce;
     w->contact[c].w = next;
@@ -167,7 +171,7 @@ float relaxAtWall(const World *w, float x, float dx, float v, float r, float e, 
     float vn = side * v;
     if (lambda == 0.0f && bounce == 0.0f && gap > 0.0f) return v;
     bool free = lambda == 0.0f && bounce == 0.0f && e > 0.0f && !loaded;
-    int visit = free ? freeFlight(vn, true, k->thresholdRate * (2.0f * r)) : SOLVE;
+    int visit = free ? freeFlight(vn, true, thresholdOf(w, 2.0f * r, e)) : SOLVE;
     if (visit == LEAVE) return v;
     if (visit == BOUNCE) return v + side * freeBounce(e, vn, 1.0f);
     float b = bounce > 0.0f ? -bounce : gap > 0.0f ? gap * k->inverseH : 0.0f;
@@ -281,7 +285,7 @@ void relaxContact(const World *w, int c, bool last) {
     float4 mj = w->motion[pr.y];
     measure(&n, b.x, b.y, b.z, mi.xy, mj.xy);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float thr2 = w->k.thresholdRate * b.z;
+    float thr2 = thresholdOf(w, b.z, b.w);
     float next, p;
     bool solved;
     bool moves = relaxImpulse(w, n, b.w, thr2, 1.0f / (q.x + q.y), vn, q.w, w->load[pr.x].z + w->load[pr.y].z == 0.0f,

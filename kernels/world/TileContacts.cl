@@ -37,7 +37,7 @@ void linkContact(const World *w, int listed) {
     w->ordered[c] = p;
     w->contact[c] = n;
     w->held[c] = n.w;
-    w->shape[c] = (float4)(greatest(ti.y, tj.y), w->k.thresholdRate * sum,
+    w->shape[c] = (float4)(greatest(ti.y, tj.y), thresholdOf(w, sum, greatest(ti.y, tj.y)),
                            pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 1.0f / (ti.x + tj.x));
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
                         highRow != row, (int) p.y - w->bucketStart[high], carrying);

@@ -147,6 +147,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
         if (slots[i] >= 0) {
             newTraits[slot] = traits;
             w->wallBounce[slot] = bounce;
+            w->pushedDisplacement[slot] = m.xy;
             if (subStep == 0) w->homeMemory[slot] = NONE;
         }
     }
@@ -155,7 +156,8 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     TILE_EACH(i, circles) {
         int slot = slots[i];
         if (slot < 0) continue;
-        float4 m = w->motion[slot];
+        float4 m;
+        m.xy = w->pushedDisplacement[slot];
         m.zw = t->velocity[i];
         float4 traits = newTraits[slot];
         bool loaded = t->flags[i] & LOADED;

@@ -9,7 +9,7 @@
 typedef struct {
     float dt, h, inverseH, gravityStepX, gravityStepY, fallX, fallY;
     float biasRate, massScale, impulseScale, wallBiasRate, wallMassScale, wallImpulseScale;
-    float thresholdRate, pushPerLength, pushPerRoot, warmScale;
+    float thresholdRate, restRate, pushPerLength, pushPerRoot, warmScale;
     float minX, minY, maxX, maxY;
     int subSteps;
     int sweeping; // 1 where the step has the stage Sweep, else it does not take fast circles
@@ -154,4 +154,9 @@ int firstOfColour(const World *w, int atLevel, int colour) {
 int groupOf(const World *w, int atLevel, int ox, int oy) {
     int colour = (ox & 1) + 2 * (oy & 1);
     return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
+}
+
+// The square of the bounce threshold of a pair: sum of the radii, restitution.
+float thresholdOf(const World *w, float sum, float e) {
+    return bounceThreshold(sum, e, w->k.thresholdRate, w->k.restRate);
 }

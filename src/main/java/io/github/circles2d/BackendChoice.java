@@ -31,6 +31,12 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         };
     }
 
+    /** Takes this very device. */
+    static BackendChoice of(Device device, int capacity, boolean profiling) {
+        Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
+        return openCl(backend, device, capacity, profiling, "this device was asked for");
+    }
+
     private static BackendChoice fastest(int threads, int leastShare, int capacity, boolean profiling) {
         String reason;
         if (capacity < LEAST_FOR_GPU) {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Bounds;
@@ -95,7 +96,9 @@ public final class World implements AutoCloseable {
         gravityY = b.gravityY;
         subSteps = b.subSteps;
         defaultRestitution = b.restitution;
-        BackendChoice choice = BackendChoice.of(b.backend, b.threads, b.leastShare, b.capacity, b.profiling);
+        BackendChoice choice = b.device == null
+                ? BackendChoice.of(b.backend, b.threads, b.leastShare, b.capacity, b.profiling)
+                : BackendChoice.of(b.device, b.capacity, b.profiling);
         backend = choice.backend();
         reason = choice.reason();
         pipeline = choice.pipeline();
@@ -505,6 +508,21 @@ public final class World implements AutoCloseable {
             }
             savedCurrent = false;
             previousTimeStep = timeStep;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Waits until all steps that were asked for have been made. Nothing but time depends on it: a step on an OpenCL device is
+     * only enqueued, and whatever needs its result waits for it anyway.
+     */
+    public void finish() {
+        enter();
+        try {
+            pipeline.finish();
+        } catch (RuntimeException | Error e) {
+            throw failed(e);
         } finally {
             exit();
         }
@@ -938,7 +956,10 @@ public final class World implements AutoCloseable {
         user.setRelease(null);
     }
 
-    /** Ends the world and gives its memory, threads and devices back. Closing it again does nothing. */
+    /**
+     * Ends the world and gives its memory, threads and devices back. Closing it again does nothing. The threads of a world that
+     * is never closed do not keep the virtual machine running, and end some time after the world has been forgotten.
+     */
     @Override
     public void close() {
         if (!user.compareAndSet(null, Thread.currentThread())) {
@@ -962,6 +983,7 @@ public final class World implements AutoCloseable {
         private float restitution = 0.5f;
         private int subSteps = 4;
         private Backend backend = Backend.AUTO;
+        private Device device;
         private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
         private int capacity = 1024;
         private boolean profiling;
@@ -1036,6 +1058,18 @@ public final class World implements AutoCloseable {
          */
         public Builder backend(Backend backend) {
             this.backend = Objects.requireNonNull(backend, "backend");
+            device = null;
+            return this;
+        }
+
+        /**
+         * The OpenCL device to run on, where there are several; instead of a back end.
+         *
+         * @param device one of {@link io.github.circles2d.opencl.OpenCl#devices}
+         * @return this
+         */
+        public Builder device(Device device) {
+            this.device = Objects.requireNonNull(device, "device");
             return this;
         }
 

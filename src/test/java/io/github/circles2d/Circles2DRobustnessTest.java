@@ -19,6 +19,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -81,6 +82,8 @@ class Circles2DRobustnessTest {
             Thread collector = new Thread(() -> {
                 while (!done.get()) {
                     System.gc();
+                    // With many cores and a large heap nothing else would run: each return from native code waits.
+                    LockSupport.parkNanos(2_000_000);
                 }
             });
             try (Circles2D engine = quietScene(device, indexing)) {

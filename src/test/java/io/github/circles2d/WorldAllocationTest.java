@@ -31,12 +31,8 @@ class WorldAllocationTest {
         FloatBuffer velocityBuffer = FloatBuffer.allocate(2 * n);
         LongBuffer handleBuffer = LongBuffer.allocate(n);
         try (World world = WorldScenes.world(
-                scene,
-                WorldScenes.builder(scene)
-                        .backend(Backend.JVM)
-                        .threads(threads)
-                        .leastShare(1)
-                        .profiling(true))) {
+                scene, WorldScenes.builder(scene).threads(threads).leastShare(1).profiling(true))) {
+
             Runnable frame = () -> {
                 world.readHandles(handles);
                 world.setVelocity(handles[7], 0.01f, 0);

@@ -27,7 +27,7 @@ class WorldCollisionTest {
     })
     void twoCirclesThatMeetHeadOnPartAsNewtonSays(float m1, float m2, float e, float v1, float v2) {
         try (World world =
-                World.builder().bounds(-50, -50, 50, 50).restitution(e).build()) {
+                WorldScenes.jvm().bounds(-50, -50, 50, 50).restitution(e).build()) {
             long a = world.add(-2, 1, 0.5f, m1, v1, 0);
             long b = world.add(2, 1, 0.5f, m2, v2, 0);
             world.step(1 / 60f, (int) (3.5f / (v1 - v2) * 60) + 10);
@@ -45,7 +45,7 @@ class WorldCollisionTest {
     @CsvSource({"0.2, 1, 1, 1", "0.5, 1, 2, 1", "0.9, 3, 1, 0.5", "-0.7, 5, 1, 0", "0.3, 1, Infinity, 0.8"})
     void anObliqueCollisionChangesTheNormalSpeedAlone(float offset, float m1, float m2, float e) {
         try (World world =
-                World.builder().bounds(-50, -50, 50, 50).restitution(e).build()) {
+                WorldScenes.jvm().bounds(-50, -50, 50, 50).restitution(e).build()) {
             // lengths in diameters: centres at an offset touch where the normal is (sqrt(1 - offset^2), offset)
             double nx = Math.sqrt(1 - (double) offset * offset);
             double ny = offset;
@@ -66,7 +66,7 @@ class WorldCollisionTest {
     @ParameterizedTest
     @CsvSource({"1", "0.6", "0"})
     void aWallTurnsTheNormalSpeedAlone(float e) {
-        try (World world = World.builder().bounds(0, 0, 10, 10).restitution(e).build()) {
+        try (World world = WorldScenes.jvm().bounds(0, 0, 10, 10).restitution(e).build()) {
             long a = world.add(8, 5, 0.5f, 2, 3, 1);
             world.step(1 / 60f, 50);
             assertClose(world.vx(a), -3 * e, 3);
@@ -77,7 +77,7 @@ class WorldCollisionTest {
     @Test
     void freeFallIsAParabola() {
         try (World world =
-                World.builder().bounds(0, 0, 100, 100).gravity(0, -10).build()) {
+                WorldScenes.jvm().bounds(0, 0, 100, 100).gravity(0, -10).build()) {
             long a = world.add(10, 90, 0.5f, 2, 4, 3);
             world.step(1 / 60f, 120);
             assertThat((double) world.x(a)).isCloseTo(18, within(1e-4));

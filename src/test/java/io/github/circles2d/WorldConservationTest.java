@@ -28,7 +28,7 @@ class WorldConservationTest {
     void collisionsKeepTheMomentum(float restitution) {
         Scene scene = Scenes.gas(500, Scenes.SEED);
         // the gas in the middle of an arena so wide that no circle comes to a wall
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(-100, -100, 101, 101)
                 .restitution(restitution)
                 .build()) {

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
- * does what a plain model of the world does; the state is finite and within the bounds whatever happens. The system property
+ * does what a plain model of the world does; the state is finite and within the bounds whatever happens, and the same on
+ * several threads. The system property
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 class WorldFuzzTest {
@@ -44,8 +45,10 @@ class WorldFuzzTest {
 
     @Test
     void anyProgramGivesClearExceptionsOrASoundWorld() {
-        for (int k = 0; k < PROGRAMS; k++) {
-            new Program(SEED + k).run();
+        try (World twin = WorldScenes.jvm().threads(3).leastShare(1).build()) {
+            for (int k = 0; k < PROGRAMS; k++) {
+                new Program(SEED + k, k % 32 == 0 ? twin : null).run();
+            }
         }
     }
 
@@ -83,6 +86,9 @@ class WorldFuzzTest {
         /** Most circles of a program have radii of about the arena over 10 to the power of this. */
         private final int scale;
 
+        /** Another world, on several threads, that makes the same steps after having been restored from snapshots; or null. */
+        private final World twin;
+
         private World world;
         private Model model = new Model();
         private ByteBuffer snapshot;
@@ -90,8 +96,9 @@ class WorldFuzzTest {
         private List<Long> snapshotStale;
         private String last = "";
 
-        Program(long seed) {
+        Program(long seed, World twin) {
             this.seed = seed;
+            this.twin = twin;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -114,8 +121,7 @@ class WorldFuzzTest {
         }
 
         private World build() {
-            World.Builder builder =
-                    World.builder().backend(Backend.JVM).threads(1).capacity(0);
+            World.Builder builder = WorldScenes.jvm().threads(1).capacity(0);
             model.walls(0, 0, 1, 1);
             float[] w = new float[4];
             float size = (float) StrictMath.pow(10, random.nextInt(16) - 6);
@@ -290,11 +296,7 @@ class WorldFuzzTest {
             }
             if (random.nextBoolean()) {
                 world.close();
-                world = World.builder()
-                        .backend(Backend.JVM)
-                        .threads(1)
-                        .capacity(0)
-                        .build();
+                world = WorldScenes.jvm().threads(1).capacity(0).build();
             }
             world.restore(snapshot.duplicate());
             model = snapshotModel.copy();
@@ -306,7 +308,20 @@ class WorldFuzzTest {
             float dt = random.nextInt(3) == 0 ? value(0, 1) : 1 / 60f;
             int steps = random.nextInt(8) == 0 ? random.nextInt(3) - 1 : 1 + random.nextInt(3);
             last = "step " + dt + " " + steps;
-            ask(bad(dt) || !(dt > 0) || steps < 1, () -> world.step(dt, steps));
+            if (twin != null) {
+                ByteBuffer now = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(now);
+                twin.restore(now.flip());
+            }
+            ask(bad(dt) || !(dt > 0) || steps < 1, () -> {
+                world.step(dt, steps);
+                if (twin != null) {
+                    twin.step(dt, steps);
+                }
+            });
+            if (twin != null) {
+                assertThat(twin.hash()).isEqualTo(world.hash());
+            }
             check();
         }
 

@@ -13,7 +13,7 @@ class WorldRestTest {
     void aHexagonalPileOf40RowsStaysAtRest() {
         float r = 0.0125f;
         Random random = new Random(1);
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 1, 1)
                 .gravity(0, -0.01f)
                 .restitution(0.5f)
@@ -33,7 +33,7 @@ class WorldRestTest {
     void aColumnOf40StaysAtRest() {
         float r = 0.0125f;
         Random random = new Random(2);
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                 .bounds(0, 0, 1, 1)
                 .gravity(0, -0.01f)
                 .restitution(0.5f)

@@ -7,10 +7,14 @@ import io.github.circles2d.scenes.Scene;
 public final class WorldScenes {
     private WorldScenes() {}
 
-    /** A builder with a scene's parameters. */
+    /** A builder for the JVM back end, which all others are compared with. */
+    public static World.Builder jvm() {
+        return World.builder().backend(Backend.JVM);
+    }
+
+    /** A builder with a scene's parameters, for the JVM back end. */
     public static World.Builder builder(Scene scene) {
-        return World.builder()
-                .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
+        return jvm().bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
                 .gravity(scene.gravityX(), scene.gravityY())
                 .restitution(scene.restitution())
                 .capacity(scene.size());

@@ -59,7 +59,7 @@ class WorldSnapshotTest {
         }
         for (int step = 0; step < steps; step++) {
             try (World restored =
-                    World.builder().threads(1 + step % 3).leastShare(1).build()) {
+                    WorldScenes.jvm().threads(1 + step % 3).leastShare(1).build()) {
                 restored.restore(snapshots[step]);
                 assertThat(snapshots[step].hasRemaining()).isFalse();
                 for (int k = step; k < step + AHEAD; k++) {
@@ -95,8 +95,8 @@ class WorldSnapshotTest {
 
     @Test
     void keepsHandlesAndStaleHandlesAndWhichIdsAreFree() {
-        try (World world = World.builder().bounds(-2, -3, 4, 5).build();
-                World restored = World.builder().build()) {
+        try (World world = WorldScenes.jvm().bounds(-2, -3, 4, 5).build();
+                World restored = WorldScenes.jvm().build()) {
             long a = world.add(0, 0, 0.1f, 1);
             long b = world.add(1, 0, 0.1f, 1);
             long c = world.add(2, 0, 0.1f, 1);
@@ -122,7 +122,7 @@ class WorldSnapshotTest {
     void ofARestoredWorldIsTheSameBytes() {
         Scene scene = Scenes.thesis(600, 9);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).subSteps(3));
-                World restored = World.builder().build()) {
+                World restored = WorldScenes.jvm().build()) {
             world.step(scene.timeStep(), 50);
             for (int k = 0; k < 300; k++) {
                 world.remove(k % 2 == 0 ? handle(world, 0) : handle(world, world.size() - 1));
@@ -142,7 +142,7 @@ class WorldSnapshotTest {
     @Test
     void goesIntoAndOutOfTheMiddleOfAnyBuffer() {
         try (World world = settled();
-                World restored = World.builder().build()) {
+                World restored = WorldScenes.jvm().build()) {
             ByteBuffer big =
                     ByteBuffer.allocateDirect(100 + world.snapshotBytes()).order(ByteOrder.BIG_ENDIAN);
             big.position(37);
@@ -156,7 +156,7 @@ class WorldSnapshotTest {
 
     @Test
     void ofAnEmptyWorldIsTheHeader() {
-        try (World world = World.builder().build();
+        try (World world = WorldScenes.jvm().build();
                 World restored = settled()) {
             assertThat(world.snapshotBytes()).isEqualTo(SnapshotCodec.HEADER);
             restored.restore(snapshot(world));
@@ -227,7 +227,7 @@ class WorldSnapshotTest {
     }
 
     private static World unsettled() {
-        World world = World.builder().build();
+        World world = WorldScenes.jvm().build();
         world.add(0.5f, 0.5f, 0.1f, 1, 0.1f, 0);
         world.step(1 / 60f);
         return world;

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 /** The calls of a World: handles, order, ranges, states. */
 class WorldTest {
     private static World.Builder builder() {
-        return World.builder().bounds(0, 0, 10, 10).backend(Backend.JVM).threads(1);
+        return WorldScenes.jvm().bounds(0, 0, 10, 10).threads(1);
     }
 
     @Test
@@ -84,9 +84,9 @@ class WorldTest {
                 refused(() -> world.setGravity(0, bad));
                 refused(() -> world.setBounds(bad, 0, 1, 1));
                 refused(() -> world.step(bad));
-                refused(() -> World.builder().bounds(0, 0, bad, 1));
-                refused(() -> World.builder().gravity(bad, 0));
-                refused(() -> World.builder().restitution(bad));
+                refused(() -> WorldScenes.jvm().bounds(0, 0, bad, 1));
+                refused(() -> WorldScenes.jvm().gravity(bad, 0));
+                refused(() -> WorldScenes.jvm().restitution(bad));
                 if (bad != Float.POSITIVE_INFINITY) {
                     refused(() -> world.add(1, 1, 0.1f, bad));
                     refused(() -> world.setMass(a, bad));
@@ -105,11 +105,11 @@ class WorldTest {
             refused(() -> world.step(0.1f, 0));
             refused(() -> world.setBounds(0, 0, 0.1f, 0.1f));
             refused(() -> world.setBounds(5, 0, 5, 10));
-            refused(() -> World.builder().subSteps(0));
-            refused(() -> World.builder().subSteps(17));
-            refused(() -> World.builder().threads(0));
-            refused(() -> World.builder().threads(257));
-            refused(() -> World.builder().capacity(-1));
+            refused(() -> WorldScenes.jvm().subSteps(0));
+            refused(() -> WorldScenes.jvm().subSteps(17));
+            refused(() -> WorldScenes.jvm().threads(0));
+            refused(() -> WorldScenes.jvm().threads(257));
+            refused(() -> WorldScenes.jvm().capacity(-1));
             assertThat(world.hash()).isEqualTo(hash);
             assertThat(world.size()).isEqualTo(1);
         }
@@ -229,8 +229,7 @@ class WorldTest {
     @Test
     void statsSayWhatTheLastStepDid() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
-        try (World world = WorldScenes.world(
-                scene, WorldScenes.builder(scene).backend(Backend.JVM).profiling(true))) {
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).profiling(true))) {
             WorldStats before = world.stats();
             assertThat(before.contacts()).isZero();
             assertThat(before.circles()).isEqualTo(1250);

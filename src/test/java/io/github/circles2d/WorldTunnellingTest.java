@@ -18,7 +18,7 @@ class WorldTunnellingTest {
     void bulletsDoNotPassAFence(float speed) {
         Random random = new Random(7);
         try (World world =
-                World.builder().bounds(-10, -10, 10, 10).restitution(0.8f).build()) {
+                WorldScenes.jvm().bounds(-10, -10, 10, 10).restitution(0.8f).build()) {
             for (int i = 0; i <= 200; i++) {
                 world.add(0, -10 + 0.1f * i, 0.05f, Float.POSITIVE_INFINITY);
             }
@@ -52,7 +52,7 @@ class WorldTunnellingTest {
         Random random = new Random(8);
         int pairs = 200;
         try (World world =
-                World.builder().bounds(-10, -100, 10, 100).restitution(1).build()) {
+                WorldScenes.jvm().bounds(-10, -100, 10, 100).restitution(1).build()) {
             for (int i = 0; i < pairs; i++) {
                 float y = -99 + 198f * i / pairs;
                 world.add(-5 + 4 * random.nextFloat(), y, 0.05f, 1, speed * (0.3f + random.nextFloat()), 0);

@@ -4,15 +4,14 @@ import io.github.circles2d.Circles2D;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.scenes.Scene;
-import io.github.circles2d.scenes.Scenes;
 import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 
 /** {@link Circles2D}, the engine of the thesis, as the demo sees it. */
 final class Circles2DEngine implements Engine {
-    private static final List<String> STRATEGIES =
-            List.of("0 (computed)", "1 (look-up table)", "2 (row search)", "3 (exact)");
+    private static final List<String> STRATEGIES = List.of(
+            "strategy 0 (computed)", "strategy 1 (look-up table)", "strategy 2 (row search)", "strategy 3 (exact)");
 
     private final Circles2D circles2d;
     private final Scene scene;
@@ -29,9 +28,7 @@ final class Circles2DEngine implements Engine {
     }
 
     static Circles2DEngine open(Options options) throws EngineException {
-        Scene scene = options.packed()
-                ? Scenes.packed(options.circles(), options.seed())
-                : Scenes.thesis(options.circles(), options.seed());
+        Scene scene = options.scene();
         Circles2D circles2d = null;
         try {
             circles2d = new Circles2D(DeviceChoice.find(options.device()));

@@ -12,7 +12,8 @@ import javax.swing.KeyStroke;
 /** Shows the latest frame of a loop and turns keys into its commands. */
 final class DemoCanvas extends JComponent {
     private static final long serialVersionUID = 1;
-    static final String KEYS = "space pause   S step   R restart   digit or T strategy   O overlay   Q quit";
+    static final String KEYS =
+            "space pause   S step   R restart   digit or T strategy or back end   O overlay   Q quit";
 
     private final transient SimulationLoop loop;
     private final transient Painter painter = new Painter();

@@ -10,6 +10,14 @@ enum EngineKind {
         Engine open(Options options) throws EngineException {
             return Circles2DEngine.open(options);
         }
+    },
+
+    /** The engine for games. */
+    WORLD {
+        @Override
+        Engine open(Options options) throws EngineException {
+            return WorldEngine.open(options);
+        }
     };
 
     /** Opens it with the scene that the options ask for; the calling thread is the one that uses and closes it. */

@@ -1,5 +1,7 @@
 package io.github.circles2d.demo;
 
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
 import java.nio.file.Path;
 
 /**
@@ -12,7 +14,7 @@ import java.nio.file.Path;
  * @param restitution 0 (inelastic) to 1 (elastic)
  * @param gravityX    arena lengths per second squared
  * @param gravityY    the same, up
- * @param device      "best", "gpu", "cpu", a number in the list of devices, or a part of a device's name
+ * @param device      "best", "gpu", "cpu", a number in the list of devices, a part of a device's name, or "jvm"
  * @param seed        of the random start
  * @param engine      which engine
  * @param frames      how many frames; 0: until a person quits
@@ -47,6 +49,11 @@ record Options(
 
     static Options defaults() {
         return new OptionsParser().options();
+    }
+
+    /** The circles to start with. */
+    Scene scene() {
+        return packed ? Scenes.packed(circles, seed) : Scenes.thesis(circles, seed);
     }
 
     /**

@@ -36,7 +36,7 @@ final class Overlay {
     /** The lines that stand over the arena, the remark last where there is one. */
     static List<String> lines(Frame frame) {
         List<String> lines = new ArrayList<>();
-        lines.add(format("%s, strategy %s, n = %,d", frame.engine(), frame.strategy(), frame.size()));
+        lines.add(format("%s, %s, n = %,d", frame.engine(), frame.strategy(), frame.size()));
         lines.add(frame.device());
         String speed = frame.loopMillis() == 0 ? "" : format("%.2f ms a loop, ", frame.loopMillis());
         String rate = frame.framesPerSecond() == 0 ? "" : format("%.0f frames a second, ", frame.framesPerSecond());

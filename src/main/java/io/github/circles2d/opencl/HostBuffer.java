@@ -1,6 +1,7 @@
 package io.github.circles2d.opencl;
 
 import com.nativelibs4java.opencl.CLBuffer;
+import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
 import com.nativelibs4java.opencl.CLMem;
 import com.nativelibs4java.opencl.CLQueue;
@@ -48,7 +49,8 @@ public final class HostBuffer implements AutoCloseable {
             Pointer<Byte> mapped = buffer.map(session.queue(), CLMem.MapFlags.ReadWrite);
             CLQueue queue = session.queue();
             handle = new Handle(() -> {
-                buffer.unmap(queue, mapped);
+                // An event would keep the queue, and with it the whole context, until the garbage collector finds it.
+                buffer.unmap(queue, mapped, CLEvent.FIRE_AND_FORGET);
                 queue.finish();
                 buffer.release();
                 // OpenCL does not hold on to the memory.

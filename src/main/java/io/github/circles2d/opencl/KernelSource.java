@@ -40,6 +40,23 @@ public final class KernelSource {
      * @throws IllegalArgumentException if there is no such file, or one is not plain ASCII
      */
     public static KernelSource of(String... files) {
+        return new KernelSource(List.of(files), join(files), List.of());
+    }
+
+    /**
+     * Adds source files.
+     *
+     * @param more paths below the folder {@code kernels}, to be compiled after those that are there
+     * @return a source that has them too
+     * @throws IllegalArgumentException if there is no such file, or one is not plain ASCII
+     */
+    public KernelSource and(String... more) {
+        List<String> all = new ArrayList<>(files);
+        all.addAll(List.of(more));
+        return new KernelSource(List.copyOf(all), text + join(more), buildOptions);
+    }
+
+    private static String join(String... files) {
         StringBuilder text = new StringBuilder();
         for (String file : files) {
             // Joined, not included: #include would look in the current directory first.
@@ -49,7 +66,7 @@ public final class KernelSource {
                     .append(read(file))
                     .append('\n');
         }
-        return new KernelSource(List.of(files), text.toString(), List.of());
+        return text.toString();
     }
 
     /**

@@ -33,4 +33,11 @@ final class Profile {
         nanosByKernel();
         nanos.clear();
     }
+
+    /** Releases the events that nobody asked for. */
+    void release() {
+        events.forEach(CLEvent::release);
+        events.clear();
+        names.clear();
+    }
 }

@@ -40,6 +40,9 @@ public final class Session implements AutoCloseable {
         this.queue = queue;
         profile = profiling ? new Profile() : null;
         registry = new HandleRegistry(context, queue);
+        if (profile != null) {
+            registry.add(new Handle(profile::release));
+        }
         cleanable = CLEANER.register(this, registry);
     }
 

@@ -9,7 +9,7 @@ import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 
 /**
- * The buffers and the three kernels of a running simulation. A step makes no garbage; a read makes the arrays that it
+ * The buffers and the kernels of a running simulation. A step makes no garbage; a read makes the arrays that it
  * returns and nothing else.
  */
 public final class Simulation implements AutoCloseable {
@@ -26,7 +26,13 @@ public final class Simulation implements AutoCloseable {
     private Kernel update;
     private Kernel detect;
     private Kernel resolve;
+    /** On a GPU, where the circles can be put in rows before they are read; else null. */
+    private Kernel rows;
+
     private long wrongSlots;
+
+    /** The kernel that puts the circles in rows. */
+    static final String ROWS_KERNEL = "thesis/CircleRows.cl";
 
     /** How many work-items a compute unit of a GPU runs at once, at most. */
     private static final int ITEMS_OF_A_UNIT = 2048;
@@ -49,7 +55,7 @@ public final class Simulation implements AutoCloseable {
      */
     public static KernelSource source(PairStrategy strategy, int size, Device device) {
         KernelSource source = strategy.source(size);
-        return device.kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source;
+        return device.kind() == Device.Kind.GPU ? source.and(ROWS_KERNEL).define("FEW_WORK_ITEMS", true) : source;
     }
 
     /** Work-items for the slots: what {@link #source} has the kernels expect. */
@@ -110,6 +116,13 @@ public final class Simulation implements AutoCloseable {
         detect = strategy.detect(program, state);
         resolve = strategy.resolve(program, state, parameters.restitution);
         wrongSlots = strategy.countWrongSlots(session, program, state);
+        // Between two steps the collision buffer is free: the rows go there, where it is large enough.
+        if (session.device().kind() == Device.Kind.GPU && collision.bytes() >= circle.bytes()) {
+            rows = program.kernel("rows_of_circles")
+                    .arg(0, circle)
+                    .arg(1, collision)
+                    .arg(2, size);
+        }
     }
 
     /** Enqueues a step: update, detect, resolve. */
@@ -125,6 +138,21 @@ public final class Simulation implements AutoCloseable {
      * @return new rows x, y, radius, mass
      */
     public float[][] circles() {
+        return rows == null ? circlesOutOfInterleaved() : circlesOutOfRows();
+    }
+
+    private float[][] circlesOutOfRows() {
+        rows.run(size);
+        collision.read(0, transfer, 0, circle.bytes());
+        float[][] circles = new float[CircleList.BODY][size];
+        for (int row = 0; row < CircleList.BODY; row++) {
+            transfer.floats().get(row * size, circles[row]);
+        }
+        return circles;
+    }
+
+    /** Where the host is the device, another kernel costs more than this pass. */
+    private float[][] circlesOutOfInterleaved() {
         circle.read(0, transfer, 0, circle.bytes());
         transfer.floats().get(0, interleaved, 0, CircleList.BODY * size);
         float[] x = new float[size];
@@ -179,7 +207,7 @@ public final class Simulation implements AutoCloseable {
     /** Releases everything that was made, also of a simulation that was made in part. Later calls do nothing. */
     @Override
     public void close() {
-        close(resolve, detect, update, transfer, strategy, collision, gravity, velocities, circle);
+        close(rows, resolve, detect, update, transfer, strategy, collision, gravity, velocities, circle);
     }
 
     private static void close(AutoCloseable... parts) {

@@ -367,6 +367,21 @@ public final class CircleMath {
     }
 
     /**
+     * The speed below which an impact does not bounce: what gravity would give within a small part of a radius, so that piles
+     * come to rest; and without gravity a creeping speed, less the more elastic the pair is, so that clumps come to rest too.
+     *
+     * @param sum sum of the radii
+     * @param e restitution of the pair
+     * @param gravityRate square of the threshold per sum of radii, from gravity
+     * @param lengthRate threshold per sum of radii, of a pair without restitution
+     * @return the square of the speed; 0 for an elastic pair without gravity
+     */
+    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+        float creep = lengthRate * ((1f - e) * sum);
+        return gravityRate * sum + creep * creep;
+    }
+
+    /**
      * What to do with a contact that does not carry, of circles that are in free flight: nothing where they part faster than
      * the threshold, a bounce where they meet faster than it, else solve it as any other.
      *
@@ -411,7 +426,7 @@ public final class CircleMath {
      * @return a speed greater than 0, or 0
      */
     public static float bounceSpeed(float e, float vn, float s, float h, float thr2) {
-        return vn < 0f && vn * vn > thr2 && s + vn * h < 0f ? -e * vn : 0f;
+        return vn * vn > thr2 && vn < 0f && s + vn * h < 0f ? -e * vn : 0f;
     }
 
     /**
@@ -499,6 +514,18 @@ public final class CircleMath {
      */
     public static float wallGap(float base, float displacement, float r, float side, float min, float max) {
         return side > 0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
+    }
+
+    /**
+     * By how much a circle would end a sub-step too far from a wall, had it turned at its start: it flies on to the wall first.
+     *
+     * @param gap separation at the start
+     * @param vn normal speed, negative where it bounces
+     * @param gain what the bounce adds to the velocity, 0 for none
+     * @return a displacement to take back
+     */
+    public static float leftBehind(float gap, float vn, float gain) {
+        return gap > 0f && vn < 0f ? gain * (gap / -vn) : 0f;
     }
 
     /**

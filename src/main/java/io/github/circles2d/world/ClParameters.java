@@ -6,12 +6,12 @@ import java.util.Arrays;
 
 /** Packs the constants of a step and the shape of the grids as the structs of {@code World.cl}, and sends what changed. */
 final class ClParameters {
-    private static final int FLOATS = 21;
+    private static final int FLOATS = 22;
     static final int CONSTANT_INTS = FLOATS + 3;
     static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 3;
 
     // Positions of single constants.
-    private static final int WARM_SCALE = 16;
+    private static final int WARM_SCALE = 17;
     private static final int SUB_STEPS = FLOATS;
     private static final int SWEEPING = FLOATS + 1;
     private static final int THINNING = FLOATS + 2;
@@ -75,13 +75,14 @@ final class ClParameters {
         pack(11, k.wallMassScale);
         pack(12, k.wallImpulseScale);
         pack(13, k.thresholdRate);
-        pack(14, k.pushPerLength);
-        pack(15, k.pushPerRoot);
+        pack(14, k.restRate);
+        pack(15, k.pushPerLength);
+        pack(16, k.pushPerRoot);
         pack(WARM_SCALE, k.warmScale);
-        pack(17, k.bounds.minX());
-        pack(18, k.bounds.minY());
-        pack(19, k.bounds.maxX());
-        pack(20, k.bounds.maxY());
+        pack(18, k.bounds.minX());
+        pack(19, k.bounds.minY());
+        pack(20, k.bounds.maxX());
+        pack(21, k.bounds.maxY());
         constants[SUB_STEPS] = k.subSteps;
     }
 

@@ -240,6 +240,11 @@ public final class ClPipeline implements Pipeline {
     }
 
     @Override
+    public void finish() {
+        settle();
+    }
+
+    @Override
     public void confine(Bounds bounds) {
         settle();
         commands.confine(bounds, slots);

@@ -56,6 +56,9 @@ final class Crew {
     /** By worker: the number of runs that it was called to. What a run is made of is written before that. */
     private final AtomicIntegerArray called;
 
+    /** Workers that there can be. */
+    private int most;
+
     /** Threads started so far, the caller's included. */
     private int started = 1;
 
@@ -77,17 +80,17 @@ final class Crew {
     private volatile boolean dismissed;
 
     Crew(int most) {
+        this.most = most;
         threads = new Thread[most];
         asleep = new AtomicIntegerArray(most);
         called = new AtomicIntegerArray(most);
     }
 
-    /** See {@link Team#run}. */
+    /** See {@link Team#run}; the workers have been started. */
     void run(int workers, Team.Work what) {
         if (dismissed || failure.get() != null) {
             throw new IllegalStateException("the threads of this team have ended", failure.get());
         }
-        start(workers);
         threads[0] = Thread.currentThread();
         work = what;
         size = workers;
@@ -183,15 +186,23 @@ final class Crew {
     // ---- threads
     // -----------------------------------------------------------------------------------------------------
 
-    private void start(int workers) {
-        for (; started < workers; started++) {
+    /** Starts threads that are not there yet; returns how many workers there are then, which is fewer if the system refuses. */
+    int start(int workers) {
+        for (; started < Math.min(workers, most); started++) {
             int worker = started;
             Thread thread = new Thread(null, () -> live(worker), "circles2d-World-" + number + "-" + worker, 0, false);
             thread.setDaemon(true);
             thread.setContextClassLoader(null);
-            thread.start();
             threads[worker] = thread;
+            try {
+                thread.start();
+            } catch (OutOfMemoryError e) {
+                threads[worker] = null;
+                most = started;
+                return started;
+            }
         }
+        return Math.min(workers, most);
     }
 
     /** The life of a worker's thread. */

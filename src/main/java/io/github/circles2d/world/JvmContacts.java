@@ -14,7 +14,7 @@ import java.util.Arrays;
  */
 final class JvmContacts {
     /** Floats a contact. */
-    static final int STRIDE = 12;
+    static final int STRIDE = 14;
 
     /** Difference of the bases, x. */
     static final int EX = 0;
@@ -49,8 +49,17 @@ final class JvmContacts {
     /** Target speed of a bounce, between the two passes of a sub-step. */
     static final int BOUNCE = 11;
 
+    /** Effective mass. */
+    static final int MASS = 12;
+
+    /** Square of the bounce threshold. */
+    static final int THRESHOLD = 13;
+
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
     private static final int SHORT = 48;
+
+    /** Groups whose contacts are laid out together. */
+    static final int TOGETHER = 16;
 
     /** Pairs a circle for which a list has room, before it is given up. */
     private static final int ROOM_PER_CIRCLE = 24;
@@ -60,19 +69,15 @@ final class JvmContacts {
     /** Contacts that fit into one array. */
     private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
 
-    /** Modes of finding: list all pairs, or what is left of crowds. */
-    private static final int LIST = 0;
-
-    private static final int THIN = 1;
-
     private final JvmState state;
     private final JvmGrid grid;
     private final Levels levels;
     private final Team team;
+    private final JvmMemory memory;
     private final JvmSums sums;
 
     /** By worker: the pairs that it has found. */
-    private final Found[] found;
+    private final FoundPairs[] found;
 
     /** Number of contacts. */
     int count;
@@ -92,14 +97,6 @@ final class JvmContacts {
     /** By contact: {@link #STRIDE} floats. */
     float[] contact = new float[0];
 
-    /** By contact of the step before: id of the circle of higher id. */
-    private int[] oldHi = new int[0];
-
-    private float[] oldLambda = new float[0];
-
-    /** By contact of the step before: the next with the same circle of lower id, or -1. */
-    private int[] oldNext = new int[0];
-
     /** By contact, while the list is built: ids, lower above higher. */
     private long[] key = new long[0];
 
@@ -111,10 +108,11 @@ final class JvmContacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
+        memory = new JvmMemory(state);
         sums = new JvmSums(team);
-        found = new Found[team.most()];
+        found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
-            found[worker] = new Found();
+            found[worker] = new FoundPairs();
         }
     }
 
@@ -137,13 +135,13 @@ final class JvmContacts {
         int groups = levels.buckets();
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        Found f = found[worker];
+        FoundPairs f = found[worker];
         Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
         if (!thinned) {
             Arrays.fill(candidates, from, to, 0);
         }
         team.sync(worker);
-        f.reset(thinned ? THIN : LIST, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
+        f.reset(thinned, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
         find(f, from, to);
         team.sync(worker);
         if (overflowed()) {
@@ -244,16 +242,14 @@ final class JvmContacts {
             slots = new long[c];
             pair = new int[2 * c];
             contact = new float[STRIDE * c];
-            oldHi = Arrays.copyOf(oldHi, c);
-            oldLambda = Arrays.copyOf(oldLambda, c);
-            oldNext = Arrays.copyOf(oldNext, c);
+            memory.ensure(c);
         }
     }
 
     // ---- finding
     // -----------------------------------------------------------------------------------------------------
 
-    private void find(Found f, int from, int to) {
+    private void find(FoundPairs f, int from, int to) {
         for (int slot = from; slot < to && f.count <= f.room; slot++) {
             int level = grid.level[slot];
             findInOwnLevel(f, slot, level);
@@ -264,7 +260,7 @@ final class JvmContacts {
     }
 
     /** Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above. */
-    private void findInOwnLevel(Found f, int slot, int level) {
+    private void findInOwnLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int w = levels.columnsLog[level];
         int mask = (1 << w) - 1;
@@ -295,7 +291,7 @@ final class JvmContacts {
         }
     }
 
-    private void findInCoarserLevel(Found f, int slot, int level) {
+    private void findInCoarserLevel(FoundPairs f, int slot, int level) {
         int[] bucketStart = grid.start;
         int column = grid.column(state.circle[4 * slot], level);
         int row = grid.row(state.circle[4 * slot + 1], level);
@@ -323,7 +319,7 @@ final class JvmContacts {
     }
 
     /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
-    private void scan(Found f, int slot, int level, int column, int row, int from, int to) {
+    private void scan(FoundPairs f, int slot, int level, int column, int row, int from, int to) {
         float[] circle = state.circle;
         float[] reach = grid.reach;
         float x = circle[4 * slot];
@@ -340,7 +336,7 @@ final class JvmContacts {
         }
     }
 
-    private void add(Found f, int slot, int other, int level, int column, int row) {
+    private void add(FoundPairs f, int slot, int other, int level, int column, int row) {
         if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
             return;
         }
@@ -349,7 +345,7 @@ final class JvmContacts {
             return;
         }
         boolean lower = state.id[slot] < state.id[other];
-        if (f.mode == THIN) {
+        if (f.thinned) {
             int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
             if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
                 f.count--;
@@ -365,7 +361,7 @@ final class JvmContacts {
         f.add(lower ? slot : other, lower ? other : slot, group, rank);
     }
 
-    private void scatter(Found f) {
+    private void scatter(FoundPairs f) {
         int[] id = state.id;
         int[] records = f.records;
         for (int k = 0; k < 4 * f.count; k += 4) {
@@ -380,16 +376,35 @@ final class JvmContacts {
     // ---- filling
     // -----------------------------------------------------------------------------------------------------
 
-    /** Orders the contacts of a group, and fills them. */
-    void fillGroup(int worker, int group, StepConstants constants) {
-        int from = start[group];
-        int to = start[group + 1];
-        sort(from, to);
-        for (int c = from; c < to; c++) {
-            fill(c, constants);
+    /**
+     * Orders the contacts of some groups of one colour, and fills them: the first contact of each group, then the second of each.
+     * Groups of one colour share no circle, so a processor can work on neighbours in this order at the same time.
+     */
+    void fillGroups(int worker, int fromGroup, int toGroup, StepConstants constants) {
+        FoundPairs f = found[worker];
+        int open = 0;
+        for (int group = fromGroup; group < toGroup; group++) {
+            if (start[group] < start[group + 1]) {
+                sort(start[group], start[group + 1]);
+                f.next[open] = start[group];
+                f.end[open++] = start[group + 1];
+            }
         }
-        if (found[worker].mode == LIST) {
-            found[worker].most = Math.max(found[worker].most, countCandidates(from, to));
+        int to = start[fromGroup];
+        while (open > 0) {
+            int left = 0;
+            for (int k = 0; k < open; k++) {
+                int from = f.next[k];
+                fill(from, to++, constants);
+                if (from + 1 < f.end[k]) {
+                    f.next[left] = from + 1;
+                    f.end[left++] = f.end[k];
+                }
+            }
+            open = left;
+        }
+        if (!f.thinned) {
+            f.most = Math.max(f.most, countCandidates(start[fromGroup], start[toGroup]));
         }
     }
 
@@ -429,9 +444,9 @@ final class JvmContacts {
         }
     }
 
-    private void fill(int c, StepConstants constants) {
-        int lo = (int) (slots[c] >>> 32);
-        int hi = (int) slots[c];
+    private void fill(int from, int c, StepConstants constants) {
+        int lo = (int) (slots[from] >>> 32);
+        int hi = (int) slots[from];
         int i = 4 * lo;
         int j = 4 * hi;
         float[] circle = state.circle;
@@ -440,69 +455,49 @@ final class JvmContacts {
         pair[2 * c] = i;
         pair[2 * c + 1] = j;
         float sum = circle[i + 2] + circle[j + 2];
-        contact[k + EX] = circle[j] - circle[i];
-        contact[k + EY] = circle[j + 1] - circle[i + 1];
+        float ex = circle[j] - circle[i];
+        float ey = circle[j + 1] - circle[i + 1];
+        float e = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + EX] = ex;
+        contact[k + EY] = ey;
         contact[k + SUM] = sum;
-        contact[k + E] = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + E] = e;
+        contact[k + THRESHOLD] = CircleMath.bounceThreshold(sum, e, constants.thresholdRate, constants.restRate);
         contact[k + W_LO] = traits[i];
         contact[k + W_HI] = traits[j];
+        contact[k + MASS] = 1f / (traits[i] + traits[j]);
         contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
-        int hash = CircleMath.pairHash((int) (key[c] >>> 32), (int) key[c]);
-        float px = CircleMath.partingX(hash);
-        float py = CircleMath.partingY(hash);
-        float length = CircleMath.norm(px, py);
-        contact[k + NX] = px / length;
-        contact[k + NY] = py / length;
-        contact[k + LAMBDA] = state.fresh[hi] ? 0f : remembered(state.memory[lo], (int) key[c]) * constants.warmScale;
+        if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
+            part(k, CircleMath.pairHash((int) (key[from] >>> 32), (int) key[from]));
+        }
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[from]) * constants.warmScale;
     }
 
-    // ---- memory
-    // ------------------------------------------------------------------------------------------------------
+    /** Gives a contact a normal for the case that its circles turn out to have one centre. */
+    private void part(int k, int hash) {
+        float px = CircleMath.partingX(hash);
+        float py = CircleMath.partingY(hash);
+        float norm = CircleMath.norm(px, py);
+        contact[k + NX] = px / norm;
+        contact[k + NY] = py / norm;
+    }
 
-    private float remembered(int first, int hiId) {
-        for (int c = first; c >= 0; c = oldNext[c]) {
-            if (oldHi[c] == hiId) {
-                return oldLambda[c];
-            }
-        }
-        return 0f;
+    /** What the contacts of the step before have left. */
+    JvmMemory memory() {
+        return memory;
     }
 
     /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
     void remember(int c, float lambda) {
         int lo = pair[2 * c] >> 2;
-        oldHi[c] = (int) key[c];
-        oldLambda[c] = lambda;
-        oldNext[c] = state.memory[lo];
-        state.memory[lo] = c;
+        memory.remember(c, lo, state.id[pair[2 * c + 1] >> 2], lambda);
     }
 
-    /** Saves the remembered impulses of a slot, as the circle of lower id, that the next step may recall. */
-    void save(int slot, SavedState into) {
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                into.addImpulse(state.id[slot], oldHi[c], oldLambda[c]);
-            }
-        }
-    }
-
-    /** Takes over saved impulses; the circles have been taken over before. */
+    /** Takes over saved impulses in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
         ensureContacts(from.impulses);
-        for (int c = 0; c < from.impulses; c++) {
-            int lo = state.slotOf[from.lo[c]];
-            oldHi[c] = from.hi[c];
-            oldLambda[c] = from.lambda[c];
-            oldNext[c] = state.memory[lo];
-            state.memory[lo] = c;
-        }
-    }
-
-    /** Whether the circle of higher id is still the one that the impulse belongs to. */
-    private boolean isRecalled(int c) {
-        int hi = state.slotOf[oldHi[c]];
-        return hi >= 0 && !state.fresh[hi];
+        memory.load(from);
     }
 
     /** Pairs whose distance was tested. */
@@ -521,11 +516,11 @@ final class JvmContacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE + 12) * key.length;
-        for (Found f : found) {
-            sum += 4L * f.records.length;
+        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE) * key.length;
+        for (FoundPairs f : found) {
+            sum += f.bytes();
         }
-        return sum;
+        return sum + memory.bytes();
     }
 
     /** Greatest number of contacts of one circle. */
@@ -536,50 +531,5 @@ final class JvmContacts {
             greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
         }
         return greatest;
-    }
-
-    /** The part of a circle's remembered impulses in the hash of the state. */
-    long hashOfMemory(int slot) {
-        long sum = 0;
-        for (int c = state.memory[slot]; c >= 0; c = oldNext[c]) {
-            if (isRecalled(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), oldHi[c]);
-                sum += StateHash.absorb(h, oldLambda[c]);
-            }
-        }
-        return sum;
-    }
-
-    /** Pairs that one thread found. */
-    private static final class Found {
-        private int count;
-        private long tested;
-        private int[] records = new int[1024];
-
-        private int room;
-        private int mode;
-
-        /** Greatest number of candidates of one circle, of those that this thread has filled last. */
-        private int most;
-
-        void reset(int newMode, int newRoom) {
-            mode = newMode;
-            room = newRoom;
-            count = 0;
-            tested = 0;
-            most = 0;
-        }
-
-        /** Keeps a pair, which has been counted. */
-        void add(int lo, int hi, int group, int rank) {
-            int k = 4 * (count - 1);
-            if (k == records.length) {
-                records = Arrays.copyOf(records, 2 * records.length);
-            }
-            records[k] = lo;
-            records[k + 1] = hi;
-            records[k + 2] = group;
-            records[k + 3] = rank;
-        }
     }
 }

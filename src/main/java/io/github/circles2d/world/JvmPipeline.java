@@ -115,6 +115,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void finish() {
+        // a step has been made when step returns
+    }
+
+    @Override
     public void confine(Bounds bounds) {
         state.confine(bounds);
     }
@@ -123,7 +128,7 @@ public final class JvmPipeline implements Pipeline {
     public long hash() {
         long sum = state.hash();
         for (int slot = 0; slot < state.n; slot++) {
-            sum += contacts.hashOfMemory(slot);
+            sum += contacts.memory().hash(slot);
         }
         return sum;
     }
@@ -157,7 +162,7 @@ public final class JvmPipeline implements Pipeline {
         for (int k = 0; k < into.circles; k++) {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
-            contacts.save(slot, into);
+            contacts.memory().save(slot, into);
         }
     }
 

@@ -4,7 +4,11 @@ package io.github.circles2d.world;
  * Stage Solver: moves the circles through one step of a number of sub-steps.
  *
  * <p>Soft contacts with warm starting, one biased and one relaxing pass over the contacts a sub-step (after E. Catto,
- * "Solver2D", 2024), with restitution inside the sub-step. See the package's documentation for the order.
+ * "Solver2D", 2024), with restitution inside the sub-step. See the package's documentation for the order. The contacts are
+ * here, the circles in {@link JvmMover}.
+ *
+ * <p>Which contacts press and which have a gap is as good as random: the passes decide it without branches where they can
+ * ({@link Branchless}), and leave branches to what is rare.
  */
 final class JvmSolver {
     private static final int STRIDE = JvmContacts.STRIDE;
@@ -13,17 +17,19 @@ final class JvmSolver {
     private final JvmContacts contacts;
     private final Levels levels;
     private final Team team;
+    private final JvmMover mover;
 
     JvmSolver(JvmState state, JvmContacts contacts, Levels levels, Team team) {
         this.state = state;
         this.contacts = contacts;
         this.levels = levels;
         this.team = team;
+        mover = new JvmMover(state);
     }
 
     /** Fills the contacts, and measures them for the first sub-step. */
     void prepare(int worker, StepConstants k) {
-        clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        mover.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
             for (int colour = 0; colour < 4; colour++) {
@@ -38,7 +44,7 @@ final class JvmSolver {
         int to = team.part(state.n, worker + 1);
         for (int sub = 0; sub < k.subSteps; sub++) {
             boolean last = sub == k.subSteps - 1;
-            accelerate(from, to, k);
+            mover.accelerate(from, to, k);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
                 for (int colour = 0; colour < 4; colour++) {
@@ -46,7 +52,7 @@ final class JvmSolver {
                     team.sync(worker);
                 }
             }
-            move(from, to, k, sub == 0);
+            mover.move(from, to, k, sub == 0);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
                 for (int colour = 0; colour < 4; colour++) {
@@ -55,7 +61,7 @@ final class JvmSolver {
                 }
             }
         }
-        finish(from, to, k);
+        mover.finish(from, to, k);
         team.sync(worker);
     }
 
@@ -90,18 +96,35 @@ final class JvmSolver {
     }
 
     private void prepare(int worker, int level, int colour, StepConstants k) {
-        int groupEnd = shareGroup(level, colour, worker + 1);
-        for (int group = shareGroup(level, colour, worker); group < groupEnd; group++) {
-            if (contacts.start[group] < contacts.start[group + 1]) {
-                contacts.fillGroup(worker, group, k);
-                for (int c = contacts.start[group]; c < contacts.start[group + 1]; c++) {
-                    prepareContact(c, k);
-                }
+        int end = shareGroup(level, colour, worker + 1);
+        int group = shareGroup(level, colour, worker);
+        while (group < end) {
+            int next = Math.min(end, group + JvmContacts.TOGETHER);
+            contacts.fillGroups(worker, group, next, k);
+            for (int c = contacts.start[group]; c < contacts.start[next]; c++) {
+                prepareContact(c, k);
             }
+            group = next;
         }
     }
 
     private void prepareContact(int c, StepConstants k) {
+        measure(c);
+        float[] q = contacts.contact;
+        float[] m = state.motion;
+        int o = STRIDE * c;
+        int i = contacts.pair[2 * c];
+        int j = contacts.pair[2 * c + 1];
+        float nx = q[o + JvmContacts.NX];
+        float ny = q[o + JvmContacts.NY];
+        float lambda = q[o + JvmContacts.LAMBDA];
+        float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
+        boolean carries = CircleMath.carries(lambda, q[o + JvmContacts.S], vn, q[o + JvmContacts.THRESHOLD]);
+        gather(i, j, nx, ny, lambda, carries);
+    }
+
+    /** Measures a contact: separation, and the normal where there is a direction. */
+    private void measure(int c) {
         float[] q = contacts.contact;
         float[] m = state.motion;
         int o = STRIDE * c;
@@ -115,13 +138,7 @@ final class JvmSolver {
             q[o + JvmContacts.NX] = dx / d;
             q[o + JvmContacts.NY] = dy / d;
         }
-        float nx = q[o + JvmContacts.NX];
-        float ny = q[o + JvmContacts.NY];
-        float s = d - sum;
-        q[o + JvmContacts.S] = s;
-        float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
-        float lambda = q[o + JvmContacts.LAMBDA];
-        gather(i, j, nx, ny, lambda, CircleMath.carries(lambda, s, vn, k.thresholdRate * sum));
+        q[o + JvmContacts.S] = d - sum;
     }
 
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries. */
@@ -153,110 +170,103 @@ final class JvmSolver {
             float ny = q[o + JvmContacts.NY];
             float s = q[o + JvmContacts.S];
             float e = q[o + JvmContacts.E];
-            float wi = q[o + JvmContacts.W_LO];
-            float wj = q[o + JvmContacts.W_HI];
             float lambda = q[o + JvmContacts.LAMBDA];
-            float thr2 = k.thresholdRate * q[o + JvmContacts.SUM];
-            float mass = 1f / (wi + wj);
+            float thr2 = q[o + JvmContacts.THRESHOLD];
+            float mass = q[o + JvmContacts.MASS];
             float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
             float bounce = 0f;
-            float p;
-            boolean loaded = load[i + 2] + load[j + 2] > 0f;
-            if (e > 0f && loaded) {
-                float before = CircleMath.along(nx, ny, load[j] - load[i], load[j + 1] - load[i + 1]);
-                bounce = CircleMath.bounceSpeed(e, before, s, k.h, thr2);
+            int visit = CircleMath.SOLVE;
+            if (e > 0f) {
+                if (load[i + 2] + load[j + 2] > 0f) {
+                    float before = CircleMath.along(nx, ny, load[j] - load[i], load[j + 1] - load[i + 1]);
+                    bounce = CircleMath.bounceSpeed(e, before, s, k.h, thr2);
+                } else if (lambda == 0f) {
+                    visit = CircleMath.freeFlight(vn, s * k.inverseH + vn < 0f, thr2);
+                }
             }
             q[o + JvmContacts.BOUNCE] = bounce;
-            int visit = CircleMath.SOLVE;
-            if (e > 0f && !loaded && lambda == 0f) {
-                visit = CircleMath.freeFlight(vn, s * k.inverseH + vn < 0f, thr2);
-            }
-            if (visit == CircleMath.LEAVE) {
-                continue;
-            }
-            if (visit == CircleMath.BOUNCE) {
-                p = CircleMath.freeBounce(e, vn, mass);
-            } else {
+            float p;
+            if (visit == CircleMath.SOLVE) {
                 float next;
                 if (bounce > 0f) {
                     next = CircleMath.rigid(lambda, mass, vn, -bounce);
-                } else if (s > 0f) {
-                    next = CircleMath.rigid(lambda, mass, vn, s * k.inverseH);
                 } else {
-                    next = CircleMath.soft(
-                            lambda, mass, vn, s, q[o + JvmContacts.PUSH], k.biasRate, k.massScale, k.impulseScale);
+                    // CircleMath.rigid where there is a gap, else CircleMath.soft, of which it is the case of scales 1
+                    // and 0
+                    int gap = Branchless.isPositive(s);
+                    float massScale = Branchless.choose(gap, 1f, k.massScale);
+                    float impulseScale = Branchless.choose(gap, 0f, k.impulseScale);
+                    float soft = k.massScale * CircleMath.greatest(k.biasRate * s, -q[o + JvmContacts.PUSH]);
+                    float b = Branchless.choose(gap, s * k.inverseH, soft);
+                    next = Branchless.positive((lambda - mass * (massScale * vn + b)) - impulseScale * lambda);
                 }
                 p = next - lambda;
                 q[o + JvmContacts.LAMBDA] = next;
+            } else if (visit == CircleMath.BOUNCE) {
+                p = CircleMath.freeBounce(e, vn, mass);
+            } else {
+                continue;
             }
-            m[i + 2] -= nx * (wi * p);
-            m[i + 3] -= ny * (wi * p);
-            m[j + 2] += nx * (wj * p);
-            m[j + 3] += ny * (wj * p);
+            apply(i, j, nx, ny, q[o + JvmContacts.W_LO], q[o + JvmContacts.W_HI], p);
         }
+    }
+
+    private void apply(int i, int j, float nx, float ny, float wi, float wj, float p) {
+        float[] m = state.motion;
+        m[i + 2] -= nx * (wi * p);
+        m[i + 3] -= ny * (wi * p);
+        m[j + 2] += nx * (wj * p);
+        m[j + 3] += ny * (wj * p);
     }
 
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     private void relax(int worker, int level, int colour, StepConstants k, boolean last) {
         int from = share(level, colour, worker);
         int to = share(level, colour, worker + 1);
+        // in a loop of its own: nothing here waits for the contact before
+        for (int c = from; c < to; c++) {
+            measure(c);
+        }
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] m = state.motion;
         float[] load = state.load;
         for (int c = from; c < to; c++) {
             int o = STRIDE * c;
+            float s = q[o + JvmContacts.S];
+            float bounce = q[o + JvmContacts.BOUNCE];
+            float lambda = q[o + JvmContacts.LAMBDA];
+            if (lambda == 0f && s > 0f && bounce == 0f) {
+                continue;
+            }
             int i = pair[2 * c];
             int j = pair[2 * c + 1];
             float nx = q[o + JvmContacts.NX];
             float ny = q[o + JvmContacts.NY];
             float e = q[o + JvmContacts.E];
-            float sum = q[o + JvmContacts.SUM];
-            float bounce = q[o + JvmContacts.BOUNCE];
-            float lambda = q[o + JvmContacts.LAMBDA];
-            float dx = CircleMath.difference(q[o + JvmContacts.EX], m[i], m[j]);
-            float dy = CircleMath.difference(q[o + JvmContacts.EY], m[i + 1], m[j + 1]);
-            float d = CircleMath.norm(dx, dy);
-            if (d > Tuning.COINCIDENT * sum) {
-                nx = dx / d;
-                ny = dy / d;
-            }
-            float s = d - sum;
-            q[o + JvmContacts.NX] = nx;
-            q[o + JvmContacts.NY] = ny;
-            q[o + JvmContacts.S] = s;
-            float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
-            float thr2 = k.thresholdRate * sum;
-            int visit = CircleMath.SOLVE;
-            if (lambda == 0f && bounce == 0f) {
-                if (s > 0f) {
-                    continue;
-                }
-                if (e > 0f && load[i + 2] + load[j + 2] == 0f) {
-                    visit = CircleMath.freeFlight(vn, true, thr2);
-                    if (visit == CircleMath.LEAVE) {
-                        continue;
-                    }
-                }
-            }
+            float thr2 = q[o + JvmContacts.THRESHOLD];
             float wi = q[o + JvmContacts.W_LO];
             float wj = q[o + JvmContacts.W_HI];
-            float mass = 1f / (wi + wj);
-            if (visit == CircleMath.BOUNCE) {
-                float p = CircleMath.freeBounce(e, vn, mass);
-                m[i + 2] -= nx * (wi * p);
-                m[i + 3] -= ny * (wi * p);
-                m[j + 2] += nx * (wj * p);
-                m[j + 3] += ny * (wj * p);
-                continue;
+            float mass = q[o + JvmContacts.MASS];
+            float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
+            if (e > 0f && lambda == 0f && bounce == 0f && load[i + 2] + load[j + 2] == 0f) {
+                int visit = CircleMath.freeFlight(vn, true, thr2);
+                if (visit == CircleMath.BOUNCE) {
+                    apply(i, j, nx, ny, wi, wj, CircleMath.freeBounce(e, vn, mass));
+                }
+                if (visit != CircleMath.SOLVE) {
+                    continue;
+                }
             }
-            float b = bounce > 0f ? -bounce : s > 0f ? s * k.inverseH : 0f;
-            float next = CircleMath.rigid(lambda, mass, vn, b);
+            float next;
+            if (bounce > 0f) {
+                next = CircleMath.rigid(lambda, mass, vn, -bounce);
+            } else {
+                float b = Branchless.choose(Branchless.isPositive(s), s * k.inverseH, 0f);
+                next = Branchless.positive(lambda - mass * (vn + b));
+            }
             float p = next - lambda;
-            m[i + 2] -= nx * (wi * p);
-            m[i + 3] -= ny * (wi * p);
-            m[j + 2] += nx * (wj * p);
-            m[j + 3] += ny * (wj * p);
+            apply(i, j, nx, ny, wi, wj, p);
             if (bounce > 0f) {
                 next = 0f;
             }
@@ -268,177 +278,6 @@ final class JvmSolver {
             } else if (CircleMath.carries(next, s, vn + p * (wi + wj), thr2)) {
                 gather(i, j, nx, ny, next, true);
             }
-        }
-    }
-
-    // ---- circles
-    // -----------------------------------------------------------------------------------------------------
-
-    private void clear(int from, int to) {
-        java.util.Arrays.fill(state.load, 4 * from, 4 * to, 0f);
-    }
-
-    /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
-    private void accelerate(int from, int to, StepConstants k) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float[] load = state.load;
-        for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float w = traits[s];
-            if (w == 0f) {
-                load[s] = m[s + 2];
-                load[s + 1] = m[s + 3];
-                load[s + 2] = 0f;
-                continue;
-            }
-            boolean loaded = load[s + 3] > 0f || traits[s + 2] != 0f || traits[s + 3] != 0f;
-            float vx = m[s + 2] + k.gravityStepX;
-            float vy = m[s + 3] + k.gravityStepY;
-            m[s + 2] = CircleMath.limitSpeed(vx + w * load[s]);
-            m[s + 3] = CircleMath.limitSpeed(vy + w * load[s + 1]);
-            load[s] = vx;
-            load[s + 1] = vy;
-            load[s + 2] = loaded ? 1f : 0f;
-            pushWall(s, 0, k.bounds.minX(), k.bounds.maxX(), loaded, k);
-            pushWall(s, 1, k.bounds.minY(), k.bounds.maxY(), loaded, k);
-        }
-    }
-
-    /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */
-    private void pushWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float base = state.circle[s + axis];
-        float r = state.circle[s + 2];
-        float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
-        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
-        float v = m[s + 2 + axis] + side * lambda;
-        float vn = side * v;
-        float e = traits[s + 1];
-        float thr2 = k.thresholdRate * (2f * r);
-        float bounce = 0f;
-        if (e > 0f && loaded) {
-            bounce = CircleMath.bounceSpeed(e, side * state.load[s + axis], gap, k.h, thr2);
-        }
-        state.wallBounce[(s >> 1) + axis] = bounce;
-        float next = lambda;
-        float p;
-        int visit = e > 0f && !loaded ? CircleMath.freeFlight(vn, gap * k.inverseH + vn < 0f, thr2) : CircleMath.SOLVE;
-        if (visit == CircleMath.SOLVE) {
-            if (bounce > 0f) {
-                next = CircleMath.rigid(lambda, 1f, vn, -bounce);
-            } else if (gap > 0f) {
-                next = CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH);
-            } else {
-                float push = CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot);
-                next = CircleMath.soft(lambda, 1f, vn, gap, push, k.wallBiasRate, k.wallMassScale, k.wallImpulseScale);
-            }
-            p = next - lambda;
-        } else {
-            p = visit == CircleMath.BOUNCE ? CircleMath.freeBounce(e, vn, 1f) : 0f;
-        }
-        m[s + 2 + axis] = v + side * p;
-        traits[s + 2 + axis] = side * next;
-    }
-
-    /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
-    private void move(int from, int to, StepConstants k, boolean first) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float[] circle = state.circle;
-        float[] load = state.load;
-        float[] leash = state.leash;
-        Bounds bounds = k.bounds;
-        for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float w = traits[s];
-            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
-            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
-            float dx = m[s] + m[s + 2] * k.h;
-            float dy = m[s + 1] + m[s + 3] * k.h;
-            float r = circle[s + 2];
-            if (w != 0f && dx * dx + dy * dy > 0f) {
-                float allowance = leash[s + 2];
-                if (dx * dx + dy * dy > allowance * allowance) {
-                    float share = CircleMath.nearest(dx, dy, leash[s], leash[s + 1]);
-                    float offX = dx - share * leash[s];
-                    float offY = dy - share * leash[s + 1];
-                    float off = CircleMath.norm(offX, offY);
-                    if (off > allowance) {
-                        float keep = allowance / off;
-                        dx = share * leash[s] + keep * offX;
-                        dy = share * leash[s + 1] + keep * offY;
-                    }
-                }
-            }
-            float margin = w == 0f ? 0f : r;
-            m[s] = CircleMath.within(circle[s], dx, bounds.minX() + margin, bounds.maxX() - margin);
-            m[s + 1] = CircleMath.within(circle[s + 1], dy, bounds.minY() + margin, bounds.maxY() - margin);
-            boolean loaded = load[s + 2] > 0f;
-            load[s] = 0f;
-            load[s + 1] = 0f;
-            load[s + 3] = 0f;
-            if (first) {
-                state.memory[slot] = -1;
-                state.fresh[slot] = false;
-            }
-            if (w != 0f) {
-                relaxWall(s, 0, bounds.minX(), bounds.maxX(), loaded, k);
-                relaxWall(s, 1, bounds.minY(), bounds.maxY(), loaded, k);
-            }
-        }
-    }
-
-    /** The relaxing pass over the nearer wall of an axis. */
-    private void relaxWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float base = state.circle[s + axis];
-        float r = state.circle[s + 2];
-        float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
-        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
-        float bounce = state.wallBounce[(s >> 1) + axis];
-        if (lambda == 0f && bounce == 0f && gap > 0f) {
-            return;
-        }
-        float v = m[s + 2 + axis];
-        float vn = side * v;
-        float e = traits[s + 1];
-        int visit = CircleMath.SOLVE;
-        if (lambda == 0f && bounce == 0f && e > 0f && !loaded) {
-            visit = CircleMath.freeFlight(vn, true, k.thresholdRate * (2f * r));
-        }
-        if (visit == CircleMath.SOLVE) {
-            float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
-            float next = CircleMath.rigid(lambda, 1f, vn, b);
-            m[s + 2 + axis] = v + side * (next - lambda);
-            traits[s + 2 + axis] = bounce > 0f ? 0f : side * next;
-        } else if (visit == CircleMath.BOUNCE) {
-            m[s + 2 + axis] = v + side * CircleMath.freeBounce(e, vn, 1f);
-        }
-    }
-
-    /** Ends the step: the base takes the displacement, the displacement what that lost. */
-    private void finish(int from, int to, StepConstants k) {
-        float[] m = state.motion;
-        float[] circle = state.circle;
-        Bounds bounds = k.bounds;
-        for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float margin = state.traits[s] == 0f ? 0f : circle[s + 2];
-            float x = circle[s] + m[s];
-            float y = circle[s + 1] + m[s + 1];
-            float keptX = CircleMath.bounded(x, bounds.minX() + margin, bounds.maxX() - margin);
-            float keptY = CircleMath.bounded(y, bounds.minY() + margin, bounds.maxY() - margin);
-            m[s] = keptX == x ? CircleMath.lostByRounding(circle[s], m[s], x) : 0f;
-            m[s + 1] = keptY == y ? CircleMath.lostByRounding(circle[s + 1], m[s + 1], y) : 0f;
-            circle[s] = keptX;
-            circle[s + 1] = keptY;
-            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
-            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
         }
     }
 }

@@ -23,6 +23,9 @@ public interface Pipeline extends AutoCloseable {
      */
     void step(StepConstants constants, Levels levels, int steps);
 
+    /** Waits until all steps asked for have been made. */
+    void finish();
+
     /**
      * Brings circles that have been left outside to the nearest place inside.
      *

@@ -50,6 +50,9 @@ public final class StepConstants {
     /** Square of the bounce threshold per sum of radii. */
     float thresholdRate;
 
+    /** Bounce threshold per sum of radii, without gravity and restitution. */
+    float restRate;
+
     /** Greatest push-out speed per sum of radii. */
     float pushPerLength;
 
@@ -98,6 +101,7 @@ public final class StepConstants {
 
         float gravity = CircleMath.norm(gravityX, gravityY);
         thresholdRate = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f * gravity;
+        restRate = Tuning.REST_SPEED * 0.5f;
         pushPerLength = Tuning.PUSH * 0.5f;
         pushPerRoot = Tuning.PUSH_GRAVITY * (float) Math.sqrt(0.5f * gravity);
     }

@@ -61,15 +61,15 @@ final class Team implements AutoCloseable {
      * Runs some work, and returns when all workers are through. What one of them throws is thrown here, as it is, when the
      * others have stopped; the team is of no use after that.
      *
-     * @param workers number of workers, at most {@link #most}
+     * @param workers number of workers, at most {@link #most}; there are fewer where the system has no more threads
      * @param work the work
      */
     void run(int workers, Work work) {
-        size = workers;
-        if (workers == 1) {
+        size = workers == 1 ? 1 : crew.start(workers);
+        if (size == 1) {
             work.run(0);
         } else {
-            crew.run(workers, work);
+            crew.run(size, work);
         }
     }
 

@@ -41,7 +41,10 @@ final class Tuning {
     static final float PUSH_GRAVITY = 2.7f;
 
     /** Slower impacts do not bounce, in units of sqrt(gravity x mean radius of the pair). */
-    static final float BOUNCE_THRESHOLD = 0.9f;
+    static final float BOUNCE_THRESHOLD = 1.2f;
+
+    /** Slower impacts do not bounce, in mean radii of the pair a second, where the restitution is 0; at 1 all bounce. */
+    static final float REST_SPEED = 0.1f;
 
     /** Centres nearer than this, in sums of radii, count as one point. */
     static final float COINCIDENT = 1e-6f;

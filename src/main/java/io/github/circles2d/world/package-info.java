@@ -37,5 +37,17 @@
  *
  * <p>Groups of one level and colour share no circle, so they may run at the same time. Within a group contacts run in
  * order, one after the other.
+ *
+ * <h2>Threads</h2>
+ *
+ * <p>On the JVM the workers of a {@code Team} run the same method, each on its share of circles, buckets or groups, with a
+ * barrier after each stage, colour or pass. What a share is depends on the number of workers, the state does not: shares are
+ * disjoint, and where workers count into the same place, what they have counted is put in order of the ids afterwards.
+ *
+ * <h2>Snapshots</h2>
+ *
+ * <p>{@link io.github.circles2d.world.SavedState} is a state by ids, without slots; every pipeline can write one and take one
+ * over, and {@link io.github.circles2d.world.SnapshotCodec} makes bytes of it, and checks those that it is given. A step
+ * begins with nothing but what is in there, so what comes after it is the same wherever it is taken over.
  */
 package io.github.circles2d.world;

@@ -178,7 +178,15 @@ class PainterTest {
     @Test
     void theOverlaySaysEngineStrategySizeDeviceTimesAndRemark() {
         Frame frame = new Frame(
-                new float[4][12345], 678, "Circles2D", "a device", "2 (row search)", 3.456, 58.7, true, "a remark");
+                new float[4][12345],
+                678,
+                "Circles2D",
+                "a device",
+                "strategy 2 (row search)",
+                3.456,
+                58.7,
+                true,
+                "a remark");
 
         assertThat(Overlay.lines(frame))
                 .containsExactly(

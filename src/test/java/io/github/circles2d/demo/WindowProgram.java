@@ -4,6 +4,8 @@ import java.awt.Component;
 import java.awt.Frame;
 import java.awt.Robot;
 import java.awt.event.WindowEvent;
+import java.util.concurrent.Callable;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -31,15 +33,16 @@ final class WindowProgram {
         JFrame frame = visibleFrame();
         Component content = frame.getContentPane();
         System.out.println("content " + content.getWidth() + " x " + content.getHeight());
-        System.out.println("disc is lit: " + isLit(content));
+        System.out.println("disc is lit: " + becomesTrue(() -> isLit(content)));
 
+        int width = content.getWidth();
         SwingUtilities.invokeAndWait(() -> {
             frame.setSize(frame.getWidth() + 300, frame.getHeight() + 100);
             frame.validate();
         });
-        Thread.sleep(300); // a few frames
+        becomesTrue(() -> content.getWidth() != width);
         System.out.println("resized " + content.getWidth() + " x " + content.getHeight());
-        System.out.println("disc is lit: " + isLit(content));
+        System.out.println("disc is lit: " + becomesTrue(() -> isLit(content)));
 
         frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_CLOSING));
         loop.join();
@@ -52,12 +55,23 @@ final class WindowProgram {
         while (true) {
             for (Frame frame : Frame.getFrames()) {
                 if (frame.isShowing()) {
-                    Thread.sleep(300); // a few frames
                     return (JFrame) frame;
                 }
             }
             Thread.sleep(10);
         }
+    }
+
+    /** Waits for what the window does on threads of its own; a machine with other work may take its time. */
+    private static boolean becomesTrue(Callable<Boolean> condition) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+        while (!condition.call()) {
+            if (System.nanoTime() > deadline) {
+                return false;
+            }
+            Thread.sleep(20);
+        }
+        return true;
     }
 
     /** Looks at the screen, at the place where the engine's one disc must be. */

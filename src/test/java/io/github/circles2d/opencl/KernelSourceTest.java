@@ -27,6 +27,19 @@ class KernelSourceTest {
     }
 
     @Test
+    void filesAreAddedBehindTheOthersAndDefinitionsKept(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("A.cl"), "int a;\n");
+        Files.writeString(folder.resolve("B.cl"), "int b;\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        KernelSource first = KernelSource.of("B.cl").define("N", 3);
+        KernelSource both = first.and("A.cl");
+        assertThat(both.text()).isEqualTo(KernelSource.of("B.cl", "A.cl").text());
+        assertThat(both).hasToString("B.cl + A.cl");
+        assertThat(both.buildOptions()).containsExactly("-DN=3");
+        assertThat(first).hasToString("B.cl");
+    }
+
+    @Test
     void aLetterThatIsNotAsciiIsRefusedWithItsLine(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("A.cl"), "int a;\n// caf\u00e9\n");
         System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());

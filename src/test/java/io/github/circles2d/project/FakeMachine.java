@@ -59,6 +59,7 @@ final class FakeMachine {
         fake("id", "echo 1000");
         fake("ldconfig", "echo ' libOpenCL.so.1 (libc6) => " + root + "/lib/libOpenCL.so.1'");
         environment.put("OCL_ICD_VENDORS", root.resolve("vendors").toString());
+        environment.put("CIRCLES2D_OCLGRIND", oclgrind().toString());
         environment.put("DISPLAY", ":7");
         environment.put("HOME", root.toString());
     }
@@ -69,8 +70,14 @@ final class FakeMachine {
         machine.addJdk(jdkVersion);
         machine.fake("mvn", logged("mvn"));
         machine.addLoader();
+        Files.createFile(machine.oclgrind());
         machine.addApt("");
         return machine;
+    }
+
+    /** Where the launcher is told to look for Oclgrind's driver. */
+    Path oclgrind() {
+        return root.resolve("oclgrind.so");
     }
 
     void addJdk(int version) throws IOException {

@@ -208,7 +208,8 @@ class LauncherTest {
         String repository = machine.clone + "/target/consumer/repository";
         assertThat(machine.calls())
                 .containsSubsequence(
-                        "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dtest=Some install\n",
+                        "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dcircles2d.oclgrind="
+                                + machine.oclgrind() + " -Dtest=Some install\n",
                         "-f bench/pom.xml",
                         "benchmarks.jar smoke\n",
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
@@ -219,6 +220,20 @@ class LauncherTest {
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
+    }
+
+    /** As on a release without a package of it, or where nothing may be installed. */
+    @Test
+    void withoutOclgrindTestWarnsAndTellsTheTestsThatItIsAbsent() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        Files.delete(machine.oclgrind());
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.status).as(test.output).isZero();
+        assertThat(test.output).contains("going on without Oclgrind", "WARNING: there is no Oclgrind");
+        assertThat(machine.calls())
+                .contains(" -Dcircles2d.device.required=true -Dcircles2d.oclgrind=absent install\n")
+                .doesNotContain("install oclgrind");
     }
 
     @Test

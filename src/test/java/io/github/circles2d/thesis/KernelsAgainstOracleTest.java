@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -93,6 +94,25 @@ class KernelsAgainstOracleTest {
             stages.resolve();
             oracle.resolve();
             assertSameState(stages, oracle, STAGE_TOLERANCE);
+        }
+    }
+
+    static List<Device> devices() {
+        return TestDevices.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void rowsHoldEveryPropertyOfEveryCircleInOrder(Device device) {
+        for (int n : new int[] {2, 256, 300}) {
+            TestScene scene = TestScene.crowd(n, 0.02f, 7);
+            try (Stages stages = new Stages(device, new ExactPairs(), scene, STEP, 0, GX, GY)) {
+                float[] rows = stages.rows();
+                assertThat(Arrays.copyOfRange(rows, 0, n)).isEqualTo(scene.x);
+                assertThat(Arrays.copyOfRange(rows, n, 2 * n)).isEqualTo(scene.y);
+                assertThat(Arrays.copyOfRange(rows, 2 * n, 3 * n)).isEqualTo(scene.radius);
+                assertThat(Arrays.copyOfRange(rows, 3 * n, 4 * n)).isEqualTo(scene.mass);
+            }
         }
     }
 

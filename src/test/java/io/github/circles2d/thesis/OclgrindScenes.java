@@ -51,6 +51,7 @@ final class OclgrindScenes {
                         stages.resolve();
                     }
                     stages.circles();
+                    stages.rows();
                 }
             }
         }

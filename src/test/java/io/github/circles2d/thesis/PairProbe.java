@@ -10,6 +10,9 @@ import java.nio.IntBuffer;
 
 /** The mappings from slot to pair for one n, run by themselves on a device: no MTV is computed or stored. */
 final class PairProbe implements AutoCloseable {
+    /** The slots of a work-item where mappings that are arithmetic are counted. */
+    private static final int BLOCK = 256;
+
     private final Session session;
     private final Program program;
     private final int n;
@@ -22,7 +25,10 @@ final class PairProbe implements AutoCloseable {
         KernelSource source = KernelSource.of(
                         "CirclePhysV2.cl", "thesis/ExactPairs.cl", "thesis/WrongSlots.cl", "thesis/PairProbe.cl")
                 .define("ROW_SEARCH_ROUNDS", RowSearchPairs.rounds(n));
-        program = session.build(source, "-cl-finite-math-only");
+        // As Simulation.source has it: on a GPU some helpers are compiled otherwise.
+        program = session.build(
+                device.kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source,
+                "-cl-finite-math-only");
     }
 
     DeviceBuffer noTable() {
@@ -51,7 +57,11 @@ final class PairProbe implements AutoCloseable {
     long countWrong(String mapping, DeviceBuffer table) {
         DeviceBuffer wrong = table(new int[1]);
         try (Kernel kernel = program.kernel("count_wrong_" + mapping)) {
-            kernel.arg(0, wrong).arg(1, table).arg(2, slots).arg(3, n).run(slots);
+            kernel.arg(0, wrong)
+                    .arg(1, table)
+                    .arg(2, slots)
+                    .arg(3, n)
+                    .run(mapping.equals("rows") ? slots : (slots - 1) / BLOCK + 1);
         }
         IntBuffer result = IntBuffer.allocate(1);
         wrong.read(result);

@@ -25,6 +25,7 @@ final class Stages implements AutoCloseable {
     private final Kernel update;
     private final Kernel detect;
     private final Kernel resolve;
+    private final Kernel rows;
 
     /** Every strategy, freshly made: an object serves one simulation. */
     static List<PairStrategy> strategies() {
@@ -57,7 +58,7 @@ final class Stages implements AutoCloseable {
         gravity.write(FloatBuffer.wrap(new float[] {gx, gy}));
         strategy.open(session, n);
         slotItems = fewWorkItems ? Math.min(slots, FEW) : slots;
-        KernelSource source = strategy.source(n);
+        KernelSource source = strategy.source(n).and(Simulation.ROWS_KERNEL);
         Program program =
                 session.build(fewWorkItems ? source.define("FEW_WORK_ITEMS", true) : source, "-cl-finite-math-only");
         PairStrategy.State state = new PairStrategy.State(n, circle, velocities, collision);
@@ -70,6 +71,7 @@ final class Stages implements AutoCloseable {
                 .arg(5, e);
         detect = strategy.detect(program, state);
         resolve = strategy.resolve(program, state, e);
+        rows = program.kernel("rows_of_circles").arg(0, circle).arg(2, n);
         set(scene.x, scene.y, scene.radius, scene.mass, scene.vx, scene.vy);
         // Rubbish, which the detect kernels must clear away.
         float[] rubbish = new float[2 * slots];
@@ -106,6 +108,17 @@ final class Stages implements AutoCloseable {
     /** Returns x, y, radius, mass. */
     float[][] circles() {
         return read(circle, 4);
+    }
+
+    /** Returns x, y, radius and mass as the kernel puts them in rows. */
+    float[] rows() {
+        int n = (int) (circle.bytes() / MemoryNeed.bodyBytes(1));
+        float[] result = new float[CircleList.BODY * n];
+        try (DeviceBuffer target = session.allocate("rows", circle.bytes())) {
+            rows.arg(1, target).run(n);
+            target.read(FloatBuffer.wrap(result));
+        }
+        return result;
     }
 
     /** Returns vx, vy. */

@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
@@ -33,12 +34,12 @@ class ForgedSnapshotTest {
     void areRefusedOrLeadToFiniteStates() {
         Random random = new Random(8);
         int accepted = 0;
-        try (World world = World.builder()
+        try (World world = WorldScenes.jvm()
                         .bounds(0, 0, 100, 40)
                         .gravity(0, -9)
                         .threads(1)
                         .build();
-                World target = World.builder().threads(1).build()) {
+                World target = WorldScenes.jvm().threads(1).build()) {
             for (int i = 0; i < 12; i++) {
                 world.add(10 + 3 * i, 1 + i % 3, 2, i % 5 == 0 ? Float.POSITIVE_INFINITY : 1 + i, 3 * i, -i);
             }

@@ -1,15 +1,18 @@
-import io.github.circles2d.Circles2D;
+import io.github.circles2d.World;
 
 public class Game {
-    public static void main(String[] args) throws Exception {
-        try (Circles2D physics = new Circles2D(true)) { // on the best device: a GPU where there is one
+    public static void main(String[] args) {
+        try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
+            long ball = world.add(40, 90, 1, 2); // x, y, radius, mass; the handle stays valid until the ball is removed
             for (int i = 0; i < 100; i++) {
-                physics.addCircle(0.05f + 0.1f * (i % 10), 0.05f + 0.1f * (i / 10), 0.03f, 1); // x, y, radius, mass
+                world.add(31 + 2 * (i % 10), 1 + 2 * (i / 10), 0.9f, 1);
             }
-            physics.init(1 / 60f, 3, 0.5f, new float[] {0.2f, -1}); // time step, strategy, restitution, gravity
+            world.setVelocity(ball, 1, 0);
+            float[] circles = new float[4 * world.size()];
             for (int frame = 0; frame < 300; frame++) {
-                float[][] circles = physics.loop(); // a new array each frame: rows x, y, radius, mass
-                System.out.printf("frame %d: the first circle is at (%.3f, %.3f)%n", frame, circles[0][0], circles[1][0]);
+                world.step(1 / 60f);
+                world.read(circles); // x, y, radius, mass of every circle, one bulk copy
+                System.out.printf("frame %d: the ball is at (%.2f, %.2f)%n", frame, circles[0], circles[1]);
             }
         }
     }

@@ -1,7 +1,9 @@
 package io.github.circles2d.bench.engines;
 
+import io.github.circles2d.Backend;
 import io.github.circles2d.PairIndexing;
 import io.github.circles2d.bench.Devices;
+import io.github.circles2d.opencl.Device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -11,17 +13,27 @@ public final class Engines {
     /** Engines of other people, and the loop that a reader of the thesis would write. */
     public static final List<String> PEERS = List.of("java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j");
 
+    /** World on the JVM, with as many threads as the machine has processors. */
+    public static final String WORLD_JVM = "world-jvm";
+
     private static final String THESIS = "circles2d-";
+    private static final String WORLD = "world";
 
     private Engines() {}
 
     /** The names of the library's own engines on a device. */
     public static List<String> own(String device) {
         List<String> names = new ArrayList<>();
+        names.add(world(device));
         for (PairIndexing indexing : List.of(PairIndexing.LOOKUP_TABLE, PairIndexing.EXACT)) {
             names.add(thesis(indexing) + "@" + device);
         }
         return names;
+    }
+
+    /** The name of World on a device. */
+    public static String world(String device) {
+        return WORLD + "@" + device;
     }
 
     /** The name of Circles2D with a pair indexing, without a device. */
@@ -40,6 +52,8 @@ public final class Engines {
                 return new Jbox2dEngine();
             case "dyn4j":
                 return new Dyn4jEngine();
+            case WORLD_JVM:
+                return new WorldEngine(builder -> builder.backend(Backend.JVM));
             default:
                 return createOwn(name);
         }
@@ -49,6 +63,10 @@ public final class Engines {
         int at = name.indexOf('@');
         String engine = at < 0 ? name : name.substring(0, at);
         String device = at < 0 ? "best" : name.substring(at + 1);
+        if (engine.equals(WORLD)) {
+            Device found = Devices.find(device);
+            return new WorldEngine(builder -> builder.device(found));
+        }
         for (PairIndexing indexing : PairIndexing.values()) {
             if (engine.equals(thesis(indexing))) {
                 return new ThesisEngine(Devices.find(device), indexing);
@@ -73,6 +91,11 @@ public final class Engines {
                 return "Java, double precision, one thread; its own defaults (6 velocity and 2 position iterations, continuous"
                         + " detection); rotation locked, no friction, no sleeping; no restitution below 1 m/s at a mean radius"
                         + " of 0.5 m";
+            case WORLD_JVM:
+                return "this library's engine for games in Java, as many threads as the machine has processors; 4 sub-steps; no"
+                        + " rotation, no friction, no sleeping; the same bits as world@device";
+            case WORLD:
+                return "this library's engine for games on an OpenCL device; the same bits as world-jvm";
             default:
                 return "this library's engine of the thesis, every pair tested, each overlap resolved once a step, in a race;"
                         + " all circles read back after every step";

@@ -13,15 +13,17 @@ import java.util.Map;
 final class JmhWork implements Work {
     /** How long a run may take. */
     enum Effort {
-        QUICK(20, 3),
-        FULL(300, 5);
+        QUICK(20, 3, 1),
+        FULL(300, 5, 10);
 
         final double maxSeconds;
         final int wantedRuns;
+        final int mostWarmups;
 
-        Effort(double maxSeconds, int wantedRuns) {
+        Effort(double maxSeconds, int wantedRuns, int mostWarmups) {
             this.maxSeconds = maxSeconds;
             this.wantedRuns = wantedRuns;
+            this.mostWarmups = mostWarmups;
         }
     }
 
@@ -30,6 +32,9 @@ final class JmhWork implements Work {
 
     /** An iteration as long as this needs no other before it to warm up. */
     private static final double WARM_SECONDS = 5;
+
+    /** Short iterations are repeated for about so long before they count: the JVM compiles meanwhile. */
+    private static final double WARM_UP_SECONDS = 0.5;
 
     /** The counters of the benchmarks and the columns that they go to. */
     private static final Map<String, String> COLUMN_OF = columns();
@@ -96,7 +101,10 @@ final class JmhWork implements Work {
     }
 
     private int warmups(Pace pace) {
-        return pace.iterationSeconds(task) > WARM_SECONDS ? 0 : 1;
+        double iteration = pace.iterationSeconds(task);
+        return iteration > WARM_SECONDS
+                ? 0
+                : (int) Math.max(1, Math.min(effort.mostWarmups, Math.ceil(WARM_UP_SECONDS / iteration)));
     }
 
     /** A figure that is there from an earlier sweep stays. */

@@ -15,6 +15,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** The list of a sweep's work. Small sizes come first: they tell how long the large ones will take. */
 final class Plan {
@@ -22,6 +23,9 @@ final class Plan {
 
     /** Beyond the thesis, to where an int can no longer number the slots or the memory ends. */
     private static final List<Integer> BEYOND = List.of(20_000, 30_000, 46_000, 65_000);
+
+    /** Beyond what engines can do that test every pair; see {@link #scales}. */
+    private static final List<Integer> LARGE_CROWDS = List.of(100_000, 1_000_000);
 
     private static final List<Integer> QUICK_SIZES = List.of(1250, 2500, 5000);
 
@@ -185,20 +189,34 @@ final class Plan {
 
     private void addPeers() {
         List<String> engines = new ArrayList<>(Engines.PEERS);
+        engines.add(Engines.WORLD_JVM);
         devices.keySet().forEach(device -> engines.addAll(Engines.own(device)));
-        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES);
+        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES).stream()
+                .filter(n -> n < LARGE_CROWDS.get(0))
+                .collect(Collectors.toList());
         for (int n : sizes) {
             engines.forEach(engine -> add(packed(engine, n)));
         }
         if (!options.quick()) {
+            for (int n : options.sizes(LARGE_CROWDS)) {
+                engines.stream()
+                        .filter(engine -> n >= LARGE_CROWDS.get(0) && scales(engine))
+                        .forEach(engine -> add(packed(engine, n)));
+            }
             // At 1,250 the two scenes are the same.
             sizes.stream().filter(n -> n != 1250).forEach(n -> engines.forEach(engine -> add(overfull(engine, n))));
         }
     }
 
+    /** Whether an engine's time grows about as the number of circles does. */
+    private static boolean scales(String engine) {
+        return engine.startsWith("world") || engine.equals("gdx-box2d");
+    }
+
     private Task packed(String engine, int n) {
         double small = List.of("jbox2d", "dyn4j").contains(engine) ? 12 : 3;
-        return peer(engine, "packed", n, 100, options.quick() ? 100 : 500, small * Math.pow(n / 1250.0, 2));
+        int steps = options.quick() ? 100 : n < LARGE_CROWDS.get(0) ? 500 : 100;
+        return peer(engine, "packed", n, 100, steps, small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2));
     }
 
     /** Few steps: engines that solve their contacts take a second for one of them, and it never comes to rest anyway. */

@@ -1,0 +1,70 @@
+package io.github.circles2d.bench.engines;
+
+import io.github.circles2d.World;
+import io.github.circles2d.scenes.Scene;
+import java.util.function.UnaryOperator;
+
+/** This library's engine for games, on one back end. Nothing is read back before {@link #read}. */
+final class WorldEngine implements Engine {
+    private final UnaryOperator<World.Builder> backend;
+    private World world;
+    private float timeStep;
+
+    WorldEngine(UnaryOperator<World.Builder> backend) {
+        this.backend = backend;
+    }
+
+    @Override
+    public void load(Scene scene) {
+        close();
+        timeStep = scene.timeStep();
+        world = backend.apply(World.builder()
+                        .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
+                        .gravity(scene.gravityX(), scene.gravityY())
+                        .restitution(scene.restitution())
+                        .capacity(scene.size()))
+                .build();
+        for (int i = 0; i < scene.size(); i++) {
+            float mass = scene.fixed(i) ? Float.POSITIVE_INFINITY : scene.mass(i);
+            world.add(scene.x(i), scene.y(i), scene.radius(i), mass, scene.vx(i), scene.vy(i));
+        }
+    }
+
+    @Override
+    public void step() {
+        world.step(timeStep);
+    }
+
+    @Override
+    public void finish() {
+        world.finish();
+    }
+
+    @Override
+    public void read(Motion motion) {
+        int n = world.size();
+        float[] circles = new float[4 * n];
+        float[] velocities = new float[2 * n];
+        world.read(circles);
+        world.readVelocities(velocities);
+        for (int i = 0; i < n; i++) {
+            motion.x[i] = circles[4 * i];
+            motion.y[i] = circles[4 * i + 1];
+            motion.vx[i] = velocities[2 * i];
+            motion.vy[i] = velocities[2 * i + 1];
+        }
+    }
+
+    @Override
+    public boolean repeatable() {
+        return true;
+    }
+
+    @Override
+    public void close() {
+        if (world != null) {
+            world.close();
+            world = null;
+        }
+    }
+}

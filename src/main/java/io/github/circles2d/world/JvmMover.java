@@ -1,0 +1,227 @@
+package io.github.circles2d.world;
+
+import java.util.Arrays;
+
+/** The circles' part of stage Solver: gravity, walls, motion. */
+final class JvmMover {
+    private final JvmState state;
+
+    JvmMover(JvmState state) {
+        this.state = state;
+    }
+
+    void clear(int from, int to) {
+        Arrays.fill(state.load, 4 * from, 4 * to, 0f);
+    }
+
+    /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
+    void accelerate(int from, int to, StepConstants k) {
+        float minX = k.bounds.minX();
+        float minY = k.bounds.minY();
+        float maxX = k.bounds.maxX();
+        float maxY = k.bounds.maxY();
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float[] load = state.load;
+        for (int slot = from; slot < to; slot++) {
+            int s = 4 * slot;
+            float w = traits[s];
+            if (w == 0f) {
+                load[s] = m[s + 2];
+                load[s + 1] = m[s + 3];
+                load[s + 2] = 0f;
+                continue;
+            }
+            boolean loaded = load[s + 3] > 0f || traits[s + 2] != 0f || traits[s + 3] != 0f;
+            float vx = m[s + 2] + k.gravityStepX;
+            float vy = m[s + 3] + k.gravityStepY;
+            m[s + 2] = CircleMath.limitSpeed(vx + w * load[s]);
+            m[s + 3] = CircleMath.limitSpeed(vy + w * load[s + 1]);
+            load[s] = vx;
+            load[s + 1] = vy;
+            load[s + 2] = loaded ? 1f : 0f;
+            if (!isClear(s, 0, vx, minX, maxX, k.h, k.inverseH)) {
+                pushWall(s, 0, minX, maxX, loaded, k);
+            }
+            if (!isClear(s, 1, vy, minY, maxY, k.h, k.inverseH)) {
+                pushWall(s, 1, minY, maxY, loaded, k);
+            }
+        }
+    }
+
+    /** Whether a circle is out of reach of its nearer wall in the biased pass; then what little there is to do is done. */
+    private boolean isClear(int s, int axis, float before, float min, float max, float h, float inverseH) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float fromMin = state.circle[s + axis] - min;
+        float fromMax = max - state.circle[s + axis];
+        float side = Branchless.signOf(fromMax - fromMin);
+        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * m[s + axis];
+        float v = m[s + 2 + axis];
+        if (traits[s + 2 + axis] == 0f & gap > 0f & gap * inverseH + side * v >= 0f & gap + side * before * h >= 0f) {
+            // adding zeros, as the long way does: the sign of a zero is part of the state
+            m[s + 2 + axis] = v + side * 0f;
+            traits[s + 2 + axis] = side * 0f;
+            state.wallBounce[(s >> 1) + axis] = 0f;
+            return true;
+        }
+        return false;
+    }
+
+    /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */
+    private void pushWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float base = state.circle[s + axis];
+        float r = state.circle[s + 2];
+        float side = CircleMath.wallSide(base, min, max);
+        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
+        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
+        float v = m[s + 2 + axis] + side * lambda;
+        float vn = side * v;
+        float e = traits[s + 1];
+        float thr2 = CircleMath.bounceThreshold(2f * r, e, k.thresholdRate, k.restRate);
+        float bounce = 0f;
+        if (e > 0f && loaded) {
+            bounce = CircleMath.bounceSpeed(e, side * state.load[s + axis], gap, k.h, thr2);
+        }
+        state.wallBounce[(s >> 1) + axis] = bounce;
+        float next = lambda;
+        float p;
+        int visit = e > 0f && !loaded ? CircleMath.freeFlight(vn, gap * k.inverseH + vn < 0f, thr2) : CircleMath.SOLVE;
+        if (visit == CircleMath.SOLVE) {
+            if (bounce > 0f) {
+                next = CircleMath.rigid(lambda, 1f, vn, -bounce);
+            } else if (gap > 0f) {
+                next = CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH);
+            } else {
+                float push = CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot);
+                next = CircleMath.soft(lambda, 1f, vn, gap, push, k.wallBiasRate, k.wallMassScale, k.wallImpulseScale);
+            }
+            p = next - lambda;
+        } else {
+            p = visit == CircleMath.BOUNCE ? CircleMath.freeBounce(e, vn, 1f) : 0f;
+            m[s + axis] -= CircleMath.leftBehind(gap, vn, side * p);
+        }
+        m[s + 2 + axis] = v + side * p;
+        traits[s + 2 + axis] = side * next;
+    }
+
+    /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
+    void move(int from, int to, StepConstants k, boolean first) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float[] circle = state.circle;
+        float[] load = state.load;
+        float[] leash = state.leash;
+        float minX = k.bounds.minX();
+        float minY = k.bounds.minY();
+        float maxX = k.bounds.maxX();
+        float maxY = k.bounds.maxY();
+        for (int slot = from; slot < to; slot++) {
+            int s = 4 * slot;
+            float w = traits[s];
+            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
+            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
+            float dx = m[s] + m[s + 2] * k.h;
+            float dy = m[s + 1] + m[s + 3] * k.h;
+            float r = circle[s + 2];
+            if (w != 0f && dx * dx + dy * dy > 0f) {
+                float allowance = leash[s + 2];
+                if (dx * dx + dy * dy > allowance * allowance) {
+                    float share = CircleMath.nearest(dx, dy, leash[s], leash[s + 1]);
+                    float offX = dx - share * leash[s];
+                    float offY = dy - share * leash[s + 1];
+                    float off = CircleMath.norm(offX, offY);
+                    if (off > allowance) {
+                        float keep = allowance / off;
+                        dx = share * leash[s] + keep * offX;
+                        dy = share * leash[s + 1] + keep * offY;
+                    }
+                }
+            }
+            float margin = w == 0f ? 0f : r;
+            m[s] = CircleMath.within(circle[s], dx, minX + margin, maxX - margin);
+            m[s + 1] = CircleMath.within(circle[s + 1], dy, minY + margin, maxY - margin);
+            boolean loaded = load[s + 2] > 0f;
+            load[s] = 0f;
+            load[s + 1] = 0f;
+            load[s + 3] = 0f;
+            if (first) {
+                state.memory[slot] = -1;
+                state.fresh[slot] = false;
+            }
+            if (w != 0f) {
+                if (touches(s, 0, minX, maxX)) {
+                    relaxWall(s, 0, minX, maxX, loaded, k);
+                }
+                if (touches(s, 1, minY, maxY)) {
+                    relaxWall(s, 1, minY, maxY, loaded, k);
+                }
+            }
+        }
+    }
+
+    /** Whether a circle has anything to do with its nearer wall in the relaxing pass. */
+    private boolean touches(int s, int axis, float min, float max) {
+        float fromMin = state.circle[s + axis] - min;
+        float fromMax = max - state.circle[s + axis];
+        float side = Branchless.signOf(fromMax - fromMin);
+        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * state.motion[s + axis];
+        return !(gap > 0f & state.traits[s + 2 + axis] == 0f & state.wallBounce[(s >> 1) + axis] == 0f);
+    }
+
+    /** The relaxing pass over the nearer wall of an axis. */
+    private void relaxWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float base = state.circle[s + axis];
+        float r = state.circle[s + 2];
+        float side = CircleMath.wallSide(base, min, max);
+        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
+        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
+        float bounce = state.wallBounce[(s >> 1) + axis];
+        if (lambda == 0f && bounce == 0f && gap > 0f) {
+            return;
+        }
+        float v = m[s + 2 + axis];
+        float vn = side * v;
+        float e = traits[s + 1];
+        int visit = CircleMath.SOLVE;
+        if (lambda == 0f && bounce == 0f && e > 0f && !loaded) {
+            visit = CircleMath.freeFlight(vn, true, CircleMath.bounceThreshold(2f * r, e, k.thresholdRate, k.restRate));
+        }
+        if (visit == CircleMath.SOLVE) {
+            float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
+            float next = CircleMath.rigid(lambda, 1f, vn, b);
+            m[s + 2 + axis] = v + side * (next - lambda);
+            traits[s + 2 + axis] = bounce > 0f ? 0f : side * next;
+        } else if (visit == CircleMath.BOUNCE) {
+            m[s + 2 + axis] = v + side * CircleMath.freeBounce(e, vn, 1f);
+        }
+    }
+
+    /** Ends the step: the base takes the displacement, the displacement what that lost. */
+    void finish(int from, int to, StepConstants k) {
+        float[] m = state.motion;
+        float[] circle = state.circle;
+        float minX = k.bounds.minX();
+        float minY = k.bounds.minY();
+        float maxX = k.bounds.maxX();
+        float maxY = k.bounds.maxY();
+        for (int slot = from; slot < to; slot++) {
+            int s = 4 * slot;
+            float margin = state.traits[s] == 0f ? 0f : circle[s + 2];
+            float x = circle[s] + m[s];
+            float y = circle[s + 1] + m[s + 1];
+            float keptX = CircleMath.bounded(x, minX + margin, maxX - margin);
+            float keptY = CircleMath.bounded(y, minY + margin, maxY - margin);
+            m[s] = keptX == x ? CircleMath.lostByRounding(circle[s], m[s], x) : 0f;
+            m[s + 1] = keptY == y ? CircleMath.lostByRounding(circle[s + 1], m[s + 1], y) : 0f;
+            circle[s] = keptX;
+            circle[s + 1] = keptY;
+            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
+            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
+        }
+    }
+}

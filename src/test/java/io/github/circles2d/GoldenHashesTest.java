@@ -1,0 +1,68 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * The states that the scenes on record go through are the same on every back end, device and number of threads. Scenes of
+ * many circles run to an earlier mark, unless {@code -Dcircles2d.golden=full} asks for all of it.
+ */
+class GoldenHashesTest {
+    /** Circles times steps that one run may take: seconds, not minutes. */
+    private static final long AFFORDABLE =
+            System.getProperty("circles2d.golden", "").equals("full") ? Long.MAX_VALUE : 13_000_000;
+
+    static List<Arguments> scenesAndThreads() {
+        List<Arguments> runs = new ArrayList<>();
+        for (GoldenScene scene : GoldenScene.all()) {
+            for (int threads : new int[] {1, 2, 7}) {
+                runs.add(Arguments.of(scene, threads));
+            }
+        }
+        return runs;
+    }
+
+    static List<Arguments> scenesAndDevices() {
+        List<Arguments> runs = new ArrayList<>();
+        for (Device device : TestDevices.all()) {
+            for (GoldenScene scene : GoldenScene.all()) {
+                runs.add(Arguments.of(scene, device));
+            }
+        }
+        return runs;
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenesAndThreads")
+    void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
+        check(scene, scene.builder().backend(Backend.JVM).threads(threads).leastShare(1));
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenesAndDevices")
+    void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
+        check(scene, scene.builder().device(device));
+    }
+
+    private static void check(GoldenScene scene, World.Builder builder) throws IOException {
+        GoldenHashes golden = GoldenHashes.load();
+        try (GoldenScene.Run run = scene.start(builder)) {
+            for (int mark : GoldenHashes.MARKS) {
+                if ((long) mark * scene.scene().size() <= AFFORDABLE) {
+                    run.advanceTo(mark);
+                    assertThat(Long.toHexString(run.world().hash()))
+                            .as("hash after %d steps", mark)
+                            .isEqualTo(Long.toHexString(golden.hash(scene, mark)));
+                }
+            }
+        }
+    }
+}
