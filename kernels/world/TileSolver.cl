@@ -9,7 +9,6 @@ typedef struct {
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
     float inverseMass[TILE_CIRCLES];
     uchar flags[TILE_CIRCLES];
-    int2 contact[TILE_CONTACTS];
     int roundStart[TILE_ROUNDS + 2];
     int circles, rounds;
 } Tile;
@@ -19,14 +18,12 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
     int circles = idle ? 0 : record[RECORD_CIRCLES];
     int rounds = circles > 0 ? record[RECORD_ROUNDS] : 0;
-    int contacts = circles > 0 ? record[RECORD_STARTS + rounds] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
         t->circles = circles;
         t->rounds = rounds;
     }
     TILE_EACH(round, rounds + 1) t->roundStart[round] = circles > 0 ? record[RECORD_STARTS + round] : 0;
-    TILE_EACH(k, contacts) t->contact[k] = contactsOf(record)[k];
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
@@ -80,20 +77,22 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
 
 // What a pass reads of a contact.
 typedef struct {
+    int2 contact; // as in the record
     float4 normal, shape;
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-void readContact(const World *w, local const Tile *t, int k, int end, bool relaxing, Reading *reading) {
+void readContact(const World *w, global const int2 *contacts, int k, int end, bool relaxing, Reading *reading) {
     if (k >= end) return;
-    int c = t->contact[k].x & ~NOT_OWN;
+    reading->contact = contacts[k];
+    int c = reading->contact.x & ~NOT_OWN;
     reading->normal = w->contact[c];
     reading->shape = w->shape[c];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
-void solveContact(const World *w, local Tile *t, int k, const Reading *reading, bool relaxing, bool last) {
-    int2 contact = t->contact[k];
+void solveContact(const World *w, local Tile *t, const Reading *reading, bool relaxing, bool last) {
+    int2 contact = reading->contact;
     int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
     float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
     if (relaxing) {
@@ -106,22 +105,22 @@ void solveContact(const World *w, local Tile *t, int k, const Reading *reading, 
 }
 
 // Solves the contacts of a tile, round by round. What the next round needs is read ahead.
-void solveRounds(const World *w, local Tile *t, bool relaxing, bool last) {
+void solveRounds(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
     int item = (int) get_local_id(0);
     int rounds = t->rounds;
     Reading ahead;
-    if (rounds > 0) readContact(w, t, item, t->roundStart[1], relaxing, &ahead);
+    if (rounds > 0) readContact(w, contacts, item, t->roundStart[1], relaxing, &ahead);
 #pragma unroll 1
     for (int round = 0; round < rounds; round++) {
         Reading reading = ahead;
         int k = t->roundStart[round] + item;
         int end = t->roundStart[round + 1];
-        if (round + 1 < rounds) readContact(w, t, end + item, t->roundStart[round + 2], relaxing, &ahead);
+        if (round + 1 < rounds) readContact(w, contacts, end + item, t->roundStart[round + 2], relaxing, &ahead);
         barrier(CLK_LOCAL_MEM_FENCE);
 #pragma unroll 1
         for (; k < end; k += TILE_GROUP) {
-            solveContact(w, t, k, &reading, relaxing, last);
-            readContact(w, t, k + TILE_GROUP, end, relaxing, &reading);
+            solveContact(w, t, &reading, relaxing, last);
+            readContact(w, contacts, k + TILE_GROUP, end, relaxing, &reading);
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -152,7 +151,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
             if (subStep == 0) w->homeMemory[slot] = NONE;
         }
     }
-    solveRounds(w, t, false, false);
+    solveRounds(w, t, contactsOf(recordOf(w, tile)), false, false);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = slots[i];
@@ -203,7 +202,7 @@ void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) 
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    solveRounds(w, t, true, last);
+    solveRounds(w, t, contactsOf(recordOf(w, tile)), true, last);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = slots[i];

@@ -1,0 +1,133 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.sun.management.ThreadMXBean;
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OpenClUnavailableException;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What a world runs on: the choice, and that nothing but speed depends on it. */
+class WorldBackendTest {
+    private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+
+    static Backend[] openClBackends() {
+        return TestDevices.all().stream()
+                .map(device -> device.kind() == Device.Kind.GPU ? Backend.OPENCL_GPU : Backend.OPENCL_CPU)
+                .distinct()
+                .toArray(Backend[]::new);
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aBackEndAskedForIsTakenAndHasTheSameHashAsTheJvm(Backend backend) {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
+                World jvm = WorldScenes.world(scene, WorldScenes.builder(scene).backend(Backend.JVM))) {
+            for (int frame = 0; frame < 20; frame++) {
+                world.step(scene.timeStep());
+                jvm.step(scene.timeStep());
+                assertThat(world.hash()).isEqualTo(jvm.hash());
+            }
+            WorldStats stats = world.stats();
+            assertThat(stats.backend()).isEqualTo(backend);
+            assertThat(stats.reason()).isEqualTo("asked for");
+            assertThat(stats.contacts()).isEqualTo(jvm.stats().contacts());
+            assertThat(stats.candidatePairs()).isEqualTo(jvm.stats().candidatePairs());
+            assertThat(stats.bytesHeld()).isGreaterThan(100L * scene.size());
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aSnapshotTakenAtAnyStepGoesOnTheSameOnAnotherBackEnd(Backend backend) {
+        Scene scene = Scenes.packed(500, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
+                World jvm = World.builder().backend(Backend.JVM).build();
+                World back = World.builder().backend(backend).build()) {
+            for (int frame = 0; frame < 30; frame++) {
+                world.step(scene.timeStep());
+                ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(bytes);
+                jvm.restore(bytes.flip());
+                jvm.step(scene.timeStep());
+                ByteBuffer returned = ByteBuffer.allocate(jvm.snapshotBytes());
+                jvm.snapshot(returned);
+                back.restore(returned.flip());
+                assertThat(back.hash()).isEqualTo(jvm.hash());
+                back.step(scene.timeStep());
+                world.step(scene.timeStep(), 2);
+                assertThat(back.hash()).isEqualTo(world.hash());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aStepAndAReadAllocateLessThanAKibibyteWhateverTheNumberOfCircles(Backend backend) {
+        for (int n : new int[] {200, 5000}) {
+            Scene scene = Scenes.packed(n, Scenes.SEED);
+            float[] circles = new float[4 * n];
+            try (World world =
+                    WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
+                int frames = 20;
+                long least = Long.MAX_VALUE;
+                // Buffers grow, and code is compiled, at first.
+                for (int round = 0; round < 4; round++) {
+                    long before = THREADS.getCurrentThreadAllocatedBytes();
+                    for (int frame = 0; frame < frames; frame++) {
+                        world.step(scene.timeStep());
+                        world.read(circles);
+                    }
+                    least = Math.min(least, THREADS.getCurrentThreadAllocatedBytes() - before);
+                }
+                assertThat(least / frames).isLessThan(1024);
+            }
+        }
+    }
+
+    @Test
+    void aWorldForFewCirclesRunsOnTheJvmAndSaysWhy() {
+        try (World world = World.builder().build()) {
+            assertThat(world.stats().backend()).isEqualTo(Backend.JVM);
+            assertThat(world.stats().reason()).contains("GPU").contains("1024");
+        }
+    }
+
+    /** Builds worlds where there is no driver. */
+    static final class WithoutDriver {
+        public static void main(String[] args) {
+            try (World world = World.builder().capacity(1_000_000).build()) {
+                world.add(0.5f, 0.5f, 0.1f, 1);
+                world.step(1 / 60f);
+                System.out.println(
+                        "took " + world.stats().backend() + ": " + world.stats().reason());
+            }
+            for (Backend backend : new Backend[] {Backend.OPENCL_CPU, Backend.OPENCL_GPU}) {
+                assertThatThrownBy(() -> World.builder().backend(backend).build())
+                        .isInstanceOf(OpenClUnavailableException.class);
+            }
+            System.out.println("done");
+        }
+    }
+
+    @Test
+    void withoutOpenClTheFastestIsTheJvmAndAnythingElseIsRefused(@TempDir Path noDrivers) {
+        ForkedJvm.Result result = new ForkedJvm()
+                .environment("OCL_ICD_VENDORS", noDrivers.toString())
+                .run(WithoutDriver.class);
+        assertThat(result.output()).contains("took JVM: no GPU can be used: ", "done");
+        assertThat(result.exitStatus()).isZero();
+    }
+}
