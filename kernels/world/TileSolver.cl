@@ -77,15 +77,24 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
 
 // What a pass reads of a contact.
 typedef struct {
-    int2 contact; // as in the record
+    int2 contact; // as in the record, or NO_CONTACT
     float4 normal, shape;
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-void readContact(const World *w, global const int2 *contacts, int k, int end, bool relaxing, Reading *reading) {
-    if (k >= end) return;
-    reading->contact = contacts[k];
-    int c = reading->contact.x & ~NOT_OWN;
+#define NO_CONTACT ((int2)(0, -1))
+
+// The contact of a round that is this work-item's: where a round has more contacts than there are work-items, its first.
+int2 contactOf(local const Tile *t, global const int2 *contacts, int round) {
+    if (round >= t->rounds) return NO_CONTACT;
+    int k = t->roundStart[round] + (int) get_local_id(0);
+    return k < t->roundStart[round + 1] ? contacts[k] : NO_CONTACT;
+}
+
+void readContact(const World *w, int2 contact, bool relaxing, Reading *reading) {
+    reading->contact = contact;
+    if (contact.y < 0) return;
+    int c = contact.x & ~NOT_OWN;
     reading->normal = w->contact[c];
     reading->shape = w->shape[c];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
@@ -104,24 +113,36 @@ void solveContact(const World *w, local Tile *t, const Reading *reading, bool re
     }
 }
 
-// Solves the contacts of a tile, round by round. What the next round needs is read ahead.
-void solveRounds(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
-    int item = (int) get_local_id(0);
-    int rounds = t->rounds;
-    Reading ahead;
-    if (rounds > 0) readContact(w, contacts, item, t->roundStart[1], relaxing, &ahead);
-#pragma unroll 1
-    for (int round = 0; round < rounds; round++) {
-        Reading reading = ahead;
-        int k = t->roundStart[round] + item;
+// Solves the contacts of a round, which have been read before; reads those of the round after the next, of which the places are
+// known, and the places of two rounds later.
+void solveRound(const World *w, local Tile *t, global const int2 *contacts, int round, bool relaxing, bool last,
+                Reading *reading, int2 *next) {
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (reading->contact.y >= 0) {
+        solveContact(w, t, reading, relaxing, last);
         int end = t->roundStart[round + 1];
-        if (round + 1 < rounds) readContact(w, contacts, end + item, t->roundStart[round + 2], relaxing, &ahead);
-        barrier(CLK_LOCAL_MEM_FENCE);
 #pragma unroll 1
-        for (; k < end; k += TILE_GROUP) {
-            solveContact(w, t, &reading, relaxing, last);
-            readContact(w, contacts, k + TILE_GROUP, end, relaxing, &reading);
+        for (int k = t->roundStart[round] + (int) get_local_id(0) + TILE_GROUP; k < end; k += TILE_GROUP) {
+            readContact(w, contacts[k], relaxing, reading);
+            solveContact(w, t, reading, relaxing, last);
         }
+    }
+    readContact(w, *next, relaxing, reading);
+    *next = contactOf(t, contacts, round + 4);
+}
+
+// Solves the contacts of a tile, round by round, two rounds in turn, so that what each needs is on its way for the time of two.
+void solveRounds(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
+    int rounds = t->rounds;
+    Reading even, odd;
+    readContact(w, contactOf(t, contacts, 0), relaxing, &even);
+    readContact(w, contactOf(t, contacts, 1), relaxing, &odd);
+    int2 nextEven = contactOf(t, contacts, 2);
+    int2 nextOdd = contactOf(t, contacts, 3);
+#pragma unroll 1
+    for (int round = 0; round < rounds; round += 2) {
+        solveRound(w, t, contacts, round, relaxing, last, &even, &nextEven);
+        solveRound(w, t, contacts, round + 1, relaxing, last, &odd, &nextOdd);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }

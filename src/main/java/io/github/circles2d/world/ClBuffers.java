@@ -135,16 +135,17 @@ final class ClBuffers implements AutoCloseable {
         WALL_BOUNCE,
         LEASH,
         SHARE,
-        NEAR,
-        PUSHED_VELOCITY,
-        PUSHED_TRAITS,
-        PUSHED_DISPLACEMENT
+        NEAR
     };
+    private static final int[] BY_SLOT_TILED = {PUSHED_VELOCITY, PUSHED_TRAITS, PUSHED_DISPLACEMENT};
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD};
-    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT, LINK, ORDERED, SHAPE, HELD, IMPULSE};
+    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
+    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, SHAPE, HELD, IMPULSE};
+    private static final int[] NO_BUFFERS = {};
 
     private final Session session;
+    private final boolean tiled;
     private final DeviceBuffer[] buffers = new DeviceBuffer[COUNT];
     private int slotRoom;
     private int idRoom;
@@ -155,8 +156,14 @@ final class ClBuffers implements AutoCloseable {
     /** Counts how often a buffer was replaced, so that kernels know when to bind anew. */
     private int version;
 
-    ClBuffers(Session session, int capacity) {
+    /**
+     * Room for a number of circles.
+     *
+     * @param tiled whether there may be steps by tiles; otherwise their buffers stay as small as can be
+     */
+    ClBuffers(Session session, int capacity, boolean tiled) {
         this.session = session;
+        this.tiled = tiled;
         buffers[CONSTANTS] = session.allocate(NAMES[CONSTANTS], 4L * ClParameters.CONSTANT_INTS);
         buffers[LEVELS] = session.allocate(NAMES[LEVELS], 4L * ClParameters.LEVEL_INTS);
         buffers[STATUS] = session.allocate(NAMES[STATUS], 4L * STATUS_INTS);
@@ -164,6 +171,10 @@ final class ClBuffers implements AutoCloseable {
         ensureIds(Math.max(capacity, 64));
         ensureBuckets(16);
         ensureTiles(1);
+        if (!tiled) {
+            grow(1, 0, NO_BUFFERS, BY_SLOT_TILED);
+            grow(1, 0, NO_BUFFERS, BY_CONTACT_TILED);
+        }
         ensureContacts(4 * Math.max(capacity, 64));
     }
 
@@ -216,6 +227,9 @@ final class ClBuffers implements AutoCloseable {
         if (slots > slotRoom) {
             int room = grown(slotRoom, slots);
             grow(room, kept, BY_SLOT_KEPT, BY_SLOT);
+            if (tiled) {
+                grow(room, 0, NO_BUFFERS, BY_SLOT_TILED);
+            }
             slotRoom = room;
         }
     }
@@ -224,7 +238,7 @@ final class ClBuffers implements AutoCloseable {
     void ensureIds(int ids) {
         if (ids > idRoom) {
             int room = grown(idRoom, ids);
-            grow(room, idRoom, new int[] {SLOT_OF}, new int[0]);
+            grow(room, idRoom, new int[] {SLOT_OF}, NO_BUFFERS);
             int[] none = new int[Math.min(room - idRoom, 1 << 18)];
             Arrays.fill(none, -1);
             for (int from = idRoom; from < room; from += none.length) {
@@ -238,9 +252,9 @@ final class ClBuffers implements AutoCloseable {
         if (buckets > bucketRoom) {
             int room = grown(bucketRoom, buckets);
             // One more element for the end; both scans share the block sums.
-            grow(room + 1, 0, new int[0], BY_BUCKET);
-            grow(ClScan.blocks(room + 1), 0, new int[0], new int[] {BLOCK_SUMS});
-            grow(ClSweep.blocks(room), 0, new int[0], new int[] {BLOCK_RANGE});
+            grow(room + 1, 0, NO_BUFFERS, BY_BUCKET);
+            grow(ClScan.blocks(room + 1), 0, NO_BUFFERS, new int[] {BLOCK_SUMS});
+            grow(ClSweep.blocks(room), 0, NO_BUFFERS, new int[] {BLOCK_RANGE});
             bucketRoom = room;
         }
     }
@@ -249,7 +263,7 @@ final class ClBuffers implements AutoCloseable {
     void ensureTiles(int tiles) {
         if (tiles > tileRoom) {
             int room = grown(tileRoom, tiles);
-            grow(room, 0, new int[0], new int[] {TILES});
+            grow(room, 0, NO_BUFFERS, new int[] {TILES});
             tileRoom = room;
         }
     }
@@ -259,6 +273,9 @@ final class ClBuffers implements AutoCloseable {
         if (contacts > contactRoom) {
             int room = grown(contactRoom, contacts);
             grow(room, contactRoom, BY_CONTACT_KEPT, BY_CONTACT);
+            if (tiled) {
+                grow(room, 0, NO_BUFFERS, BY_CONTACT_TILED);
+            }
             contactRoom = room;
         }
     }

@@ -91,7 +91,7 @@ public final class ClPipeline implements Pipeline {
         this.plan = plan;
         session = Session.open(device, profiling);
         try {
-            buffers = new ClBuffers(session, capacity);
+            buffers = new ClBuffers(session, capacity, plan != ClPlan.COLOURS);
             kernels = new ClKernels(session, plan == ClPlan.RESIDENT);
             commands = new ClCommands(session, kernels, buffers);
             ClScan scan = new ClScan(kernels);
