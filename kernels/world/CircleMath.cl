@@ -148,7 +148,9 @@ float wallGap(float base, float displacement, float r, float side, float min, fl
     return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
 }
 
-float leftBehind(float gap, float vn, float gain) { return gap > 0.0f && vn < 0.0f ? gain * (gap / -vn) : 0.0f; }
+float leftBehind(float gap, float vn, float gain, float dt, float r) {
+    return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
+}
 
 float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
 

@@ -29,7 +29,7 @@ float pushFromWall(const World *w, float x, float *dx, float before, float v, fl
         p = next - lambda;
     } else {
         p = visit == BOUNCE ? freeBounce(e, vn, 1.0f) : 0.0f;
-        *dx -= leftBehind(gap, vn, side * p);
+        *dx -= leftBehind(gap, vn, side * p, k->dt, r);
     }
     *stored = side * next;
     *bounceOut = bounce;

@@ -50,6 +50,9 @@ import java.util.concurrent.atomic.AtomicReference;
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
  *
+ * <p><b>Fast circles</b> look ahead and stop at what they would pass through. That holds for paths of some ten radii a step; of
+ * circles that fly farther in a crowd or between walls, a few in a thousand may still slip through.
+ *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. After
  * {@link #close()} every method but close throws an IllegalStateException. A call that throws an IllegalArgumentException has
  * changed nothing.

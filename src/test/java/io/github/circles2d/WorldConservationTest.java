@@ -7,7 +7,6 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What must stay, and what must not grow. */
@@ -49,8 +48,8 @@ class WorldConservationTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"0, 1e-5", "0.05, 1e-3", "0.1, 1e-3", "0.3, 1e-6", "0.7, 1e-6", "0.95, 1e-6", "1, 1e-6"})
-    void noStepWithoutGravityAddsMoreThanAShareOfTheFirstEnergy(float restitution, double share) {
+    @ValueSource(floats = {0, 0.02f, 0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.95f, 1})
+    void withoutGravityEnergyNeverGrows(float restitution) {
         Scene scene = Scenes.gas(800, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).restitution(restitution))) {
             for (int i = 0; i < scene.size(); i++) {
@@ -66,7 +65,9 @@ class WorldConservationTest {
                 before = energy;
             }
             assertThat(before).isLessThanOrEqualTo(first * (1 + 1e-6));
-            assertThat(worst).isLessThanOrEqualTo(share);
+            assertThat(worst)
+                    .as("the greatest growth in a step, as a share of the first energy")
+                    .isLessThanOrEqualTo(1e-5);
         }
     }
 

@@ -9,17 +9,14 @@ import org.junit.jupiter.api.Test;
 
 /** Circles that are all in one place: slow, never wrong. */
 class WorldCrowdTest {
-    /** 10,000 come apart as well, which takes the better part of a minute. */
-    private static final int CIRCLES = Integer.getInteger("circles2d.crowd.circles", 2000);
-
     @Test
-    void allCirclesAtOnePointComeApart() {
-        assertComesApart(Scenes.onePoint(CIRCLES, Scenes.SEED));
+    void tenThousandCirclesAtOnePointComeApart() {
+        assertComesApart(Scenes.onePoint(10_000, Scenes.SEED));
     }
 
     @Test
     void allCirclesInOneCellComeApart() {
-        assertComesApart(Scenes.oneCell(CIRCLES, Scenes.SEED));
+        assertComesApart(Scenes.oneCell(2_000, Scenes.SEED));
     }
 
     private static void assertComesApart(Scene scene) {

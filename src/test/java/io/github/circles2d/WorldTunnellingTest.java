@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** No circle passes through another, however fast it is. */
+/** Fast circles meet what is in their way. */
 class WorldTunnellingTest {
     private static final float STEP = 1 / 60f;
 

@@ -24,6 +24,7 @@ public final class Kernel implements AutoCloseable {
     private final CLKernel kernel;
     private final Handle handle;
     private final int maxWorkGroupSize;
+    private int usualSize;
     private final long[] globalSize = new long[1];
     private final long[] localSize = new long[1];
     private DeviceBuffer[] buffers = new DeviceBuffer[8];
@@ -36,6 +37,7 @@ public final class Kernel implements AutoCloseable {
         Long limit = kernel.getWorkGroupSize().get(device);
         maxWorkGroupSize = (int) Math.min(
                 limit == null ? WORK_GROUP_SIZE : limit, session.device().maxWorkGroupSize());
+        usualSize = Math.min(WORK_GROUP_SIZE, maxWorkGroupSize);
         handle = new Handle(kernel::release);
         session.own(handle);
     }
@@ -152,7 +154,26 @@ public final class Kernel implements AutoCloseable {
      * @param workItems how many work-items are needed; none are run for 0
      */
     public void run(long workItems) {
-        run(workItems, Math.min(WORK_GROUP_SIZE, maxWorkGroupSize));
+        run(workItems, usualSize);
+    }
+
+    /**
+     * Sets the size of the work-groups of {@link #run(long)}.
+     *
+     * @param size work-items a work-group, from 1 to {@link #maxWorkGroupSize}
+     * @return this
+     */
+    public Kernel workGroupSize(int size) {
+        checkSize(size);
+        usualSize = size;
+        return this;
+    }
+
+    private void checkSize(int workGroupSize) {
+        if (workGroupSize < 1 || workGroupSize > maxWorkGroupSize) {
+            throw new IllegalArgumentException("kernel " + name + " runs in work-groups of 1 to " + maxWorkGroupSize
+                    + " work-items on " + session.device().name() + ", not " + workGroupSize);
+        }
     }
 
     /**
@@ -168,10 +189,7 @@ public final class Kernel implements AutoCloseable {
         if (workItems < 0) {
             throw new IllegalArgumentException("the number of work-items must not be negative: " + workItems);
         }
-        if (workGroupSize < 1 || workGroupSize > maxWorkGroupSize) {
-            throw new IllegalArgumentException("kernel " + name + " runs in work-groups of 1 to " + maxWorkGroupSize
-                    + " work-items on " + session.device().name() + ", not " + workGroupSize);
-        }
+        checkSize(workGroupSize);
         if (workItems == 0) {
             return;
         }

@@ -522,10 +522,12 @@ public final class CircleMath {
      * @param gap separation at the start
      * @param vn normal speed, negative where it bounces
      * @param gain what the bounce adds to the velocity, 0 for none
-     * @return a displacement to take back
+     * @param dt length of the step
+     * @param r radius
+     * @return a displacement to take back; 0 for a circle that flies farther than its radius in a step, whose path is watched
      */
-    public static float leftBehind(float gap, float vn, float gain) {
-        return gap > 0f && vn < 0f ? gain * (gap / -vn) : 0f;
+    public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
+        return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
     }
 
     /**

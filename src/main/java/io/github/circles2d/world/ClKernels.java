@@ -83,6 +83,13 @@ final class ClKernels {
         return kernel;
     }
 
+    /** Sets the size of work-groups, for the kernels of the stages that leave it open; as near to it as each kernel allows. */
+    void workGroupSize(int size) {
+        for (Kernel kernel : staged) {
+            kernel.workGroupSize(Math.min(size, kernel.maxWorkGroupSize()));
+        }
+    }
+
     /** Brings the shared arguments up to date. */
     void bind(ClBuffers buffers, int slots, int circles) {
         boolean replaced = boundVersion != buffers.version();

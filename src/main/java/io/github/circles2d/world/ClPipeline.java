@@ -110,6 +110,12 @@ public final class ClPipeline implements Pipeline {
         }
     }
 
+    /** Sets the size of work-groups, which has no effect on results. */
+    ClPipeline workGroupSize(int size) {
+        kernels.workGroupSize(size);
+        return this;
+    }
+
     @Override
     public void apply(Commands changes) {
         settle();

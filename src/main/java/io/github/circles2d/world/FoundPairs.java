@@ -31,6 +31,9 @@ final class FoundPairs {
     /** By group that is being filled: the end of its contacts. */
     final int[] end = new int[JvmContacts.TOGETHER];
 
+    /** Circles near enough to the one that is looked at, a block at a time. */
+    final int[] hits = new int[64];
+
     void reset(boolean keepsAShare, int newRoom) {
         thinned = keepsAShare;
         room = newRoom;

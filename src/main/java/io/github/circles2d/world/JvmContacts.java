@@ -326,12 +326,20 @@ final class JvmContacts {
         float y = circle[4 * slot + 1];
         float own = reach[slot];
         f.tested += Math.max(0, to - from);
-        for (int other = from; other < to; other++) {
-            float dx = circle[4 * other] - x;
-            float dy = circle[4 * other + 1] - y;
-            float limit = own + reach[other];
-            if (dx * dx + dy * dy < limit * limit) {
-                add(f, slot, other, level, column, row);
+        int[] hits = f.hits;
+        for (int start = from; start < to; start += hits.length) {
+            int end = Math.min(to, start + hits.length);
+            int count = 0;
+            for (int other = start; other < end; other++) {
+                float dx = circle[4 * other] - x;
+                float dy = circle[4 * other + 1] - y;
+                float limit = own + reach[other];
+                hits[count] = other;
+                // one more where the difference is negative; no branch, which would be taken as if by chance
+                count -= Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) >> 31;
+            }
+            for (int k = 0; k < count; k++) {
+                add(f, slot, hits[k], level, column, row);
             }
         }
     }

@@ -101,7 +101,7 @@ final class JvmMover {
             p = next - lambda;
         } else {
             p = visit == CircleMath.BOUNCE ? CircleMath.freeBounce(e, vn, 1f) : 0f;
-            m[s + axis] -= CircleMath.leftBehind(gap, vn, side * p);
+            m[s + axis] -= CircleMath.leftBehind(gap, vn, side * p, k.dt, r);
         }
         m[s + 2 + axis] = v + side * p;
         traits[s + 2 + axis] = side * next;

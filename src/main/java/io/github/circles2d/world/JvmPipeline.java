@@ -5,7 +5,7 @@ import java.util.Map;
 /** The World engine in plain Java: the oracle that every other pipeline is compared with. */
 public final class JvmPipeline implements Pipeline {
     /** Circles that a thread has at least: with fewer, waiting for each other costs more than it saves. */
-    public static final int LEAST_SHARE = 1024;
+    public static final int LEAST_SHARE = 512;
 
     private static final int GRID = 0;
     private static final int SWEEP = 1;

@@ -65,7 +65,8 @@ class Circles2DEngineTest {
             assertThat(engine.strategy()).isEqualTo(3);
             assertThat(engine.strategies()).hasSize(PairIndexing.values().length);
             for (PairIndexing indexing : PairIndexing.values()) {
-                assertThat(engine.strategies().get(indexing.strategy())).startsWith(indexing.strategy() + " (");
+                assertThat(engine.strategies().get(indexing.strategy()))
+                        .startsWith("strategy " + indexing.strategy() + " (");
             }
         }
     }

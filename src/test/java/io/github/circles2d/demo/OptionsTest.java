@@ -109,7 +109,7 @@ class OptionsTest {
                 "--gravity; 0,Infinity; not 'Infinity'",
                 "--gravity; 0,; not ''",
                 "--seed; x; takes a whole number of at most 64 bits, not 'x'",
-                "--engine; box2d; takes circles2d, not 'box2d'",
+                "--engine; box2d; takes circles2d|world, not 'box2d'",
                 "--frames; 0; takes a whole number from 1 to 2147483647, not '0'",
                 "--size; 99; takes a whole number from 100 to 8192, not '99'",
                 "--device; ' '; takes best, gpu, cpu",

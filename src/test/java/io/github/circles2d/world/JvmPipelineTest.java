@@ -6,10 +6,12 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.Random;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** What must not show in the state: threads and slots. */
+@Timeout(120) // a barrier that is wrong may as well hang
 class JvmPipelineTest {
     private static final int STEPS = 40;
 

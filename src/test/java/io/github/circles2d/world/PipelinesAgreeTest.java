@@ -53,6 +53,21 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void theSizeOfWorkGroupsDoesNotShow(Device device) {
+        for (int size : new int[] {1, 3, 32, 256}) {
+            Pipeline other = new ClPipeline(device, 0, false, ClPlan.COLOURS).workGroupSize(size);
+            Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+            try (Twins twins = Twins.load(Scenes.mixed(600, 3), java, other)) {
+                for (int k = 0; k < 10; k++) {
+                    twins.step(1 / 60f, 5);
+                    twins.assertEqual(size + " work-items a work-group, " + 5 * (k + 1) + " steps");
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void fastCirclesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(device, Scenes.billiards(1000), 20, 3, Scenes.billiards(1000).timeStep());
         compare(device, Scenes.gas(1250, 2), 6, 3, 1f);

