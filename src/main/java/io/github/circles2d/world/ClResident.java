@@ -10,7 +10,7 @@ import java.util.Locale;
  */
 final class ClResident {
     /** Worlds of more circles use a launch a pass. */
-    private static final int MOST_CIRCLES = 150_000;
+    private static final int MOST_CIRCLES = 80_000;
 
     /** Work-items of a work-group. */
     static final int GROUP = 256;
