@@ -27,12 +27,12 @@ void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
         return;
     }
     for (int other = from; other < to; other++) {
-        float4 c = w->circle[other];
-        float dx = c.x - s->x;
-        float dy = c.y - s->y;
-        float limit = s->reach + w->reachOf[other];
+        float4 o = w->sight[other];
+        float dx = o.x - s->x;
+        float dy = o.y - s->y;
+        float limit = s->reach + o.z;
         if (!(dx * dx + dy * dy < limit * limit)) continue;
-        if (s->inverseMass == 0.0f && w->traits[other].x == 0.0f) continue;
+        if (s->inverseMass == 0.0f && o.w == 0.0f) continue;
         uint otherId = (uint) w->id[other];
         bool lower = (uint) s->id < otherId;
         uint lowId = lower ? (uint) s->id : otherId;
@@ -95,12 +95,12 @@ void seekInCoarserLevel(const World *w, const Seeker *s, int purpose) {
 }
 
 Seeker seekerOf(const World *w, int slot) {
-    float4 c = w->circle[slot];
+    float4 own = w->sight[slot];
     Seeker s;
-    s.x = c.x;
-    s.y = c.y;
-    s.reach = w->reachOf[slot];
-    s.inverseMass = w->traits[slot].x;
+    s.x = own.x;
+    s.y = own.y;
+    s.reach = own.z;
+    s.inverseMass = own.w;
     s.slot = slot;
     s.id = w->id[slot];
     return s;
@@ -129,11 +129,11 @@ void seekAll(const World *w, int slot, int purpose) {
 int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
-        float4 c = w->circle[other];
-        float dx = c.x - s->x;
-        float dy = c.y - s->y;
-        float limit = s->reach + w->reachOf[other];
-        bool bothFixed = s->inverseMass == 0.0f && w->traits[other].x == 0.0f;
+        float4 o = w->sight[other];
+        float dx = o.x - s->x;
+        float dy = o.y - s->y;
+        float limit = s->reach + o.z;
+        bool bothFixed = s->inverseMass == 0.0f && o.w == 0.0f;
         sum += dx * dx + dy * dy < limit * limit && other != s->slot && !bothFixed;
     }
     return sum;

@@ -116,7 +116,7 @@ void gatherCircle(const World *w, int slot) {
     w->memory[slot] = w->homeMemory[from];
     w->load[slot] = (float4)(0.0f);
     w->leash[slot] = (float4)(px, py, LEASH * c.z, path);
-    w->reachOf[slot] = reach(c.z, path);
+    w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
     if (w->k.sweeping) {
         w->share[slot] = as_int(1.0f);
         w->near[slot] = 1.0f;

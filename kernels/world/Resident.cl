@@ -36,7 +36,7 @@ void leave(const World *w) {
 // Exclusive prefix sum of counts, in place, by all work-groups.
 void scanAll(const World *w, global int *counts, int count, local int *cells) {
     volatile global int *arrivals = w->status + ARRIVALS;
-    int blocks = (count + TILE_GROUP * SCAN_EACH - 1) / (TILE_GROUP * SCAN_EACH);
+    int blocks = (count + RESIDENT_GROUP * SCAN_EACH - 1) / (RESIDENT_GROUP * SCAN_EACH);
     for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
         int total = scanBlock(counts, count, block, 0, cells);
         if (get_local_id(0) == 0) w->blockSums[block] = total;
@@ -48,13 +48,13 @@ void scanAll(const World *w, global int *counts, int count, local int *cells) {
     int summed = 0;
     for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
         int part = 0;
-        for (int b = summed + (int) get_local_id(0); b < block; b += TILE_GROUP) part += w->blockSums[b];
+        for (int b = summed + (int) get_local_id(0); b < block; b += RESIDENT_GROUP) part += w->blockSums[b];
         int total;
         scanGroup(part, cells, &total);
         before += total;
         summed = block;
         for (int e = 0; e < SCAN_EACH; e++) {
-            int i = (block * SCAN_EACH + e) * TILE_GROUP + (int) get_local_id(0);
+            int i = (block * SCAN_EACH + e) * RESIDENT_GROUP + (int) get_local_id(0);
             if (i < count) counts[i] += before;
         }
     }
@@ -62,7 +62,7 @@ void scanAll(const World *w, global int *counts, int count, local int *cells) {
 
 // Local memory, as the stages use it one after another.
 typedef union {
-    int cells[TILE_GROUP];
+    int cells[RESIDENT_GROUP];
     Arrangement arrangement;
     Tile tile;
 } Local;
@@ -145,7 +145,7 @@ void solveAll(const World *w, local Tile *t, int contacts) {
 }
 
 // Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
-kernel __attribute__((reqd_work_group_size(TILE_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
+kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
     if (refused(&w)) return;

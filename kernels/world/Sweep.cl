@@ -54,7 +54,7 @@ void meet(const World *w, const Runner *s, int other) {
     if (!mayPass(ux, uy, s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    float limit = s->reach + w->reachOf[other];
+    float limit = s->reach + w->sight[other].z;
     if (dx * dx + dy * dy < limit * limit) {
         w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
@@ -96,7 +96,7 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
 void lookAhead(const World *w, int slot) {
     float4 c = w->circle[slot];
     float4 plan = w->leash[slot];
-    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->reachOf[slot], slot};
+    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->sight[slot].z, slot};
     float limit = travelShare(s.path, s.r);
     float px = limit * s.px;
     float py = limit * s.py;

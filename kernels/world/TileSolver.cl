@@ -9,21 +9,21 @@ typedef struct {
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
     float inverseMass[TILE_CIRCLES];
     uchar flags[TILE_CIRCLES];
-    int roundStart[TILE_ROUNDS + 2];
-    int circles, rounds;
+    int partStart[TILE_PARTS + 2]; // by part of a round
+    int circles, parts;
 } Tile;
 
 // Takes a tile from its record. idle: as one without circles.
 void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
     int circles = idle ? 0 : record[RECORD_CIRCLES];
-    int rounds = circles > 0 ? record[RECORD_ROUNDS] : 0;
+    int parts = circles > 0 ? record[RECORD_PARTS] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) {
         t->circles = circles;
-        t->rounds = rounds;
+        t->parts = parts;
     }
-    TILE_EACH(round, rounds + 1) t->roundStart[round] = circles > 0 ? record[RECORD_STARTS + round] : 0;
+    TILE_EACH(part, parts + 1) t->partStart[part] = circles > 0 ? record[RECORD_STARTS + part] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
@@ -84,11 +84,11 @@ typedef struct {
 
 #define NO_CONTACT ((int2)(0, -1))
 
-// The contact of a round that is this work-item's: where a round has more contacts than there are work-items, its first.
-int2 contactOf(local const Tile *t, global const int2 *contacts, int round) {
-    if (round >= t->rounds) return NO_CONTACT;
-    int k = t->roundStart[round] + (int) get_local_id(0);
-    return k < t->roundStart[round + 1] ? contacts[k] : NO_CONTACT;
+// The contact of a part that is this work-item's.
+int2 contactOf(local const Tile *t, global const int2 *contacts, int part) {
+    if (part >= t->parts) return NO_CONTACT;
+    int k = t->partStart[part] + (int) get_local_id(0);
+    return k < t->partStart[part + 1] ? contacts[k] : NO_CONTACT;
 }
 
 void readContact(const World *w, int2 contact, bool relaxing, Reading *reading) {
@@ -113,36 +113,28 @@ void solveContact(const World *w, local Tile *t, const Reading *reading, bool re
     }
 }
 
-// Solves the contacts of a round, which have been read before; reads those of the round after the next, of which the places are
-// known, and the places of two rounds later.
-void solveRound(const World *w, local Tile *t, global const int2 *contacts, int round, bool relaxing, bool last,
-                Reading *reading, int2 *next) {
+// Solves the contacts of a part of a round, which have been read before; reads those of the part after the next, of which the
+// places are known, and the places of two parts later.
+void solvePart(const World *w, local Tile *t, global const int2 *contacts, int part, bool relaxing, bool last,
+               Reading *reading, int2 *next) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (reading->contact.y >= 0) {
-        solveContact(w, t, reading, relaxing, last);
-        int end = t->roundStart[round + 1];
-#pragma unroll 1
-        for (int k = t->roundStart[round] + (int) get_local_id(0) + TILE_GROUP; k < end; k += TILE_GROUP) {
-            readContact(w, contacts[k], relaxing, reading);
-            solveContact(w, t, reading, relaxing, last);
-        }
-    }
+    if (reading->contact.y >= 0) solveContact(w, t, reading, relaxing, last);
     readContact(w, *next, relaxing, reading);
-    *next = contactOf(t, contacts, round + 4);
+    *next = contactOf(t, contacts, part + 4);
 }
 
-// Solves the contacts of a tile, round by round, two rounds in turn, so that what each needs is on its way for the time of two.
-void solveRounds(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
-    int rounds = t->rounds;
+// Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
+void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
+    int parts = t->parts;
     Reading even, odd;
     readContact(w, contactOf(t, contacts, 0), relaxing, &even);
     readContact(w, contactOf(t, contacts, 1), relaxing, &odd);
     int2 nextEven = contactOf(t, contacts, 2);
     int2 nextOdd = contactOf(t, contacts, 3);
 #pragma unroll 1
-    for (int round = 0; round < rounds; round += 2) {
-        solveRound(w, t, contacts, round, relaxing, last, &even, &nextEven);
-        solveRound(w, t, contacts, round + 1, relaxing, last, &odd, &nextOdd);
+    for (int part = 0; part < parts; part += 2) {
+        solvePart(w, t, contacts, part, relaxing, last, &even, &nextEven);
+        solvePart(w, t, contacts, part + 1, relaxing, last, &odd, &nextOdd);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
@@ -172,7 +164,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
             if (subStep == 0) w->homeMemory[slot] = NONE;
         }
     }
-    solveRounds(w, t, contactsOf(recordOf(w, tile)), false, false);
+    solveParts(w, t, contactsOf(recordOf(w, tile)), false, false);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = slots[i];
@@ -223,7 +215,7 @@ void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) 
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    solveRounds(w, t, contactsOf(recordOf(w, tile)), true, last);
+    solveParts(w, t, contactsOf(recordOf(w, tile)), true, last);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = slots[i];

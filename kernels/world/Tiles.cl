@@ -10,25 +10,26 @@
 //
 // Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
 // others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
-// dependent steps as the longest groups of the colours would take, and all work-items have work.
+// dependent steps as the longest groups of the colours would take, and all work-items have work. A round is made in parts of no
+// more contacts than the work-group has work-items.
 //
 // This file: regions, and the order of their contacts, once a step. Cost: the circles of a region, and its contacts one after
 // another in their groups.
 
-// From the host: TILE_GROUP work-items of a work-group; TILE_CIRCLES, TILE_CONTACTS: room for those of a region.
+// From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
+// work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
 #define TILE_CELLS 400
 #define TILE_ROWS 20
-#define TILE_ROUNDS 96
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
 #define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
 
-// A tile's record: circles, rounds, by round its first contact and the end, slots, contacts. A contact: its number, its
+// A tile's record: circles, parts, by part its first contact and the end, slots, contacts. A contact: its number, its
 // circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
 #define RECORD_CIRCLES 0
-#define RECORD_ROUNDS 1
+#define RECORD_PARTS 1
 #define RECORD_STARTS 2
-#define RECORD_SLOTS (RECORD_STARTS + TILE_ROUNDS + 2)
+#define RECORD_SLOTS (RECORD_STARTS + TILE_PARTS + 2)
 #define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
 #define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
 #define NOT_OWN ((int) 0x80000000)
@@ -36,7 +37,7 @@
 // The work-items of a work-group take 0 to count - 1 in turn. All of them go round equally often, and no barrier here stands
 // behind a condition: compilers that run the work-items of a work-group in loops have been seen to get that wrong.
 #define TILE_EACH(i, count)                                                                                            \
-    for (int first_##i = 0, i; first_##i < (count); first_##i += TILE_GROUP)                                           \
+    for (int first_##i = 0, i; first_##i < (count); first_##i += (int) get_local_size(0))                              \
         if ((i = first_##i + (int) get_local_id(0)) < (count))
 
 global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
@@ -103,7 +104,7 @@ typedef struct {
     int2 contact[TILE_CONTACTS];
     uchar contactRound[TILE_CONTACTS];
     int roundCount[TILE_ROUNDS + 1];
-    int roundStart[TILE_ROUNDS + 2];
+    int roundStart[TILE_ROUNDS + 1];
     int contacts;
     int overfull; // 1 where there are too many contacts or rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
@@ -193,9 +194,7 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
 }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
-void takeContact(const World *w, const Region *r, local Arrangement *a, int column, int row, int c) {
-    uint link = w->link[c];
-    float4 n = w->contact[c];
+void takeContact(const Region *r, local Arrangement *a, int column, int row, int c, uint link, float4 n) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     float2 loadLo = a->load[lo];
@@ -241,24 +240,44 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int row = py + 2 * line;
             int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
             int to = w->groupStart[group + 1];
-            for (int c = w->groupStart[group]; c < to; c++) takeContact(w, r, a, column, row, c);
+            int c = w->groupStart[group];
+            // Read ahead by one.
+            uint nextLink = c < to ? w->link[c] : 0;
+            float4 next = c < to ? w->contact[c] : (float4)(0.0f);
+            for (; c < to; c++) {
+                uint link = nextLink;
+                float4 n = next;
+                if (c + 1 < to) {
+                    nextLink = w->link[c + 1];
+                    next = w->contact[c + 1];
+                }
+                takeContact(r, a, column, row, c, link, n);
+            }
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
+// The number of parts that a round of so many contacts is made in.
+int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
+
 // Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
 void recordContacts(local Arrangement *a, global int *record, int circles) {
-    int starts = circles > 0 ? TILE_ROUNDS + 2 : 0;
+    int starts = circles > 0 ? TILE_ROUNDS + 1 : 0;
     TILE_EACH(round, starts) {
         int sum = 0;
+        int part = 0;
 #pragma unroll 1
-        for (int before = 0; before < round; before++) sum += a->roundCount[before];
+        for (int before = 0; before < round; before++) {
+            sum += a->roundCount[before];
+            part += partsOf(a->roundCount[before]);
+        }
+        int count = a->roundCount[round];
         a->roundStart[round] = sum;
-        record[RECORD_STARTS + round] = sum;
-        // The first round without contacts, and all behind it are so too.
-        if (round <= TILE_ROUNDS && a->roundCount[round] == 0 && (round == 0 || a->roundCount[round - 1] > 0)) {
-            record[RECORD_ROUNDS] = round;
+        for (int first = 0; first < count; first += (int) get_local_size(0)) record[RECORD_STARTS + part++] = sum + first;
+        if (round == TILE_ROUNDS) {
+            record[RECORD_STARTS + part] = sum;
+            record[RECORD_PARTS] = part;
         }
     }
     if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;

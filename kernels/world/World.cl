@@ -40,7 +40,7 @@ typedef struct {
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
         global float4 *homeCircle, global float4 *homeMotion, global float4 *homeTraits, global int *homeId,           \
         global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
-        global int *bucketStart, global int *bucketOf, global float *reachOf, global float4 *circle,                   \
+        global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
         global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
@@ -69,7 +69,7 @@ typedef struct {
     global int *bucketBefore;
     global int *rank; // later, where crowds are thinned: candidates by working slot
     global int *order, *bucketStart, *bucketOf;
-    global float *reachOf;
+    global float4 *sight; // x, y of the base, reach, inverse mass: what the search for contacts looks at
 
     // by working slot, in the order of buckets
     global float4 *circle, *motion, *traits;
@@ -113,7 +113,7 @@ typedef struct {
 #define WORLD                                                                                                          \
     {                                                                                                                  \
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
-            slotOf, bucketBefore, rank, order, bucketStart, bucketOf, reachOf, circle, motion, traits, id, memory,     \
+            slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
             groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \

@@ -1089,7 +1089,8 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * How many circles to make room for at once. A world grows by itself; this only saves it the growing.
+         * How many circles to make room for at once. A world grows by itself; this saves it the growing, and tells
+         * {@link Backend#AUTO} whether a GPU is worth its while.
          *
          * @param capacity number of circles, at least 0
          * @return this

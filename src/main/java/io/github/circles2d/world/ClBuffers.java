@@ -29,7 +29,7 @@ final class ClBuffers implements AutoCloseable {
     static final int ORDER = 14;
     static final int BUCKET_START = 15;
     static final int BUCKET_OF = 16;
-    static final int REACH = 17;
+    static final int SIGHT = 17;
     static final int CIRCLE = 18;
     static final int MOTION = 19;
     static final int TRAITS = 20;
@@ -84,7 +84,7 @@ final class ClBuffers implements AutoCloseable {
         "order",
         "bucket starts",
         "buckets",
-        "reaches",
+        "sights",
         "working circles",
         "working motions",
         "working traits",
@@ -125,7 +125,7 @@ final class ClBuffers implements AutoCloseable {
         RANK,
         ORDER,
         BUCKET_OF,
-        REACH,
+        SIGHT,
         CIRCLE,
         MOTION,
         TRAITS,
@@ -183,6 +183,7 @@ final class ClBuffers implements AutoCloseable {
             case HOME_CIRCLE,
                     HOME_MOTION,
                     HOME_TRAITS,
+                    SIGHT,
                     CIRCLE,
                     MOTION,
                     TRAITS,

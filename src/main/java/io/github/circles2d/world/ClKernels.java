@@ -59,7 +59,10 @@ final class ClKernels {
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("TILE_CIRCLES", ClTiles.CIRCLES)
                 .define("TILE_CONTACTS", ClTiles.CONTACTS)
+                .define("TILE_ROUNDS", ClTiles.ROUNDS)
+                .define("TILE_PARTS", ClTiles.PARTS)
                 .define("TILE_GROUP", ClTiles.GROUP)
+                .define("RESIDENT_GROUP", ClResident.GROUP)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }
 

@@ -10,9 +10,12 @@ import java.util.Locale;
  */
 final class ClResident {
     /** Worlds of more circles use a launch a pass. */
-    private static final int MOST_CIRCLES = 150_000;
+    private static final int MOST_CIRCLES = 80_000;
 
-    /** Work-groups of {@link ClTiles#GROUP} work-items that surely run at once on a compute unit. */
+    /** Work-items of a work-group. */
+    static final int GROUP = 256;
+
+    /** Work-groups that surely run at once on a compute unit. */
     private static final int GROUPS_A_UNIT = 2;
 
     private final Kernel steps;
@@ -38,8 +41,8 @@ final class ClResident {
     }
 
     void run(int tiles, int circles, int count) {
-        int needed = Math.max(tiles, (circles + ClTiles.GROUP - 1) / ClTiles.GROUP);
+        int needed = Math.max(tiles, (circles + GROUP - 1) / GROUP);
         int groups = Math.min(needed, mostGroups);
-        steps.arg(ClBuffers.COUNT, count).run((long) groups * ClTiles.GROUP, ClTiles.GROUP);
+        steps.arg(ClBuffers.COUNT, count).run((long) groups * GROUP, GROUP);
     }
 }

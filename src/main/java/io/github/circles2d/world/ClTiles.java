@@ -15,17 +15,23 @@ final class ClTiles {
     /** Contacts that the local memory of a work-group has room for. */
     static final int CONTACTS = 2048;
 
+    /** Rounds that there is room for. */
+    static final int ROUNDS = 96;
+
+    /** Work-items of a work-group: as many groups as a colour may have around a tile. */
+    static final int GROUP = 128;
+
+    /** Parts of rounds that there is room for. */
+    static final int PARTS = ROUNDS + CONTACTS / GROUP;
+
     /** Ints of a tile's record; see {@code Tiles.cl}. */
-    static final int RECORD = 100 + CIRCLES + 2 * CONTACTS;
+    static final int RECORD = 2 + PARTS + 2 + CIRCLES + 2 * CONTACTS;
 
     /** A peak that says that no tile would do. */
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 33 << 10;
-
-    /** Work-items of a work-group: as many groups as a colour may have around a tile. */
-    static final int GROUP = 128;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
