@@ -19,6 +19,7 @@ import org.openjdk.jmh.results.format.ResultFormatType;
 /** JMH's own JSON of all runs of a folder. A run of the same benchmark with the same parameters replaces the last one. */
 final class JmhJson {
     private static final Pattern BENCHMARK = Pattern.compile("\"benchmark\"\\s*:\\s*\"([^\"]*)\"");
+    private static final Pattern JVM = Pattern.compile("(?<=\"jvm\" : \")[^\"]*[/\\\\]([^\"/\\\\]+)(?=\")");
     private static final Pattern PARAMETERS = Pattern.compile("\"params\"\\s*:\\s*\\{([^}]*)\\}");
 
     private final Map<String, String> runs = new LinkedHashMap<>();
@@ -46,6 +47,8 @@ final class JmhJson {
         for (String run : objects(array)) {
             // One line a run: JMH's texts hold no line breaks of their own.
             String line = run.replaceAll("\\s*\n\\s*", " ");
+            // Where Java is installed is nobody's business.
+            line = JVM.matcher(line).replaceFirst("$1");
             runs.put(first(BENCHMARK, line) + " " + first(PARAMETERS, line), line);
         }
     }
