@@ -159,11 +159,15 @@ public final class ClPipeline implements Pipeline {
         boolean small = resident != null && ClResident.suits(circles);
         int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
         boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
-        if (tiled && small) {
+        if (small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
             kernels.bind(buffers, slots, circles);
-            resident.run(tiles.tiles(), circles, pendingSteps);
+            if (tiled) {
+                resident.runTiles(tiles.tiles(), circles, pendingSteps);
+            } else {
+                resident.runColours(circles, pendingSteps);
+            }
             return;
         }
         int from = slots;

@@ -18,11 +18,13 @@ final class ClResident {
     /** Work-groups that surely run at once on a compute unit. */
     private static final int GROUPS_A_UNIT = 2;
 
-    private final Kernel steps;
+    private final Kernel tiled;
+    private final Kernel coloured;
     private final int mostGroups;
 
     ClResident(ClKernels kernels, Device device) {
-        steps = kernels.staged("resident_steps");
+        tiled = kernels.staged("resident_tiles");
+        coloured = kernels.staged("resident_colours");
         mostGroups = mostGroups(device);
     }
 
@@ -40,9 +42,21 @@ final class ClResident {
         return circles <= MOST_CIRCLES;
     }
 
-    void run(int tiles, int circles, int count) {
-        int needed = Math.max(tiles, (circles + GROUP - 1) / GROUP);
-        int groups = Math.min(needed, mostGroups);
-        steps.arg(ClBuffers.COUNT, count).run((long) groups * GROUP, GROUP);
+    /** Makes steps by tiles. */
+    void runTiles(int tiles, int circles, int steps) {
+        run(tiled, Math.max(tiles, groups(circles)), steps);
+    }
+
+    /** Makes steps colour by colour. */
+    void runColours(int circles, int steps) {
+        run(coloured, groups(circles), steps);
+    }
+
+    private static int groups(int circles) {
+        return (circles + GROUP - 1) / GROUP;
+    }
+
+    private void run(Kernel kernel, int groups, int steps) {
+        kernel.arg(ClBuffers.COUNT, steps).run((long) Math.min(groups, mostGroups) * GROUP, GROUP);
     }
 }
