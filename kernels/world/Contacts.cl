@@ -139,32 +139,28 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     return sum;
 }
 
-// Counts the candidates of a circle: those of its own level and of coarser ones that it may meet. Into rank.
-void countCandidates(const World *w, int slot) {
-    constant Levels *levels = w->levels;
-    Seeker s = seekerOf(w, slot);
-    int own = levelOf(w, w->circle[slot].z);
+// Counts the candidates of each circle: those of its own level and of coarser ones that it may meet. Into rank.
+// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+kernel void contacts_crowd(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    Seeker s = seekerOf(&w, slot);
+    int own = levelOf(&w, circle[slot].z);
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
-        seekIn(w, &s, levels->used[l]);
+        seekIn(&w, &s, levels->used[l]);
         int cl = levels->columnsLog[s.level];
         for (int v = -1; v <= 1; v++) {
             int row = levels->first[s.level] + (((s.row + v) & ((1 << levels->rowsLog[s.level]) - 1)) << cl);
             for (int u = -1; u <= 1; u++) {
                 int b = row + ((s.column + u) & ((1 << cl) - 1));
-                sum += candidatesIn(w, &s, w->bucketStart[b], w->bucketStart[b + 1]);
+                sum += candidatesIn(&w, &s, bucketStart[b], bucketStart[b + 1]);
             }
         }
     }
-    w->rank[slot] = sum;
-    if (sum > CROWD) w->status[CROWDED] = 1;
-}
-
-// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
-kernel void contacts_crowd(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) countCandidates(&w, slot);
+    rank[slot] = sum;
+    if (sum > CROWD) status[CROWDED] = 1;
 }
 
 // Counts the contacts of each group; notes where there is a crowd, if that is not to be thinned out. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
@@ -329,26 +325,23 @@ float countCandidate(const World *w, uint2 p, int firstOfLevel) {
     return greatest(lo, hi);
 }
 
-// Orders and fills the contacts of a group; notes where there is a crowd, if that is not to be thinned out.
-void fillGroup(const World *w, int level, int group) {
-    int from = w->groupStart[group];
-    int to = w->groupStart[group + 1];
-    if (from == to) return;
-    sortContacts(w->key + from, w->pair + from, to - from);
-    float most = 0.0f;
-    for (int c = from; c < to; c++) {
-        fillContact(w, c);
-        if (w->k.thinning == 0) most = greatest(most, countCandidate(w, w->pair[c], w->levels->first[level]));
-    }
-    if (most > (float) CROWD) w->status[CROWDED] = 1;
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
+// Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
+// Index space: a group a work-item. Cost: its contacts.
 kernel void contacts_fill(WORLD_PARAMETERS, int level, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
     if (g >= groupsOfColour(&w, level) || outOfRoom(&w) || tooFast(&w)) return;
-    fillGroup(&w, level, firstOfColour(&w, level, colour) + g);
+    int group = firstOfColour(&w, level, colour) + g;
+    int from = groupStart[group];
+    int to = groupStart[group + 1];
+    if (from == to) return;
+    sortContacts(key + from, pair + from, to - from);
+    float most = 0.0f;
+    for (int c = from; c < to; c++) {
+        fillContact(&w, c);
+        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, pair[c], levels->first[level]));
+    }
+    if (most > (float) CROWD) status[CROWDED] = 1;
 }
 
 // How many pairs the broad phase tested for each circle in the last step: into rank. Index space: a working slot a

@@ -67,8 +67,8 @@ typedef union {
     Tile tile;
 } Local;
 
-// Stages Grid, Sweep where some circle is fast, and Contacts up to the list.
-void listAll(World *w, local int *cells) {
+// Stages Grid, Sweep where some circle is fast, and Contacts.
+void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
@@ -76,7 +76,7 @@ void listAll(World *w, local int *cells) {
     deviceBarrier(arrivals);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
-    scanAll(w, w->bucketStart, buckets + 1, cells);
+    scanAll(w, w->bucketStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     EACH(slot, w->slots) scatterSlot(w, slot);
     deviceBarrier(arrivals);
@@ -95,36 +95,28 @@ void listAll(World *w, local int *cells) {
         EACH(slot, w->circles) layLeash(w, slot);
         deviceBarrier(arrivals);
     }
-    if (w->k.thinning) {
-        EACH(slot, w->circles) countCandidates(w, slot);
-        deviceBarrier(arrivals);
-    }
     EACH(slot, w->circles) seekAll(w, slot, COUNTING);
     deviceBarrier(arrivals);
-    scanAll(w, w->groupStart, buckets + 1, cells);
+    scanAll(w, w->groupStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     if (get_global_id(0) == 0) noteContacts(w);
     if (!lackContactRoom(w) && !tooCrowded(w)) {
         EACH(slot, w->circles) seekAll(w, slot, LISTING);
     }
     deviceBarrier(arrivals);
-}
-
-// Stage Contacts from the list on, by tiles.
-void arrangeAll(const World *w, local Arrangement *a) {
-    volatile global int *arrivals = w->status + ARRIVALS;
-    EACH(c, w->groupStart[w->levels->first[LEVELS]]) linkContact(w, c);
+    if (refused(w)) return;
+    EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
     if (refused(w)) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
-        arrangeTile(w, a, tile, false);
+        arrangeTile(w, &l->arrangement, tile, false);
     }
     deviceBarrier(arrivals);
 }
 
-// Stage Solver by tiles. A work-group that has one tile alone keeps it in local memory for the whole step.
+// Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(const World *w, local Tile *t, int contacts) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
@@ -152,78 +144,21 @@ void solveAll(const World *w, local Tile *t, int contacts) {
     }
 }
 
-// Index space: no more work-groups than run at once. steps: how many to make, unless one is refused.
-kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_tiles(WORLD_PARAMETERS, int steps) {
+// Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
+kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
     if (refused(&w)) return;
-    // Nobody may run ahead and refuse a step before all have looked.
+    // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);
 #pragma unroll 1
     for (int step = 0; step < steps; step++) {
-        listAll(&w, l.cells);
-        if (refused(&w)) break;
-        arrangeAll(&w, &l.arrangement);
+        listAll(&w, &l);
         if (refused(&w)) break;
         int contacts = groupStart[levels->first[LEVELS]];
         solveAll(&w, &l.tile, contacts);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) rememberHeld(&w, c);
-        if (get_global_id(0) == 0) status[STEPS_DONE]++;
-        w.slots = w.circles;
-        w.warmScale = 1.0f;
-    }
-    leave(&w);
-}
-
-// What is done with the groups of a colour.
-#define FILL 0
-#define PUSH 1
-#define RELAX 2
-#define RELAX_LAST 3
-
-void solveColours(const World *w, int what) {
-#pragma unroll 1
-    for (int l = 0; l < w->levels->usedCount; l++) {
-        int level = w->levels->used[l];
-        int groups = groupsOfColour(w, level);
-#pragma unroll 1
-        for (int colour = 0; colour < 4; colour++) {
-            int first = firstOfColour(w, level, colour);
-            EACH(g, groups) {
-                if (what == FILL) fillGroup(w, level, first + g);
-                if (what == PUSH) pushGroup(w, first + g);
-                if (what >= RELAX) relaxGroup(w, first + g, what == RELAX_LAST);
-            }
-            deviceBarrier(w->status + ARRIVALS);
-        }
-    }
-}
-
-// As resident_tiles, colour by colour: for worlds of mixed radii, and crowds.
-kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_colours(WORLD_PARAMETERS, int steps) {
-    World w = WORLD;
-    volatile global int *arrivals = status + ARRIVALS;
-    local int cells[RESIDENT_GROUP];
-    if (refused(&w)) return;
-    deviceBarrier(arrivals);
-#pragma unroll 1
-    for (int step = 0; step < steps; step++) {
-        listAll(&w, cells);
-        if (refused(&w)) break;
-        solveColours(&w, FILL);
-        if (refused(&w)) break;
-#pragma unroll 1
-        for (int subStep = 0; subStep < w.k.subSteps; subStep++) {
-            EACH(slot, w.circles) accelerateSlot(&w, slot);
-            deviceBarrier(arrivals);
-            solveColours(&w, PUSH);
-            EACH(slot, w.circles) moveSlot(&w, slot);
-            deviceBarrier(arrivals);
-            solveColours(&w, subStep == w.k.subSteps - 1 ? RELAX_LAST : RELAX);
-        }
-        // Shares the barrier of the next step's beginning, or of the end of the launch.
-        EACH(slot, w.circles) finishSlot(&w, slot);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
         w.slots = w.circles;
         w.warmScale = 1.0f;

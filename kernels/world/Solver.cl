@@ -78,24 +78,21 @@ void accelerate(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2
     m->w = nextY;
 }
 
-void accelerateSlot(const World *w, int slot) {
-    float4 m = w->motion[slot];
-    float4 t = w->traits[slot];
-    float4 l = w->load[slot];
-    float2 before, bounce;
-    bool loaded;
-    accelerate(w, w->circle[slot], &m, &t, l, &before, &bounce, &loaded);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->wallBounce[slot] = bounce;
-    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-}
-
 // Index space: a working slot a work-item.
 kernel void solver_accelerate(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) accelerateSlot(&w, slot);
+    if (slot >= circles || refused(&w)) return;
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float4 l = load[slot];
+    float2 before, bounce;
+    bool loaded;
+    accelerate(&w, circle[slot], &m, &t, l, &before, &bounce, &loaded);
+    motion[slot] = m;
+    traits[slot] = t;
+    wallBounce[slot] = bounce;
+    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
 }
 
 void applyImpulse(const World *w, uint2 pr, float4 mi, float4 mj, float nx, float ny, float wi, float wj, float p) {
@@ -154,16 +151,14 @@ void pushContact(const World *w, int c) {
     if (moves) applyImpulse(w, pr, mi, mj, n.x, n.y, q.x, q.y, p);
 }
 
-void pushGroup(const World *w, int group) {
-    int to = w->groupStart[group + 1];
-    for (int c = w->groupStart[group]; c < to; c++) pushContact(w, c);
-}
-
 // Index space: a group of one colour a work-item. Cost: its contacts.
 kernel void solver_push(WORLD_PARAMETERS, int level, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g < groupsOfColour(&w, level) && !refused(&w)) pushGroup(&w, firstOfColour(&w, level, colour) + g);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) pushContact(&w, c);
 }
 
 // One axis of a circle against its wall: relaxing pass. Returns the new velocity along the axis.
@@ -231,22 +226,19 @@ void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2
     *m = (float4)(dx, dy, vx, vy);
 }
 
-void moveSlot(const World *w, int slot) {
-    float4 m = w->motion[slot];
-    float4 t = w->traits[slot];
-    float loaded = w->load[slot].z;
-    moveCircle(w, slot, w->circle[slot], &m, &t, w->wallBounce[slot], loaded > 0.0f);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    w->memory[slot] = NONE;
-}
-
 // Index space: a working slot a work-item.
 kernel void solver_move(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) moveSlot(&w, slot);
+    if (slot >= circles || refused(&w)) return;
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float loaded = load[slot].z;
+    moveCircle(&w, slot, circle[slot], &m, &t, wallBounce[slot], loaded > 0.0f);
+    motion[slot] = m;
+    traits[slot] = t;
+    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    memory[slot] = NONE;
 }
 
 // Remembers a contact's impulse for the step to come.
@@ -308,16 +300,14 @@ void relaxContact(const World *w, int c, bool last) {
     }
 }
 
-void relaxGroup(const World *w, int group, bool last) {
-    int to = w->groupStart[group + 1];
-    for (int c = w->groupStart[group]; c < to; c++) relaxContact(w, c, last);
-}
-
 // Index space: a group of one colour a work-item. Cost: its contacts.
 kernel void solver_relax(WORLD_PARAMETERS, int level, int colour, int last) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g < groupsOfColour(&w, level) && !refused(&w)) relaxGroup(&w, firstOfColour(&w, level, colour) + g, last != 0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
 }
 
 // Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
@@ -338,16 +328,12 @@ void goHome(const World *w, int slot, float4 c, float4 m, float4 t) {
     w->slotOf[id] = slot;
 }
 
-void finishSlot(const World *w, int slot) {
-    goHome(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
-    w->homeMemory[slot] = w->memory[slot];
-}
-
 // Index space: a working slot a work-item.
 kernel void solver_finish(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    finishSlot(&w, slot);
+    goHome(&w, slot, circle[slot], motion[slot], traits[slot]);
+    homeMemory[slot] = memory[slot];
     if (slot == 0) status[STEPS_DONE]++;
 }

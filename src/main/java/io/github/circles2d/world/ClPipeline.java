@@ -159,15 +159,11 @@ public final class ClPipeline implements Pipeline {
         boolean small = resident != null && ClResident.suits(circles);
         int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
         boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
-        if (small) {
+        if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
             kernels.bind(buffers, slots, circles);
-            if (tiled) {
-                resident.runTiles(tiles.tiles(), circles, pendingSteps);
-            } else {
-                resident.runColours(circles, pendingSteps);
-            }
+            resident.run(tiles.tiles(), circles, pendingSteps);
             return;
         }
         int from = slots;

@@ -18,13 +18,11 @@ final class ClResident {
     /** Work-groups that surely run at once on a compute unit. */
     private static final int GROUPS_A_UNIT = 2;
 
-    private final Kernel tiled;
-    private final Kernel coloured;
+    private final Kernel steps;
     private final int mostGroups;
 
     ClResident(ClKernels kernels, Device device) {
-        tiled = kernels.staged("resident_tiles");
-        coloured = kernels.staged("resident_colours");
+        steps = kernels.staged("resident_steps");
         mostGroups = mostGroups(device);
     }
 
@@ -42,21 +40,9 @@ final class ClResident {
         return circles <= MOST_CIRCLES;
     }
 
-    /** Makes steps by tiles. */
-    void runTiles(int tiles, int circles, int steps) {
-        run(tiled, Math.max(tiles, groups(circles)), steps);
-    }
-
-    /** Makes steps colour by colour. */
-    void runColours(int circles, int steps) {
-        run(coloured, groups(circles), steps);
-    }
-
-    private static int groups(int circles) {
-        return (circles + GROUP - 1) / GROUP;
-    }
-
-    private void run(Kernel kernel, int groups, int steps) {
-        kernel.arg(ClBuffers.COUNT, steps).run((long) Math.min(groups, mostGroups) * GROUP, GROUP);
+    void run(int tiles, int circles, int count) {
+        int needed = Math.max(tiles, (circles + GROUP - 1) / GROUP);
+        int groups = Math.min(needed, mostGroups);
+        steps.arg(ClBuffers.COUNT, count).run((long) groups * GROUP, GROUP);
     }
 }
