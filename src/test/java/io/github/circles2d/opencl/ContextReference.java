@@ -31,6 +31,16 @@ final class ContextReference implements AutoCloseable {
         return count.getInt();
     }
 
+    /** Counts again until there is no other reference, as long as a driver's own threads may take to let go of theirs. */
+    int countAfterAMoment() throws InterruptedException {
+        int count = count();
+        for (int k = 0; k < 100 && count > 1; k++) {
+            Thread.sleep(20);
+            count = count();
+        }
+        return count;
+    }
+
     @Override
     public void close() {
         openCl.clReleaseContext(context);

@@ -113,12 +113,14 @@ class DocumentationTest {
 
     @ParameterizedTest
     @ValueSource(strings = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"})
-    void everyClassOfTheLibraryThatADocumentNamesExists(String document) throws IOException {
+    void everyClassOfTheProjectThatADocumentNamesExists(String document) throws IOException {
         Matcher names = Pattern.compile("io\\.github\\.circles2d\\.(?:\\w+\\.)*[A-Z]\\w*")
                 .matcher(read(document));
         while (names.find()) {
-            String file = "src/main/java/" + names.group().replace('.', '/') + ".java";
-            assertThat(Path.of(file)).as("class in " + document).exists();
+            String file = names.group().replace('.', '/') + ".java";
+            assertThat(List.of(Path.of("src/main/java", file), Path.of("src/test/java", file)))
+                    .as("class in " + document)
+                    .anyMatch(Files::exists);
         }
     }
 

@@ -68,7 +68,7 @@ final class Grid {
             text.append("| ").append(String.join(" | ", rows.get(r))).append(" |\n");
             if (r == 0) {
                 text.append("|---|")
-                        .append("--:|".repeat(rows.get(0).size() - 1))
+                        .append((prose ? "---|" : "--:|").repeat(rows.get(0).size() - 1))
                         .append('\n');
             }
         }

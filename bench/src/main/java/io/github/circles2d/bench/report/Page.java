@@ -6,6 +6,7 @@ import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -22,8 +23,8 @@ import java.util.stream.Stream;
 
 /**
  * Writes the results page: the template {@code page.md}, in which {@code {{name}}} on a line of its own stands for a table
- * or chart, and {@code {{table key .. column}}} within a sentence for one figure out of a results folder. So every measured
- * figure on the page comes from a committed file.
+ * or chart, and {@code {{machine table key .. column}}} within a sentence for one figure out of a results folder. So every
+ * measured figure on the page comes from a committed file.
  */
 public final class Page {
     private static final Pattern PLACE = Pattern.compile("\\{\\{([^}]*)\\}\\}");
@@ -53,9 +54,20 @@ public final class Page {
     }
 
     /** The page's prose, with places for tables and figures. */
-    static String template() throws IOException {
-        try (InputStream in = Page.class.getResourceAsStream("/io/github/circles2d/bench/page.md")) {
+    static String template() {
+        return resource("page.md");
+    }
+
+    /** What follows from the committed results, with places for figures. */
+    static String conclusions() {
+        return resource("conclusions.md");
+    }
+
+    private static String resource(String name) {
+        try (InputStream in = Page.class.getResourceAsStream("/io/github/circles2d/bench/" + name)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -69,6 +81,8 @@ public final class Page {
 
     private String value(String place) {
         switch (place) {
+            case "conclusions":
+                return machinesOfConclusionsAreThere() ? fill(conclusions()) : "";
             case "machines":
                 return orNothing(machines());
             case "figure3":
@@ -78,7 +92,7 @@ public final class Page {
             case "findings":
                 return folders.isEmpty() ? NOTHING : Findings.grid(folders).markdown();
             case "accuracy":
-                return orNothing(grid(Tables.accuracy(folders)));
+                return orNothing(grid(Tables.accuracyByDevice(folders)));
             case "memory":
                 return orNothing(memory());
             case "roof":
@@ -99,6 +113,15 @@ public final class Page {
         }
     }
 
+    /** The conclusions are drawn from certain machines; a page of others goes without. */
+    private boolean machinesOfConclusionsAreThere() {
+        List<String> names = folders.stream().map(ResultsFolder::name).collect(Collectors.toList());
+        return PLACE.matcher(conclusions())
+                .results()
+                .map(place -> place.group(1).trim().split("\\s+")[0])
+                .allMatch(names::contains);
+    }
+
     private static String orNothing(String text) {
         return text.isEmpty() ? NOTHING : text;
     }
@@ -108,15 +131,19 @@ public final class Page {
     }
 
     private String machines() {
-        StringBuilder text = new StringBuilder();
+        Grid grid = Grid.ofProse("machine", "processor", "device", "Java", "date");
         for (ResultsFolder folder : folders) {
-            text.append("- **").append(folder.name()).append("**: ");
-            text.append(folder.table(Kind.MACHINE).rows().stream()
-                    .map(row -> row.get("property") + " " + row.get("value"))
-                    .collect(Collectors.joining("; ")));
-            text.append(" ([files](../bench/results/").append(folder.name()).append("))\n");
+            for (String device : Tables.devices(folder)) {
+                grid.add(List.of(
+                        "[" + folder.name() + "](../bench/results/" + folder.name() + ")",
+                        folder.machine("processor") + ", " + folder.machine("cores") + " cores, "
+                                + folder.machine("memory GiB") + " GiB; " + folder.machine("system"),
+                        "**" + device + "**: " + folder.machine("device " + device),
+                        folder.machine("java"),
+                        folder.machine("date")));
+            }
         }
-        return text.toString();
+        return grid(grid);
     }
 
     private String figure3() {
@@ -136,6 +163,7 @@ public final class Page {
                 text.append(Tables.figure3(folder, device, "loop").markdown()).append('\n');
                 text.append(chart(folder, Charts.strategiesFile(device)));
                 text.append(missing(folder, Kind.STRATEGIES, "device", device));
+                text.append(LeftOut.strategies(folder, device));
             }
         }
         return text.toString();
@@ -145,7 +173,7 @@ public final class Page {
         return perDevice((folder, device) -> {
             Grid grid = Grid.ofNumbers("n", "strategy", "with read-back", "device alone", "with profiling events");
             for (int n : Tables.sizes(folder, device)) {
-                for (int strategy = 0; strategy < 4; strategy++) {
+                for (int strategy = 0; strategy < 4 && Tables.tried(folder, device, n); strategy++) {
                     List<String> row = new ArrayList<>(List.of(Numbers.whole(n), Integer.toString(strategy)));
                     for (String mode : List.of("loop", "deviceOnly", "profiled")) {
                         row.add(Tables.millis(Tables.run(folder, device, strategy, n, mode)));
@@ -198,6 +226,7 @@ public final class Page {
                         .append("\n\n");
                 text.append(table).append('\n').append(chart(folder, Charts.peersFile(scene)));
                 text.append(missing(folder, Kind.PEERS, "scene", scene));
+                text.append(LeftOut.engines(folder, scene));
             }
         }
         return text.toString();
@@ -227,16 +256,16 @@ public final class Page {
                 : "";
     }
 
-    /** What failed, did not fit or was left out. */
+    /** What failed or did not fit. */
     private static String missing(ResultsFolder folder, Kind kind, String column, String value) {
         String list = folder.table(kind).rows(column, value).stream()
-                .filter(row -> !row.get("status").equals("ok"))
+                .filter(row -> !row.get("status").equals("ok") && !LeftOut.is(row))
                 .map(row -> "- " + String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status") + "\n")
                 .collect(Collectors.joining());
         return list.isEmpty() ? "" : "Without a figure:\n\n" + list + "\n";
     }
 
-    /** One figure: folder, table, the key's values in order, column. */
+    /** One figure: folder, table, the key's values in order with _ for a space, column. */
     private String figure(String place) {
         String[] words = place.split("\\s+");
         if (words.length < 4) {
@@ -244,7 +273,11 @@ public final class Page {
         }
         ResultsFolder folder = one(folders, f -> f.name().equals(words[0]), place);
         Kind kind = Kind.valueOf(words[1].toUpperCase(Locale.ROOT));
-        List<String> key = List.of(words).subList(2, words.length - 1);
+        List<String> key = Stream.of(words)
+                .skip(2)
+                .limit(words.length - 3)
+                .map(word -> word.replace('_', ' '))
+                .collect(Collectors.toList());
         Map<String, String> row =
                 one(folder.table(kind).rows(), r -> folder.table(kind).key(r).equals(key), place);
         String value = row.getOrDefault(words[words.length - 1], "");

@@ -6,9 +6,11 @@ import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -40,6 +42,12 @@ final class Tables {
                 .collect(Collectors.toCollection(TreeSet::new)));
     }
 
+    /** Whether anything was tried for a device and n: not all was left out for want of time. */
+    static boolean tried(ResultsFolder folder, String device, int n) {
+        return folder.table(Kind.STRATEGIES).rows("device", device, "n", Integer.toString(n)).stream()
+                .anyMatch(row -> !LeftOut.is(row));
+    }
+
     /** One strategy run, or null where there is none. */
     static Map<String, String> run(ResultsFolder folder, String device, int strategy, int n, String mode) {
         List<Map<String, String>> rows = folder.table(Kind.STRATEGIES)
@@ -60,6 +68,9 @@ final class Tables {
                 STRATEGIES.get(2),
                 STRATEGIES.get(3));
         for (int n : sizes(folder, device)) {
+            if (!tried(folder, device, n) && Figure3.millis(kind, n, 0).isEmpty()) {
+                continue;
+            }
             List<String> row = new ArrayList<>();
             row.add(Numbers.whole(n));
             for (int strategy = 0; strategy < 3; strategy++) {
@@ -104,6 +115,49 @@ final class Tables {
         return grid;
     }
 
+    /** As {@link #accuracy}, with a column for each device. */
+    static Grid accuracyByDevice(List<ResultsFolder> folders) {
+        List<String> header = new ArrayList<>(List.of("circles", "slots"));
+        Map<Long, List<String>> rows = new TreeMap<>();
+        List<String> first = new ArrayList<>(List.of("first n with a wrong slot", ""));
+        int devices = 0;
+        for (ResultsFolder folder : folders) {
+            for (String device : devices(folder)) {
+                header.add(folder.name() + ", " + device);
+                devices++;
+                for (Map<String, String> row : folder.table(Kind.ACCURACY).rows("device", device)) {
+                    String wrong = row.get("wrong_slots");
+                    if (row.get("n").startsWith("first")) {
+                        String circles = Numbers.whole(Long.parseLong(row.get("circles")));
+                        pad(first, devices + 1).add(wrong.isEmpty() ? "none up to " + circles : circles);
+                    } else {
+                        String slots = Numbers.whole(Long.parseLong(row.get("slots")));
+                        List<String> cells = rows.computeIfAbsent(
+                                Long.valueOf(row.get("circles")),
+                                n -> new ArrayList<>(List.of(Numbers.whole(n), slots)));
+                        pad(cells, devices + 1).add(wrong.isEmpty() ? "-" : Numbers.whole(Long.parseLong(wrong)));
+                    }
+                }
+            }
+        }
+        Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
+        for (List<String> cells : rows.values()) {
+            grid.add(pad(cells, header.size()));
+        }
+        if (first.size() > 2) {
+            grid.add(pad(first, header.size()));
+        }
+        return grid;
+    }
+
+    /** Fills a row with dashes up to a number of cells. */
+    private static List<String> pad(List<String> cells, int size) {
+        while (cells.size() < size) {
+            cells.add("-");
+        }
+        return cells;
+    }
+
     /** Kernel times and the share of the roof. */
     static Grid roof(ResultsFolder folder, String device) {
         Grid grid = Grid.ofNumbers(
@@ -116,7 +170,10 @@ final class Tables {
                 "copy GB/s",
                 "roof ms",
                 "share of roof");
-        for (Map<String, String> row : folder.table(Kind.ROOF).rows("device", device)) {
+        List<Map<String, String>> rows = new ArrayList<>(folder.table(Kind.ROOF).rows("device", device));
+        rows.sort(Comparator.comparing((Map<String, String> row) -> Integer.valueOf(row.get("n")))
+                .thenComparing(row -> row.get("strategy")));
+        for (Map<String, String> row : rows) {
             Map<String, String> run = run(
                     folder, device, Integer.parseInt(row.get("strategy")), Integer.parseInt(row.get("n")), "profiled");
             grid.add(List.of(
@@ -147,6 +204,9 @@ final class Tables {
                 "KB allocated a step",
                 "peak MiB");
         for (Map<String, String> row : folder.table(Kind.PEERS).rows("scene", scene)) {
+            if (LeftOut.is(row)) {
+                continue;
+            }
             boolean ok = row.get("status").equals("ok");
             grid.add(List.of(
                     row.get("engine"),

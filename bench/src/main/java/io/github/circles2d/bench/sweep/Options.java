@@ -39,6 +39,7 @@ public final class Options {
             "  --time-budget TIME   ends in about this time (90s, 9m, 2h); what does not fit is left out and named",
             "  --only PARTS         some of copy,accuracy,strategies,peers",
             "  --device NAMES       only these devices, by the names that --list prints",
+            "  --engine NAMES       only these engines of the comparison, such as world-jvm,gdx-box2d",
             "  --sizes NUMBERS      only these numbers of circles",
             "  --machine NAME       name of the results folder (default: processor, cores and graphics processor)",
             "  --out DIR            parent of the results folder (default: bench/results, or results)",
@@ -54,6 +55,7 @@ public final class Options {
     private double budgetSeconds = Double.POSITIVE_INFINITY;
     private Set<Part> parts = EnumSet.allOf(Part.class);
     private List<String> devices = List.of();
+    private List<String> engines = List.of();
     private List<Integer> sizes = List.of();
     private String machine = "";
     private Path out = Path.of(Files.isDirectory(Path.of("bench")) ? "bench/results" : "results");
@@ -100,6 +102,9 @@ public final class Options {
                 break;
             case "--device":
                 devices = List.of(value(option, rest).split(","));
+                break;
+            case "--engine":
+                engines = List.of(value(option, rest).split(","));
                 break;
             case "--sizes":
                 sizes = sizes(value(option, rest));
@@ -184,6 +189,11 @@ public final class Options {
     /** Names of devices; empty for all. */
     public List<String> devices() {
         return devices;
+    }
+
+    /** Names of engines to compare; empty for all. */
+    public List<String> engines() {
+        return engines;
     }
 
     /** The sizes out of those planned that are asked for. */

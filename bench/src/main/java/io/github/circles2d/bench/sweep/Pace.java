@@ -36,7 +36,7 @@ final class Pace {
 
     /** Seconds of an iteration. */
     double iterationSeconds(Task task) {
-        return stepMillis(task) * (task.skipped() + task.steps() + 1) / 1000;
+        return task.setUpSeconds() + stepMillis(task) * (task.skipped() + task.steps() + 1) / 1000;
     }
 
     /** Seconds of a run with a number of iterations. */

@@ -191,6 +191,9 @@ final class Plan {
         List<String> engines = new ArrayList<>(Engines.PEERS);
         engines.add(Engines.WORLD_JVM);
         devices.keySet().forEach(device -> engines.addAll(Engines.own(device)));
+        if (!options.engines().isEmpty()) {
+            engines.retainAll(options.engines());
+        }
         List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES).stream()
                 .filter(n -> n < LARGE_CROWDS.get(0))
                 .collect(Collectors.toList());

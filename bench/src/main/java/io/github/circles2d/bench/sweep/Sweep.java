@@ -8,6 +8,12 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.scenes.Scenes;
 import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.channels.OverlappingFileLockException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -41,6 +47,7 @@ public final class Sweep {
             work.forEach(entry -> out.println(entry.label()));
             return;
         }
+        requireNoOtherMeasurement(Path.of(System.getProperty("java.io.tmpdir"), "jmh.lock"));
         out.println(
                 work.size() + " runs, about " + duration(secondsLeft(work, 0)) + "; results go to " + folder.path());
         describeMachine(folder);
@@ -62,6 +69,26 @@ public final class Sweep {
             Charts.draw(folder, out);
         }
         out.println("results are in " + folder.path() + ", after " + duration(elapsed()));
+    }
+
+    /** JMH would refuse run after run; and two measurements on one machine are none. */
+    static void requireNoOtherMeasurement(Path jmhLock) throws IOException {
+        if (Boolean.getBoolean("jmh.ignoreLock") || !Files.exists(jmhLock)) {
+            return;
+        }
+        if (isLocked(jmhLock)) {
+            throw new IllegalArgumentException("another JMH measurement is under way on this machine (" + jmhLock
+                    + " is locked): start again when it has ended");
+        }
+    }
+
+    private static boolean isLocked(Path file) throws IOException {
+        try (FileChannel channel = FileChannel.open(file, StandardOpenOption.WRITE);
+                FileLock lock = channel.tryLock()) {
+            return lock == null;
+        } catch (OverlappingFileLockException e) {
+            return true;
+        }
     }
 
     private void chooseDevices() {

@@ -30,6 +30,11 @@ record Task(
         int steps,
         double firstGuess) {
 
+    /** Seconds before the first step of an iteration: the host writes the look-up table, slot by slot. */
+    double setUpSeconds() {
+        return "LOOKUP_TABLE".equals(parameters.get("indexing")) ? 2.5e-9 * n * (n - 1) / 2 : 0;
+    }
+
     /** For the progress line. */
     String label() {
         return String.join(" ", key.values());

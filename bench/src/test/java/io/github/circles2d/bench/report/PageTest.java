@@ -97,8 +97,8 @@ class PageTest {
     }
 
     @Test
-    void theProseItselfHoldsNoMeasuredFigure() throws IOException {
-        String prose = Page.template().replaceAll("\\{\\{[^}]*\\}\\}", "");
+    void theProseItselfHoldsNoMeasuredFigure() {
+        String prose = (Page.template() + Page.conclusions()).replaceAll("\\{\\{[^}]*\\}\\}", "");
         assertThat(Pattern.compile("[0-9][0-9.,]* ?(ms|µs|us|GB|MB|GiB|MiB|KB|%|times)\\b")
                         .matcher(prose)
                         .results()
@@ -123,6 +123,50 @@ class PageTest {
                 .contains("| 15,000 | 16 | 26 | 36 | 1.3 ± 0.01 | 2.5 ± 0.01 | 3.8 ± 0.01 | 1 ± 0.01 |")
                 .contains("| 65,000 | - | - | - | - | does not fit | - | - |")
                 .contains("- gpu 1 65000 loop: does not fit: DeviceMemoryException: 65000 circles need too much");
+    }
+
+    @Test
+    void conclusionsStandOnThePageOfTheMachinesThatTheyAreDrawnFromAndOnNoOther() throws IOException {
+        assertThat(Page.of(RESULTS)).contains("## In short", "compute the pair");
+        assertThat(Page.of(temporary)).doesNotContain("## In short");
+    }
+
+    /** A page of runs that were not made would hide those that were. */
+    @Test
+    void whatWasLeftOutIsNamedInALineForAllSizesThatLackTheSame() throws IOException {
+        for (int n : new int[] {20_000, 30_000}) {
+            for (String strategy : List.of("0", "3")) {
+                for (String mode : List.of("loop", "deviceOnly")) {
+                    boolean measured = strategy.equals("3") && mode.equals("loop");
+                    folder.put(
+                            Kind.STRATEGIES,
+                            Map.of(
+                                    "device",
+                                    "gpu",
+                                    "strategy",
+                                    strategy,
+                                    "n",
+                                    Integer.toString(n),
+                                    "mode",
+                                    mode,
+                                    "mean_ms",
+                                    measured ? "7" : "",
+                                    "se_ms",
+                                    measured ? "1" : "",
+                                    "status",
+                                    measured ? "ok" : "left out: it would take about 9 s, 1 s are there for it"));
+                }
+            }
+        }
+        folder.put(
+                Kind.STRATEGIES,
+                Map.of("device", "gpu", "strategy", "0", "n", "46000", "mode", "loop", "status", "left out: no time"));
+        assertThat(Page.of(temporary))
+                .contains("| 20,000 | - | - | - | left out | - | - | 7 ± 1 |")
+                .contains("- n = 20,000, 30,000: strategies 0, 3 (deviceOnly)\n")
+                .contains("- n = 46,000: strategy 0\n")
+                .doesNotContain("| 46,000 |")
+                .doesNotContain("9 s");
     }
 
     @Test
@@ -208,6 +252,8 @@ class PageTest {
 
     @Test
     void aPlaceInASentenceTakesItsFigureFromTheFile() {
+        assertThat(new Page(List.of(folder)).fill("from {{box accuracy gpu first_wrong circles}} circles on"))
+                .isEqualTo("from 2,050 circles on");
         assertThat(new Page(List.of(folder)).fill("takes {{box strategies gpu 0 15000 loop mean_ms}} ms"))
                 .isEqualTo("takes 1.3 ms");
     }

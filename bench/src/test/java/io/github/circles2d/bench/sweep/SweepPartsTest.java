@@ -1,12 +1,16 @@
 package io.github.circles2d.bench.sweep;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -34,6 +38,21 @@ class SweepPartsTest {
                 .isEqualTo("DeviceMemoryException: 99 circles need 8 bytes");
         assertThat(JmhRun.reason("<forked VM failed with exit code 134>")).contains("134");
         assertThat(JmhRun.reason("")).isEqualTo("no result");
+    }
+
+    /** JMH would refuse every run, and the folder would say of each that it failed. */
+    @Test
+    void aSweepDoesNotStartBesideAnotherMeasurement() throws IOException {
+        Path lock = temporary.resolve("jmh.lock");
+        Sweep.requireNoOtherMeasurement(lock);
+        try (FileChannel channel = FileChannel.open(lock, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+                FileLock held = channel.lock()) {
+            assertThat(held.isValid()).isTrue();
+            assertThatThrownBy(() -> Sweep.requireNoOtherMeasurement(lock))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("another JMH measurement");
+        }
+        Sweep.requireNoOtherMeasurement(lock);
     }
 
     @Test
