@@ -31,6 +31,9 @@ void leave(const World *w) {
     }
 }
 
+// Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks only for what nobody
+// writes before the next barrier.
+
 #define EACH(i, count) for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
 
 // Exclusive prefix sum of counts, in place, by all work-groups.
@@ -104,10 +107,12 @@ void listAll(World *w, local Local *l) {
         EACH(slot, w->circles) seekAll(w, slot, LISTING);
     }
     deviceBarrier(arrivals);
-    if (refused(w)) return;
+    if (outOfRoom(w)) return;
     EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
-    if (refused(w)) return;
+    bool crowded = tooCrowded(w);
+    deviceBarrier(arrivals);
+    if (crowded) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
