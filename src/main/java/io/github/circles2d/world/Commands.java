@@ -37,6 +37,9 @@ public final class Commands {
     private int[] records = new int[STRIDE * 64];
     private int count;
 
+    /** No commands. */
+    public Commands() {}
+
     /**
      * The number of records.
      *

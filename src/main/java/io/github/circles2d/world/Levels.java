@@ -50,6 +50,9 @@ public final class Levels {
     float minY;
     float rmax;
 
+    /** No levels, until they are laid out. */
+    public Levels() {}
+
     /**
      * Lays the grids out.
      *

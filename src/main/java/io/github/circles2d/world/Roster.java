@@ -30,6 +30,9 @@ public final class Roster {
     private boolean radiiChanged;
     private final int[] population = new int[Levels.COUNT];
 
+    /** No circles. */
+    public Roster() {}
+
     /**
      * Number of circles.
      *

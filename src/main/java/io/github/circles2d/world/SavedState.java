@@ -47,6 +47,9 @@ public final class SavedState {
     /** By impulse: the impulse, greater than 0. */
     float[] lambda = new float[0];
 
+    /** An empty state. */
+    public SavedState() {}
+
     /**
      * The world's parameters.
      *

@@ -65,6 +65,9 @@ public final class StepConstants {
     /** The arena. */
     Bounds bounds;
 
+    /** No constants, until they are set. */
+    public StepConstants() {}
+
     /**
      * Computes the constants.
      *
