@@ -207,7 +207,11 @@ void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2
     float edge = t->x == 0.0f ? 0.0f : c.z;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
-    if (t->x != 0.0f) {
+    if (t->x == 0.0f) {
+        // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+        vx = dx == d.x ? vx : 0.0f;
+        vy = dy == d.y ? vy : 0.0f;
+    } else {
 #pragma unroll 1
         for (int axis = 0; axis < 2; axis++) {
             bool y = axis != 0;

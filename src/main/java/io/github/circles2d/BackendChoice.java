@@ -45,7 +45,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static BackendChoice fastest(int threads, int leastShare, int capacity, boolean profiling) {
         String reason;
         if (capacity < LEAST_FOR_GPU) {
-            reason = "a GPU is faster from a capacity of " + LEAST_FOR_GPU + " circles on, not for " + capacity;
+            reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is " + capacity;
         } else {
             try {
                 Device gpu = gpu();

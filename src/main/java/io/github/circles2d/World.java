@@ -17,8 +17,8 @@ import io.github.circles2d.world.WorldParameters;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
+import java.util.Collections;
 import java.util.ConcurrentModificationException;
-import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicReference;
 
@@ -38,7 +38,8 @@ import java.util.concurrent.atomic.AtomicReference;
  *
  * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
  * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
- * IllegalArgumentException, even if the circle's place has been taken by another. <b>Order:</b> the bulk reads give the
+ * IllegalArgumentException, even if the circle's place has been taken by another. (Handles given after a snapshot was taken may
+ * name other circles once it is restored, and those of two worlds may be equal.) <b>Order:</b> the bulk reads give the
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
  * nothing is removed this is the order of adding; removing a circle closes its gap.
  *
@@ -50,12 +51,20 @@ import java.util.concurrent.atomic.AtomicReference;
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
  *
- * <p><b>Fast circles</b> look ahead and stop at what they would pass through. That holds for paths of some ten radii a step; of
- * circles that fly farther in a crowd or between walls, a few in a thousand may still slip through.
+ * <p><b>Fast circles</b>, which move farther than their radius in a step, look ahead and stop at what they would pass through.
+ * That holds for paths of some ten radii a step; of circles that fly farther in a crowd or between walls, a few in a thousand may
+ * still slip through. It does not hold for what is so much smaller that it is pushed aside (a sixteenth of the radius; a pebble
+ * of a tenth may be run over at somewhat less than a radius a step), and not for fixed circles that move. In one step a circle
+ * moves at most 64 of its radii, whatever its velocity: do not make circles tiny that are to fly far.
+ *
+ * <p><b>Time steps</b> had better all have one length: take real time into an accumulator and make whole steps. Piles settle for
+ * one length, and a step of another stirs them up a little.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. After
  * {@link #close()} every method but close throws an IllegalStateException. A call that throws an IllegalArgumentException has
- * changed nothing.
+ * changed nothing. A step, a change or a read on an OpenCL device may throw an {@link
+ * io.github.circles2d.opencl.OpenClException}; the state is lost then, and every later call but close throws an
+ * IllegalStateException that names the failure.
  *
  * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
  * the lesser extent of the bounds; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
@@ -314,7 +323,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle a velocity. A fixed circle moves on with it until told otherwise, and stops at the bounds.
+     * Gives a circle a velocity. A fixed circle moves on with it until told otherwise; at the
+     * bounds it stops, and has no velocity from there on.
      *
      * @param handle the circle
      * @param vx velocity
@@ -355,7 +365,7 @@ public final class World implements AutoCloseable {
      * Gives a circle another mass.
      *
      * @param handle the circle
-     * @param mass mass; positive infinity makes it a fixed circle
+     * @param mass mass; positive infinity makes it a fixed circle, which keeps its velocity
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
@@ -407,7 +417,10 @@ public final class World implements AutoCloseable {
 
     private void set(int operation, int id, float a, float b) {
         commands.ensure(1);
-        changed();
+        boolean moves = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        circlesCurrent &= moves || operation == Commands.RESTITUTION;
+        velocitiesCurrent &= !moves;
+        savedCurrent = false;
         commands.set(operation, id, a, b);
     }
 
@@ -748,7 +761,8 @@ public final class World implements AutoCloseable {
 
     /**
      * A hash of the state: of every circle, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on.
+     * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
+     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */
@@ -767,7 +781,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * What the world is made of and what the last step did.
+     * What the world is made of and what the last step did. Waits for the device, and takes about as long as a read: a call a
+     * second is fine, one a frame is not.
      *
      * @return the figures as of now
      */
@@ -780,10 +795,12 @@ public final class World implements AutoCloseable {
                     emptyStep ? 0 : pipeline.contacts(),
                     emptyStep ? 0 : pipeline.greatestContacts(),
                     pipeline.bytesHeld(),
-                    Map.copyOf(pipeline.stageMillis()),
+                    Collections.unmodifiableMap(pipeline.stageMillis()),
                     backend,
                     pipeline.device(),
                     reason);
+        } catch (RuntimeException | Error e) {
+            throw failed(e);
         } finally {
             exit();
         }

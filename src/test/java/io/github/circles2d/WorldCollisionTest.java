@@ -118,6 +118,55 @@ class WorldCollisionTest {
         }
     }
 
+    @Test
+    void aPlatformStoppedAtTheBoundsCarriesWhatLiesOnIt() {
+        try (World world = World.builder().bounds(0, 0, 20, 20).gravity(0, -10).build()) {
+            long platform = world.add(10, 5, 2, Float.POSITIVE_INFINITY, 0, -20);
+            long ball = world.add(10, 8, 1, 1);
+            world.step(1 / 60f, 600);
+            assertThat(world.y(platform)).isEqualTo(0f);
+            assertThat(world.vy(platform)).isEqualTo(0f);
+            assertThat((double) world.y(ball)).isCloseTo(3, within(0.01));
+        }
+    }
+
+    @Test
+    void aSmallBallFallsAsFastAsGravityHasIt() {
+        try (World world = World.builder().bounds(0, 0, 10, 30).gravity(0, -10).build()) {
+            long ball = world.add(5, 25, 0.01f, 1);
+            world.step(1 / 60f, 115);
+            double t = 115 / 60.0;
+            assertThat((double) world.y(ball)).isCloseTo(25 - 5 * t * t, within(0.05));
+            assertThat((double) world.vy(ball)).isCloseTo(-10 * t, within(0.01));
+        }
+    }
+
+    @Test
+    void aStepOfAnotherLengthDoesNotBlowAPileApart() {
+        try (World world = World.builder().bounds(0, 0, 20, 60).gravity(0, -10).build()) {
+            for (int i = 0; i < 200; i++) {
+                world.add(1 + i % 10 * 1.9f, 1 + i / 10 * 1.9f, 0.9f, 1);
+            }
+            world.step(1 / 60f, 1500);
+            float[] circles = new float[4 * world.size()];
+            float before = top(world, circles);
+            world.step(1 / 1000f);
+            for (int step = 0; step < 60; step++) {
+                world.step(1 / 60f);
+                assertThat(top(world, circles)).isLessThan(before + 0.5f);
+            }
+        }
+    }
+
+    private static float top(World world, float[] circles) {
+        world.read(circles);
+        float top = 0;
+        for (int i = 1; i < circles.length; i += 4) {
+            top = Math.max(top, circles[i]);
+        }
+        return top;
+    }
+
     private static void assertClose(float actual, double expected, double scale) {
         assertThat((double) actual).isCloseTo(expected, within(RELATIVE * Math.abs(scale)));
     }

@@ -143,6 +143,11 @@ final class JvmMover {
             float margin = w == 0f ? 0f : r;
             m[s] = CircleMath.within(circle[s], dx, minX + margin, maxX - margin);
             m[s + 1] = CircleMath.within(circle[s + 1], dy, minY + margin, maxY - margin);
+            if (w == 0f) {
+                // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+                m[s + 2] = m[s] == dx ? m[s + 2] : 0f;
+                m[s + 3] = m[s + 1] == dy ? m[s + 3] : 0f;
+            }
             boolean loaded = load[s + 2] > 0f;
             load[s] = 0f;
             load[s + 1] = 0f;

@@ -8,7 +8,7 @@ import java.lang.invoke.VarHandle;
  * its radius. Two circles that are not near enough to be listed as a contact, but would touch on their straight paths, stop
  * where they touch, those of them that are fast; in the next step they are a contact. Where they are a contact already, the
  * path of a fast one ends where they touch. Every circle is then on a leash around its path: what a
- * collision makes of its motion may lead it away from there by no more than its radius before it is looked at again.
+ * collision makes of its motion may lead it away from there by no more than half its radius before it is looked at again.
  *
  * <p>The pair is found by its faster circle, in the cells around its path; only pairs count that move against each other by
  * more than half the sum of their radii, so that blocks of cells whose circles all move much like this one are passed over.

@@ -11,7 +11,7 @@ public final class Limits {
     /** Least width and height of the arena. */
     public static final float LEAST_EXTENT = 1e-6f;
 
-    /** Least width and height of the arena, and least radius, in units of the arena's greatest coordinate or extent. */
+    /** A quarter of the least width and height of the arena, and the least radius, in units of the arena's greatest coordinate or extent. */
     public static final float LEAST_RADIUS_SHARE = 0x1p-20f;
 
     /** Least mass. */

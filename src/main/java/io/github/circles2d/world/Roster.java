@@ -116,9 +116,12 @@ public final class Roster {
         int id = firstFree();
         if (id == generation.length) {
             int c = id + (id >> 1);
-            generation = Arrays.copyOf(generation, c);
-            radius = Arrays.copyOf(radius, c);
+            // all or none, should memory run out
+            int[] generations = Arrays.copyOf(generation, c);
+            float[] radii = Arrays.copyOf(radius, c);
             live = Arrays.copyOf(live, (c >> 6) + 1);
+            radius = radii;
+            generation = generations;
         }
         live[id >>> 6] |= 1L << id;
         livingBeforeCurrent = false;

@@ -79,10 +79,11 @@ public final class SavedState {
     /** Makes room for circles and sets their number. */
     void setCircles(int count) {
         if (id.length < count) {
-            id = new int[count];
+            // the length of the last one tells whether there is room, should memory run out in between
             circle = new float[4 * count];
             motion = new float[4 * count];
             traits = new float[4 * count];
+            id = new int[count];
         }
         circles = count;
     }

@@ -88,7 +88,8 @@ public final class StepConstants {
         gravityStepY = gravityY * h;
         fallX = gravityStepX * h * (0.5f * subSteps * (subSteps + 1));
         fallY = gravityStepY * h * (0.5f * subSteps * (subSteps + 1));
-        warmScale = dt / previousDt;
+        // Not more than it was: after a short step most of an impulse is what the change of length itself has caused.
+        warmScale = Math.min(1f, dt / previousDt);
 
         float omega = 2f * 3.14159265f * Tuning.FREQUENCY; // times h: a pure number, the same for every step
         biasRate = (omega / (2f * Tuning.DAMPING + omega)) * inverseH;

@@ -12,6 +12,8 @@
  *   <li><b>Grid.</b> The circle's radius puts it into a level, its position into a bucket of that level's grid
  *       ({@link io.github.circles2d.world.Levels}). A counting sort gives it a new slot: circles of one bucket are
  *       neighbours in memory, ascending by id. Then its reach is computed: how far it looks for contacts in this step.
+ *   <li><b>Sweep.</b> Where some circle moves farther than its radius in the step, it looks along its path for what it would
+ *       pass through, and the path ends there.
  *   <li><b>Contacts.</b> The circle finds the circles whose reach meets its own, in 3 x 3 cells of its own level and of each
  *       coarser one that has circles. Pairs of fixed circles are left out. Each pair is a contact of the level of its larger
  *       circle, and belongs to the group of its lesser column and lesser row there; all contacts are sorted by (level,

@@ -53,6 +53,22 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void fixedCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        Scene scene = Scenes.thesis(300, 4);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            for (int id = 0; id < 20; id++) {
+                twins.commands().set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
+                twins.commands().set(Commands.VELOCITY, id, 0.3f - 0.03f * id, 0.5f);
+            }
+            for (int k = 0; k < 30; k++) {
+                twins.step(1 / 60f, 5);
+                twins.assertEqual("after " + 5 * (k + 1) + " steps");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void theSizeOfWorkGroupsDoesNotShow(Device device) {
         for (int size : new int[] {1, 3, 32, 256}) {
             Pipeline other = new ClPipeline(device, 0, false, ClPlan.COLOURS).workGroupSize(size);

@@ -29,6 +29,11 @@ final class Twins implements AutoCloseable {
         commands.clear();
     }
 
+    /** What all pipelines are to do before the next step. */
+    Commands commands() {
+        return commands;
+    }
+
     void step(float dt, int steps) {
         apply();
         for (Pipeline pipeline : pipelines) {
