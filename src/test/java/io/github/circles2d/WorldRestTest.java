@@ -13,11 +13,7 @@ class WorldRestTest {
     void aHexagonalPileOf40RowsStaysAtRest() {
         float r = 0.0125f;
         Random random = new Random(1);
-        try (World world = WorldScenes.jvm()
-                .bounds(0, 0, 1, 1)
-                .gravity(0, -0.01f)
-                .restitution(0.5f)
-                .build()) {
+        try (World world = emptyArena()) {
             for (int row = 0; row < ROWS; row++) {
                 for (int column = 0; column < 40 - row % 2; column++) {
                     float x = r * (1 + row % 2) + 2 * r * column;
@@ -33,16 +29,20 @@ class WorldRestTest {
     void aColumnOf40StaysAtRest() {
         float r = 0.0125f;
         Random random = new Random(2);
-        try (World world = WorldScenes.jvm()
-                .bounds(0, 0, 1, 1)
-                .gravity(0, -0.01f)
-                .restitution(0.5f)
-                .build()) {
+        try (World world = emptyArena()) {
             for (int row = 0; row < ROWS; row++) {
                 world.add(0.5f, r + 2 * r * row, r, 1 + 9 * random.nextFloat());
             }
             assertStaysAtRest(world, r);
         }
+    }
+
+    private static World emptyArena() {
+        return WorldScenes.jvm()
+                .bounds(0, 0, 1, 1)
+                .gravity(0, -0.01f)
+                .restitution(0.5f)
+                .build();
     }
 
     private static void assertStaysAtRest(World world, float r) {

@@ -10,7 +10,7 @@ import java.util.Arrays;
  * The state and the working memory of a World on a device: the list WORLD_PARAMETERS of {@code kernels/world/World.cl}, in
  * its order. Buffers grow by half at least; growing keeps what must outlive a step.
  */
-final class ClBuffers implements AutoCloseable {
+final class ClBuffers {
     // Parameters of every stage's kernels, by position.
     static final int CONSTANTS = 0;
     static final int LEVELS = 1;
@@ -325,15 +325,6 @@ final class ClBuffers implements AutoCloseable {
         for (int parameter = 0; parameter < COUNT; parameter++) {
             if (buffers[parameter] != null) {
                 kernel.arg(parameter, buffers[parameter]);
-            }
-        }
-    }
-
-    @Override
-    public void close() {
-        for (DeviceBuffer buffer : buffers) {
-            if (buffer != null) {
-                buffer.close();
             }
         }
     }

@@ -129,7 +129,7 @@ public final class ClPipeline implements Pipeline {
             circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
         if (slots + added > buffers.slotRoom()) {
-            stats.keep(levels);
+            stats.keep();
         }
         slots = commands.apply(changes, slots);
     }
@@ -281,7 +281,7 @@ public final class ClPipeline implements Pipeline {
     @Override
     public long candidatePairs() {
         settle();
-        return stats.candidatePairs(levels);
+        return stats.candidatePairs();
     }
 
     @Override

@@ -40,12 +40,12 @@ final class ClStats {
     }
 
     /** Counts while what the step has left behind is still there. */
-    void keep(Levels levels) {
-        candidatePairs(levels);
+    void keep() {
+        candidatePairs();
         greatestContacts();
     }
 
-    long candidatePairs(Levels levels) {
+    long candidatePairs() {
         if (candidatePairs < 0) {
             kernels.bind(buffers, circles, circles);
             candidates.run(circles);
