@@ -23,6 +23,10 @@ final class JvmMover {
         float[] m = state.motion;
         float[] traits = state.traits;
         float[] load = state.load;
+        float[] circle = state.circle;
+        float[] bounce = state.wallBounce;
+        float h = k.h;
+        float inverseH = k.inverseH;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float w = traits[s];
@@ -32,40 +36,52 @@ final class JvmMover {
                 load[s + 2] = 0f;
                 continue;
             }
-            boolean loaded = load[s + 3] > 0f || traits[s + 2] != 0f || traits[s + 3] != 0f;
+            float wallX = traits[s + 2];
+            float wallY = traits[s + 3];
             float vx = m[s + 2] + k.gravityStepX;
             float vy = m[s + 3] + k.gravityStepY;
-            m[s + 2] = CircleMath.limitSpeed(vx + w * load[s]);
-            m[s + 3] = CircleMath.limitSpeed(vy + w * load[s + 1]);
+            float nextX = CircleMath.limitSpeed(vx + w * load[s]);
+            float nextY = CircleMath.limitSpeed(vy + w * load[s + 1]);
+            m[s + 2] = nextX;
+            m[s + 3] = nextY;
             load[s] = vx;
             load[s + 1] = vy;
-            load[s + 2] = loaded ? 1f : 0f;
-            if (!isClear(s, 0, vx, minX, maxX, k.h, k.inverseH)) {
-                pushWall(s, 0, minX, maxX, loaded, k);
-            }
-            if (!isClear(s, 1, vy, minY, maxY, k.h, k.inverseH)) {
-                pushWall(s, 1, minY, maxY, loaded, k);
+            float loaded =
+                    Branchless.choose(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + 3]);
+            load[s + 2] = loaded;
+
+            float r = circle[s + 2];
+            float fromMinX = circle[s] - minX;
+            float fromMaxX = maxX - circle[s];
+            float fromMinY = circle[s + 1] - minY;
+            float fromMaxY = maxY - circle[s + 1];
+            float sideX = Branchless.signOf(fromMaxX - fromMinX);
+            float sideY = Branchless.signOf(fromMaxY - fromMinY);
+            float gapX = (Math.min(fromMinX, fromMaxX) - r) + sideX * m[s];
+            float gapY = (Math.min(fromMinY, fromMaxY) - r) + sideY * m[s + 1];
+            int clear = isClear(gapX, sideX * nextX, sideX * vx, h, inverseH)
+                    & isClear(gapY, sideY * nextY, sideY * vy, h, inverseH)
+                    & ~(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY));
+            if (clear != 0) {
+                // adding zeros, as the long way does: the sign of a zero is part of the state
+                m[s + 2] = nextX + sideX * 0f;
+                m[s + 3] = nextY + sideY * 0f;
+                traits[s + 2] = sideX * 0f;
+                traits[s + 3] = sideY * 0f;
+                bounce[s >> 1] = 0f;
+                bounce[(s >> 1) + 1] = 0f;
+            } else {
+                pushWall(s, 0, minX, maxX, loaded > 0f, k);
+                pushWall(s, 1, minY, maxY, loaded > 0f, k);
             }
         }
     }
 
-    /** Whether a circle is out of reach of its nearer wall in the biased pass; then what little there is to do is done. */
-    private boolean isClear(int s, int axis, float before, float min, float max, float h, float inverseH) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float fromMin = state.circle[s + axis] - min;
-        float fromMax = max - state.circle[s + axis];
-        float side = Branchless.signOf(fromMax - fromMin);
-        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * m[s + axis];
-        float v = m[s + 2 + axis];
-        if (traits[s + 2 + axis] == 0f & gap > 0f & gap * inverseH + side * v >= 0f & gap + side * before * h >= 0f) {
-            // adding zeros, as the long way does: the sign of a zero is part of the state
-            m[s + 2 + axis] = v + side * 0f;
-            traits[s + 2 + axis] = side * 0f;
-            state.wallBounce[(s >> 1) + axis] = 0f;
-            return true;
-        }
-        return false;
+    /** All bits set where a circle is out of reach of its nearer wall in the biased pass, and stays so. */
+    private static int isClear(float gap, float v, float before, float h, float inverseH) {
+        return Branchless.isPositive(gap)
+                & ~Branchless.isNegative(gap * inverseH + v)
+                & ~Branchless.isNegative(gap + before * h);
     }
 
     /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */

@@ -44,7 +44,7 @@ public final class JvmPipeline implements Pipeline {
         grid = new JvmGrid(state, levels, team);
         contacts = new JvmContacts(state, grid, levels, team);
         sweep = new JvmSweep(state, grid, levels, team);
-        solver = new JvmSolver(state, contacts, levels, team);
+        solver = new JvmSolver(state, grid, contacts, levels, team);
         state.ensure(capacity);
     }
 
@@ -92,15 +92,13 @@ public final class JvmPipeline implements Pipeline {
         end(worker, GRID);
         sweep.sweep(worker);
         end(worker, SWEEP);
-        contacts.list(worker, false);
+        contacts.find(worker);
         boolean overflowed = contacts.overflowed();
-        if (overflowed) {
-            contacts.countCandidates(worker);
-        } else {
+        if (!overflowed) {
             solver.prepare(worker, constants);
         }
         if (overflowed || contacts.crowded()) {
-            contacts.list(worker, true);
+            contacts.findShare(worker);
             solver.prepare(worker, constants);
         }
         end(worker, CONTACTS);
@@ -138,7 +136,7 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                System.arraycopy(state.circle, 4 * state.slotOf[id], to, 4 * k++, 4);
+                System.arraycopy(state.circle, 4 * state.slot(id), to, 4 * k++, 4);
             }
         }
     }
@@ -148,7 +146,7 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                int s = 4 * state.slotOf[id];
+                int s = 4 * state.slot(id);
                 to[2 * k] = state.motion[s + 2];
                 to[2 * k + 1] = state.motion[s + 3];
                 k++;
@@ -160,7 +158,7 @@ public final class JvmPipeline implements Pipeline {
     public void save(SavedState into) {
         into.impulses = 0;
         for (int k = 0; k < into.circles; k++) {
-            int slot = state.slotOf[into.id[k]];
+            int slot = state.slot(into.id[k]);
             state.save(slot, into, k);
             contacts.memory().save(slot, into);
         }
