@@ -12,7 +12,6 @@ final class FoundPairs {
 
     private static final int SHORT = 24;
 
-    long p0, p1, p2, p3, p4, p5, p6, p7, p8, p9, pa, pb, pc, pd, pe, pf;
     /** Number of pairs in order. */
     int count;
 

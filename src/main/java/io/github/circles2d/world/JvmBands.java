@@ -76,6 +76,17 @@ final class JvmBands {
         return edges[level * (team.most() + 1) + worker];
     }
 
+    /** Circles in the rows of a worker, of all levels. */
+    int circles(int worker) {
+        int sum = 0;
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            sum += grid.start[levels.rowStart(level, first(level, worker + 1))]
+                    - grid.start[levels.rowStart(level, first(level, worker))];
+        }
+        return sum;
+    }
+
     /** Rows of the narrowest band. */
     int narrowest() {
         return narrowest;

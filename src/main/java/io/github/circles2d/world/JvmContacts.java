@@ -1,12 +1,16 @@
 package io.github.circles2d.world;
 
 /**
- * Stage Contacts: lists the pairs of circles that may meet within the step, and puts them in the one order that every sum
- * follows: by level of the larger circle, colour, group, lower id, higher id.
+ * Stage Contacts: lists the pairs of circles that may meet within the step, so that every sum can follow one order: by level of
+ * the larger circle, colour, group, lower id, higher id.
  *
  * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
  * contact's level. It touches circles of the 2 x 2 cells from there on, so groups whose columns and rows have the same
  * parities share no circle: such a colour can be solved in parallel, a group at a time, with no further colouring.
+ *
+ * <p>In memory, contacts lie in rows of groups, as the circles that they touch lie in rows of cells: within a row first the
+ * groups of even columns, then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd
+ * rows 2 and 3.
  */
 final class JvmContacts {
     /** Floats a contact. */
@@ -154,10 +158,10 @@ final class JvmContacts {
             bands.divide(null, 0);
         }
         team.sync(worker);
-        int room = all ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (state.n / team.size());
-        mixedPairs.find(worker, room);
+        mixedPairs.find(
+                worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
         FoundPairs f = found[worker];
-        f.reset(room);
+        f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
         for (int l = 0; l < levels.usedCount && !mixedPairs.overflowed(); l++) {
             findInBand(worker, levels.used[l]);
             f.ofLevel[l + 1] = f.count;
@@ -167,6 +171,10 @@ final class JvmContacts {
             layOut();
         }
         team.sync(worker);
+    }
+
+    private static int room(int circles) {
+        return (int) Math.min(Integer.MAX_VALUE, LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles);
     }
 
     private void findInBand(int worker, int level) {

@@ -51,14 +51,10 @@ final class JvmMover {
             load[s + 2] = loaded;
 
             float r = circle[s + 2];
-            float fromMinX = circle[s] - minX;
-            float fromMaxX = maxX - circle[s];
-            float fromMinY = circle[s + 1] - minY;
-            float fromMaxY = maxY - circle[s + 1];
-            float sideX = Branchless.signOf(fromMaxX - fromMinX);
-            float sideY = Branchless.signOf(fromMaxY - fromMinY);
-            float gapX = (Math.min(fromMinX, fromMaxX) - r) + sideX * m[s];
-            float gapY = (Math.min(fromMinY, fromMaxY) - r) + sideY * m[s + 1];
+            float sideX = side(circle[s], minX, maxX);
+            float sideY = side(circle[s + 1], minY, maxY);
+            float gapX = gap(circle[s], r, m[s], minX, maxX);
+            float gapY = gap(circle[s + 1], r, m[s + 1], minY, maxY);
             int clear = isClear(gapX, sideX * nextX, sideX * vx, h, inverseH)
                     & isClear(gapY, sideY * nextY, sideY * vy, h, inverseH)
                     & ~(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY));
@@ -130,6 +126,7 @@ final class JvmMover {
         float[] circle = state.circle;
         float[] load = state.load;
         float[] leash = state.leash;
+        float[] bounce = state.wallBounce;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -172,24 +169,27 @@ final class JvmMover {
                 state.memory[slot] = -1;
                 state.fresh[slot] = false;
             }
-            if (w != 0f) {
-                if (touches(s, 0, minX, maxX)) {
-                    relaxWall(s, 0, minX, maxX, loaded, k);
-                }
-                if (touches(s, 1, minY, maxY)) {
-                    relaxWall(s, 1, minY, maxY, loaded, k);
-                }
+            int clear = Branchless.isPositive(gap(circle[s], r, m[s], minX, maxX))
+                    & Branchless.isPositive(gap(circle[s + 1], r, m[s + 1], minY, maxY));
+            int pressed = Branchless.isNotZero(traits[s + 2])
+                    | Branchless.isNotZero(traits[s + 3])
+                    | Branchless.isNotZero(bounce[s >> 1])
+                    | Branchless.isNotZero(bounce[(s >> 1) + 1]);
+            if ((clear & ~pressed) == 0 && w != 0f) {
+                relaxWall(s, 0, minX, maxX, loaded, k);
+                relaxWall(s, 1, minY, maxY, loaded, k);
             }
         }
     }
 
-    /** Whether a circle has anything to do with its nearer wall in the relaxing pass. */
-    private boolean touches(int s, int axis, float min, float max) {
-        float fromMin = state.circle[s + axis] - min;
-        float fromMax = max - state.circle[s + axis];
-        float side = Branchless.signOf(fromMax - fromMin);
-        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * state.motion[s + axis];
-        return !(gap > 0f & state.traits[s + 2 + axis] == 0f & state.wallBounce[(s >> 1) + axis] == 0f);
+    /** {@link CircleMath#wallSide} of the nearer wall of an axis. */
+    private static float side(float base, float min, float max) {
+        return Branchless.signOf((max - base) - (base - min));
+    }
+
+    /** {@link CircleMath#wallGap} of the nearer wall of an axis. */
+    private static float gap(float base, float r, float displacement, float min, float max) {
+        return (Math.min(base - min, max - base) - r) + side(base, min, max) * displacement;
     }
 
     /** The relaxing pass over the nearer wall of an axis. */

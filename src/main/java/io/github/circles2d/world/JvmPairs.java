@@ -6,7 +6,7 @@ package io.github.circles2d.world;
  */
 final class JvmPairs {
     /** Circles that are tested against another in one go. */
-    private static final int FEW = 4;
+    private static final int BLOCK = 64;
 
     private final JvmState state;
     private final JvmGrid grid;
@@ -23,7 +23,7 @@ final class JvmPairs {
 
     /** Pairs near to each other, a few at a time: slot of the one above slot of the other. */
     static long[] newHits() {
-        return new long[64 * FEW];
+        return new long[2 * BLOCK + 1];
     }
 
     /** Gathers the pairs of a group. */
@@ -62,39 +62,30 @@ final class JvmPairs {
 
     /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */
     private int scan(FoundPairs f, int hitsBefore, int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        long[] hits = f.hits;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
         int count = hitsBefore;
-        for (int few = from; few < to; few += FEW) {
-            count = scanFew(f.hits, count, slot, few, to);
-            if (count > f.hits.length - FEW) {
+        for (int begin = from; begin < to; begin += BLOCK) {
+            int end = Math.min(to, begin + BLOCK);
+            for (int other = begin; other < end; other++) {
+                float dx = circle[4 * other] - x;
+                float dy = circle[4 * other + 1] - y;
+                float limit = own + reach[other];
+                hits[count] = (long) slot << 32 | other;
+                // one more where the difference is negative; no branch, which would be taken as if by chance
+                count -= Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) >> 31;
+            }
+            f.tested += end - begin;
+            if (count > BLOCK) {
                 gather(f, count);
                 count = 0;
             }
         }
-        f.tested += Math.max(0, to - from);
         return count;
-    }
-
-    /** Tests a circle against the first {@link #FEW} slots of a range, without a loop: most ranges have no more. */
-    private int scanFew(long[] hits, int hitsBefore, int slot, int from, int to) {
-        float x = state.circle[4 * slot];
-        float y = state.circle[4 * slot + 1];
-        float own = grid.reach[slot];
-        int count = hitsBefore;
-        count += test(hits, count, slot, x, y, own, from, to);
-        count += test(hits, count, slot, x, y, own, from + 1, to);
-        count += test(hits, count, slot, x, y, own, from + 2, to);
-        count += test(hits, count, slot, x, y, own, from + 3, to);
-        return count;
-    }
-
-    /** Writes a hit, and returns 1 if it is one and 0 if not: no branch, which would be taken as if by chance. */
-    private int test(long[] hits, int count, int slot, float x, float y, float own, int candidate, int to) {
-        int other = Math.min(candidate, to - 1);
-        float dx = state.circle[4 * other] - x;
-        float dy = state.circle[4 * other + 1] - y;
-        float limit = own + grid.reach[other];
-        hits[count] = (long) slot << 32 | other;
-        return (Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) & (candidate - to)) >>> 31;
     }
 
     private void gather(FoundPairs f, int count) {

@@ -12,9 +12,9 @@ package io.github.circles2d.world;
  * laid out: groups of even columns before those of odd ones.
  *
  * <p>Where all circles are of one level, this goes for whole sub-steps too: what a row needs is what the rows beside it have come
- * to. So each worker sweeps over its band of rows once, and takes several passes, each some rows behind the one before, along:
- * then the rows lie in the processor's cache, and workers need not wait for each other at each pass. What such a sweep
- * cannot do at the edges of its band, because it needs rows of the next, a second one does from there outwards.
+ * to. So each worker sweeps over its band of rows, and takes all passes of a sub-step or of several along, each some rows behind
+ * the one before: the rows are still in the processor's cache, and workers wait for each other twice a sweep. What a sweep
+ * cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge outwards.
  */
 final class JvmSolver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */
@@ -29,6 +29,7 @@ final class JvmSolver {
     private final Levels levels;
     private final Team team;
     private final JvmMover mover;
+
     /** By worker: each has its own place to work. */
     private final JvmPasses[] passes;
 
@@ -59,46 +60,22 @@ final class JvmSolver {
             int from = contacts.firstRow(levels.used[l], worker);
             int to = contacts.firstRow(levels.used[l], worker + 1);
             for (int row = from; row < to; row += 2) {
-                prepareRow(worker, l, row, k);
+                prepare(worker, l, row, k);
                 if (row > from) {
-                    prepareRow(worker, l, row - 1, k);
+                    prepare(worker, l, row - 1, k);
                 }
             }
             team.sync(worker);
             if (from < to) {
-                prepareRow(worker, l, to - 1, k);
+                prepare(worker, l, to - 1, k);
             }
             team.sync(worker);
         }
     }
 
-    private void prepareRow(int worker, int l, int row, StepConstants k) {
-        contacts.fillRow(worker, l, row, k);
-        passes[worker].prepare(firstContact(levels.used[l], row), firstContact(levels.used[l], row + 1));
-    }
-
-    private int firstContact(int level, int row) {
-        return contacts.rowStart[levels.firstRow[level] + row];
-    }
-
     void solve(int worker, StepConstants k) {
         if (levels.usedCount == 1 && bands.narrowest() >= 2 * LAG) {
-            int most = Math.max(1, bands.narrowest() / ROWS_PER_SUB_STEP);
-            for (int sub = 0; sub < k.subSteps; sub += most) {
-                int next = Math.min(k.subSteps, sub + most);
-                sweep(
-                        worker,
-                        bands.first(levels.used[0], worker),
-                        bands.first(levels.used[0], worker + 1),
-                        1,
-                        sub,
-                        next,
-                        k);
-                team.sync(worker);
-                int edge = bands.first(levels.used[0], worker + 1);
-                sweep(worker, edge, edge, -1, sub, next, k);
-                team.sync(worker);
-            }
+            solveInSweeps(worker, k);
         } else {
             solveInPasses(worker, k);
         }
@@ -107,30 +84,40 @@ final class JvmSolver {
     // ---- sweeps, where there is one level
     // ----------------------------------------------------------------------------
 
+    private void solveInSweeps(int worker, StepConstants k) {
+        int from = bands.first(levels.used[0], worker);
+        int to = bands.first(levels.used[0], worker + 1);
+        int most = Math.max(1, bands.narrowest() / ROWS_PER_SUB_STEP);
+        for (int sub = 0; sub < k.subSteps; sub += most) {
+            int end = Math.min(k.subSteps, sub + most);
+            sweep(worker, from, to, 1, sub, end, k);
+            team.sync(worker);
+            sweep(worker, to, to, -1, sub, end, k);
+            team.sync(worker);
+        }
+    }
+
     /**
-     * Makes some sub-steps on a band of rows: with each stage on fewer rows (inwards 1), or on more (inwards -1, from an empty
-     * band at the edge of two).
+     * Makes sub-steps [sub, endSub) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
+     * (inwards -1, from an empty band at the edge of two).
      */
-    private void sweep(int worker, int low, int high, int inwards, int sub, int nextSub, StepConstants k) {
-        int count = nextSub - sub;
-        int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * LAG * count);
+    private void sweep(int worker, int low, int high, int inwards, int sub, int endSub, StepConstants k) {
+        int lag = LAG * (endSub - sub);
+        int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
         for (int front = low; front < end; front += 2) {
-            for (int s = 0; s < count; s++) {
-                int narrower = inwards * LAG * s;
-                visit(worker, front - LAG * s, low + narrower, high - narrower, inwards, sub + s, k);
+            int behind = 0;
+            for (int s = sub; s < endSub; s++) {
+                visit(worker, front - behind, low + inwards * behind, high - inwards * behind, inwards, s, k);
+                behind += LAG;
             }
-            if (nextSub == k.subSteps) {
-                int narrower = inwards * LAG * count;
-                for (int row = front - LAG * count; row < front - LAG * count + 2; row++) {
-                    if (low + narrower <= row && row < high - narrower) {
-                        mover.finish(firstSlot(row), endSlot(row), k);
-                    }
-                }
+            if (endSub == k.subSteps) {
+                finish(front - lag, low + inwards * lag, high - inwards * lag, k);
+                finish(front - lag + 1, low + inwards * lag, high - inwards * lag, k);
             }
         }
     }
 
-    /** All stages of a sub-step, where its sweep has come to an even row. */
+    /** All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row. */
     private void visit(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
         if (low <= row && row < high) {
             accelerate(row, k);
@@ -142,21 +129,10 @@ final class JvmSolver {
         if (from <= row - 1 && row - 1 < to) {
             push(worker, row - 1, k);
         }
-        for (int r = row - 2; r < row; r++) {
-            if (from <= r && r < to) {
-                mover.move(firstSlot(r), endSlot(r), k, sub == 0);
-            }
-        }
-        from += inwards;
-        to -= inwards;
-        if (from <= row - 2 && row - 2 < to) {
-            relax(worker, row - 2, k, sub);
-        }
-        from += inwards;
-        to -= inwards;
-        if (from <= row - 3 && row - 3 < to) {
-            relax(worker, row - 3, k, sub);
-        }
+        move(row - 2, from, to, sub, k);
+        move(row - 1, from, to, sub, k);
+        relax(worker, row - 2, from + inwards, to - inwards, sub, k);
+        relax(worker, row - 3, from + 2 * inwards, to - 2 * inwards, sub, k);
     }
 
     private int ring(int row) {
@@ -176,16 +152,29 @@ final class JvmSolver {
     }
 
     private void push(int worker, int row, StepConstants k) {
-        passes[worker].push(firstContact(levels.used[0], ring(row)), firstContact(levels.used[0], ring(row) + 1), k);
+        push(worker, levels.used[0], ring(row), k);
     }
 
-    private void relax(int worker, int row, StepConstants k, int sub) {
-        int first = firstContact(levels.used[0], ring(row));
-        passes[worker].relax(first, firstContact(levels.used[0], ring(row) + 1), k, sub == k.subSteps - 1);
+    private void move(int row, int from, int to, int sub, StepConstants k) {
+        if (from <= row && row < to) {
+            mover.move(firstSlot(row), endSlot(row), k, sub == 0);
+        }
     }
 
-    // ---- pass after pass, where there are more
-    // -----------------------------------------------------------------------
+    private void relax(int worker, int row, int from, int to, int sub, StepConstants k) {
+        if (from <= row && row < to) {
+            relax(worker, levels.used[0], ring(row), sub, k);
+        }
+    }
+
+    private void finish(int row, int from, int to, StepConstants k) {
+        if (from <= row && row < to) {
+            mover.finish(firstSlot(row), endSlot(row), k);
+        }
+    }
+
+    // ---- pass after pass, where there are more levels, or hardly any rows
+    // --------------------------------------------
 
     private void solveInPasses(int worker, StepConstants k) {
         int from = team.part(state.n, worker);
@@ -194,41 +183,68 @@ final class JvmSolver {
             mover.accelerate(from, to, k);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
-                pass(worker, levels.used[l], false, sub, k);
+                pushAll(worker, levels.used[l], k);
             }
             mover.move(from, to, k, sub == 0);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
-                pass(worker, levels.used[l], true, sub, k);
+                relaxAll(worker, levels.used[l], sub, k);
             }
         }
         mover.finish(from, to, k);
         team.sync(worker);
     }
 
-    private void pass(int worker, int level, boolean relaxing, int sub, StepConstants k) {
+    private void pushAll(int worker, int level, StepConstants k) {
         int from = bands.first(level, worker);
         int to = bands.first(level, worker + 1);
         for (int row = from; row < to; row += 2) {
-            visit(worker, level, row, relaxing, sub, k);
+            push(worker, level, row, k);
             if (row > from) {
-                visit(worker, level, row - 1, relaxing, sub, k);
+                push(worker, level, row - 1, k);
             }
         }
         team.sync(worker);
         if (from < to) {
-            visit(worker, level, to - 1, relaxing, sub, k);
+            push(worker, level, to - 1, k);
         }
         team.sync(worker);
     }
 
-    private void visit(int worker, int level, int row, boolean relaxing, int sub, StepConstants k) {
-        int from = firstContact(level, row);
-        int to = firstContact(level, row + 1);
-        if (relaxing) {
-            passes[worker].relax(from, to, k, sub == k.subSteps - 1);
-        } else {
-            passes[worker].push(from, to, k);
+    private void relaxAll(int worker, int level, int sub, StepConstants k) {
+        int from = bands.first(level, worker);
+        int to = bands.first(level, worker + 1);
+        for (int row = from; row < to; row += 2) {
+            relax(worker, level, row, sub, k);
+            if (row > from) {
+                relax(worker, level, row - 1, sub, k);
+            }
         }
+        team.sync(worker);
+        if (from < to) {
+            relax(worker, level, to - 1, sub, k);
+        }
+        team.sync(worker);
+    }
+
+    // ---- rows of contacts
+    // --------------------------------------------------------------------------------------------
+
+    private int firstContact(int level, int row) {
+        return contacts.rowStart[levels.firstRow[level] + row];
+    }
+
+    private void prepare(int worker, int l, int row, StepConstants k) {
+        contacts.fillRow(worker, l, row, k);
+        int level = levels.used[l];
+        passes[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
+    }
+
+    private void push(int worker, int level, int row, StepConstants k) {
+        passes[worker].push(firstContact(level, row), firstContact(level, row + 1), k);
+    }
+
+    private void relax(int worker, int level, int row, int sub, StepConstants k) {
+        passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
     }
 }

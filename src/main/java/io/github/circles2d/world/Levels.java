@@ -11,7 +11,7 @@ package io.github.circles2d.world;
  * costs time and nothing else, because the distance of two circles decides. So memory is bounded by the number of circles,
  * however small they are and however large the arena is.
  *
- * <p>Groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
+ * <p>For OpenCL, groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
  * (ox mod 2) + 2 (oy mod 2) and is number (oy / 2)(W / 2) + ox / 2 within its colour.
  */
 public final class Levels {
