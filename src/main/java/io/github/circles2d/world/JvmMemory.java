@@ -59,7 +59,7 @@ final class JvmMemory {
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
     private boolean isRecalled(int c) {
-        int hi = state.slot(hiId[c]);
+        int hi = state.slotOf[hiId[c]];
         return hi >= 0 && !state.fresh[hi];
     }
 
@@ -75,7 +75,7 @@ final class JvmMemory {
     /** Takes over saved impulses, for which there is room; the circles have been taken over before. */
     void load(SavedState from) {
         for (int c = 0; c < from.impulses; c++) {
-            remember(c, state.slot(from.lo[c]), from.hi[c], from.lambda[c]);
+            remember(c, state.slotOf[from.lo[c]], from.hi[c], from.lambda[c]);
         }
     }
 

@@ -136,7 +136,7 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                System.arraycopy(state.circle, 4 * state.slot(id), to, 4 * k++, 4);
+                System.arraycopy(state.circle, 4 * state.slotOf[id], to, 4 * k++, 4);
             }
         }
     }
@@ -146,7 +146,7 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                int s = 4 * state.slot(id);
+                int s = 4 * state.slotOf[id];
                 to[2 * k] = state.motion[s + 2];
                 to[2 * k + 1] = state.motion[s + 3];
                 k++;
@@ -158,7 +158,7 @@ public final class JvmPipeline implements Pipeline {
     public void save(SavedState into) {
         into.impulses = 0;
         for (int k = 0; k < into.circles; k++) {
-            int slot = state.slot(into.id[k]);
+            int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
             contacts.memory().save(slot, into);
         }

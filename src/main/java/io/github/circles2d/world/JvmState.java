@@ -46,11 +46,8 @@ final class JvmState {
     /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
     float[] leash = new float[0];
 
-    /** By id: the slot, or -1; {@link #slot} reads it. */
-    private int[] slotOf = new int[0];
-
-    /** Whether circles have other slots than {@link #slotOf} says. */
-    private boolean moved;
+    /** By id: the slot, or -1. */
+    int[] slotOf = new int[0];
 
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
@@ -99,20 +96,6 @@ final class JvmState {
         }
     }
 
-    /**
-     * The slot of an id, or -1. Slots change in every step, and are asked for much less often: so they are looked up when they
-     * are. Not for several threads at once.
-     */
-    int slot(int ofId) {
-        if (moved) {
-            for (int slot = 0; slot < n; slot++) {
-                slotOf[id[slot]] = slot;
-            }
-            moved = false;
-        }
-        return slotOf[ofId];
-    }
-
     /** Applies what the caller asked for. */
     void apply(Commands commands) {
         int[] records = commands.records();
@@ -123,7 +106,7 @@ final class JvmState {
                 add(circleId, records, k);
                 continue;
             }
-            int slot = slot(circleId);
+            int slot = slotOf[circleId];
             if (records[k] == Commands.REMOVE) {
                 remove(slot);
                 continue;
@@ -231,7 +214,6 @@ final class JvmState {
         ensure(from.circles);
         ensureIds(from.ids);
         n = from.circles;
-        moved = false;
         System.arraycopy(from.circle, 0, circle, 0, 4 * n);
         System.arraycopy(from.motion, 0, motion, 0, 4 * n);
         System.arraycopy(from.traits, 0, traits, 0, 4 * n);
@@ -274,11 +256,11 @@ final class JvmState {
             idSpare[slot] = id[old];
             memorySpare[slot] = memory[old];
             freshSpare[slot] = fresh[old];
+            slotOf[id[old]] = slot;
         }
     }
 
     void swap() {
-        moved = true;
         float[] f = circle;
         circle = circleSpare;
         circleSpare = f;
