@@ -20,7 +20,6 @@ public final class ClPipeline implements Pipeline {
     private static final int FAST = 3;
     private static final int CROWDED = 4;
     private static final int TILE_PEAK = 5;
-    private static final int STATUS_HEAD = 6;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -52,7 +51,6 @@ public final class ClPipeline implements Pipeline {
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
     private final IntBuffer statusView = IntBuffer.wrap(status);
-    private final IntBuffer statusHead = IntBuffer.wrap(status, 0, STATUS_HEAD);
 
     private int slots;
     private int circles;
@@ -157,7 +155,7 @@ public final class ClPipeline implements Pipeline {
     private void enqueue() {
         parameters.setPlan(sweeping > 0, thinning > 0);
         boolean small = resident != null && ClResident.suits(circles);
-        int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
+        int atOnce = small ? resident.mostGroups() : 0;
         boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
@@ -230,7 +228,8 @@ public final class ClPipeline implements Pipeline {
         status[FAST] = 0;
         status[CROWDED] = 0;
         status[TILE_PEAK] = 0;
-        buffers.get(ClBuffers.STATUS).write(0, statusHead);
+        // All of it, as it was read: Oclgrind takes the rest of a buffer that is written in part for uninitialised.
+        buffers.get(ClBuffers.STATUS).write(0, statusView);
     }
 
     @Override
