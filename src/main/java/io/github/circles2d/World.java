@@ -43,10 +43,10 @@ import java.util.concurrent.atomic.AtomicReference;
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
  * nothing is removed this is the order of adding; removing a circle closes its gap.
  *
- * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect together, in call order, before the next step or
- * read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap walls and
- * each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the greater of
- * its two circles' values; a wall takes the circle's.
+ * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
+ * step or read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
+ * walls and each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the
+ * greater of its two circles' values; a wall takes the circle's.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
@@ -160,6 +160,7 @@ public final class World implements AutoCloseable {
             checkRoom(1);
             check(x, y, radius, mass);
             Limits.velocity(vx, vy);
+            expect(1);
             changed();
             return addChecked(x, y, radius, mass, vx, vy);
         } finally {
@@ -216,7 +217,7 @@ public final class World implements AutoCloseable {
                     throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
                 }
             }
-            commands.ensure(n);
+            expect(n);
             changed();
             for (int i = 0; i < n; i++) {
                 long handle = addChecked(
@@ -249,7 +250,6 @@ public final class World implements AutoCloseable {
     }
 
     private long addChecked(float x, float y, float radius, float mass, float vx, float vy) {
-        commands.ensure(1);
         int id = roster.add(radius);
         commands.add(id, x, y, radius, mass, defaultRestitution, vx, vy);
         return roster.handle(id);
@@ -265,7 +265,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             int id = find(handle);
-            commands.ensure(1);
+            expect(1);
             changed();
             roster.remove(id);
             commands.remove(id);
@@ -416,7 +416,7 @@ public final class World implements AutoCloseable {
     }
 
     private void set(int operation, int id, float a, float b) {
-        commands.ensure(1);
+        expect(1);
         boolean moves = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
         circlesCurrent &= moves || operation == Commands.RESTITUTION;
         velocitiesCurrent &= !moves;
@@ -938,6 +938,14 @@ public final class World implements AutoCloseable {
         circlesCurrent = false;
         velocitiesCurrent = false;
         savedCurrent = false;
+    }
+
+    /** Makes room for changes to come, so that none fails half-way. */
+    private void expect(int more) {
+        if (commands.count() >= Commands.MANY) {
+            applyCommands();
+        }
+        commands.ensure(more);
     }
 
     private void applyCommands() {

@@ -137,6 +137,7 @@ public final class ClPipeline implements Pipeline {
         settle();
         if (circles == 0) {
             slots = 0;
+            commands.slotsInOrder();
             return;
         }
         // Copies: the caller may change both before these steps are known to have found room.
@@ -193,6 +194,7 @@ public final class ClPipeline implements Pipeline {
             stepsSeen = status[STEPS_DONE];
             if (done > 0) {
                 slots = circles;
+                commands.slotsInOrder();
                 warmScale = 1f;
             }
             pendingSteps -= done;
@@ -272,6 +274,7 @@ public final class ClPipeline implements Pipeline {
         settle();
         ClState.load(from, buffers);
         slots = from.circles;
+        commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
         stats.stepped(0, 0);
