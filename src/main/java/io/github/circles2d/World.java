@@ -251,6 +251,7 @@ public final class World implements AutoCloseable {
 
     private long addChecked(float x, float y, float radius, float mass, float vx, float vy) {
         int id = roster.add(radius);
+        roster.setRestitution(id, defaultRestitution);
         commands.add(id, x, y, radius, mass, defaultRestitution, vx, vy);
         return roster.handle(id);
     }
@@ -390,6 +391,7 @@ public final class World implements AutoCloseable {
         try {
             int id = find(handle);
             set(Commands.RESTITUTION, id, Limits.restitution(restitution), 0);
+            roster.setRestitution(id, restitution);
         } finally {
             exit();
         }
@@ -457,6 +459,34 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Gravity along x.
+     *
+     * @return acceleration, in lengths per second squared
+     */
+    public float gravityX() {
+        enter();
+        try {
+            return gravityX;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gravity along y.
+     *
+     * @return acceleration, in lengths per second squared; negative downwards
+     */
+    public float gravityY() {
+        enter();
+        try {
+            return gravityY;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
      * Moves the walls. Circles that are left outside are brought to the nearest place inside.
      *
      * @param minX left wall
@@ -482,6 +512,90 @@ public final class World implements AutoCloseable {
                 throw failed(e);
             }
             bounds = next;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the left wall is.
+     *
+     * @return its x
+     */
+    public float minX() {
+        enter();
+        try {
+            return bounds.minX();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the lower wall is.
+     *
+     * @return its y
+     */
+    public float minY() {
+        enter();
+        try {
+            return bounds.minY();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the right wall is.
+     *
+     * @return its x
+     */
+    public float maxX() {
+        enter();
+        try {
+            return bounds.maxX();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the upper wall is.
+     *
+     * @return its y
+     */
+    public float maxY() {
+        enter();
+        try {
+            return bounds.maxY();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * The restitution that new circles get.
+     *
+     * @return 0 (inelastic) to 1 (elastic)
+     */
+    public float defaultRestitution() {
+        enter();
+        try {
+            return defaultRestitution;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * The number of sub-steps a step.
+     *
+     * @return 1 to 16
+     */
+    public int subSteps() {
+        enter();
+        try {
+            return subSteps;
         } finally {
             exit();
         }
@@ -729,6 +843,22 @@ public final class World implements AutoCloseable {
      */
     public float vy(long handle) {
         return oneOfVelocity(handle, 1);
+    }
+
+    /**
+     * The restitution of one circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return 0 (inelastic) to 1 (elastic)
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float restitution(long handle) {
+        enter();
+        try {
+            return roster.restitution(find(handle));
+        } finally {
+            exit();
+        }
     }
 
     private float one(long handle, int element) {
