@@ -5,10 +5,11 @@ import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Bounds;
 import io.github.circles2d.world.Commands;
+import io.github.circles2d.world.GuardedPipeline;
 import io.github.circles2d.world.JvmPipeline;
+import io.github.circles2d.world.LastReading;
 import io.github.circles2d.world.Levels;
 import io.github.circles2d.world.Limits;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Roster;
 import io.github.circles2d.world.SavedState;
 import io.github.circles2d.world.SnapshotCodec;
@@ -71,12 +72,13 @@ import java.util.concurrent.atomic.AtomicReference;
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
-    private final Pipeline pipeline;
+    private final GuardedPipeline pipeline;
     private final Roster roster = new Roster();
     private final Commands commands = new Commands();
     private final Levels levels = new Levels();
     private final StepConstants constants = new StepConstants();
     private final AtomicReference<Thread> user = new AtomicReference<>();
+    private final LastReading last;
     private final SavedState saved = new SavedState();
     private final Backend backend;
     private final String reason;
@@ -91,16 +93,8 @@ public final class World implements AutoCloseable {
     /** Whether the last step had no circles; also where there has been none, or one before a restore. */
     private boolean emptyStep = true;
 
-    private boolean closed;
-    private Throwable failure;
-
-    /** What single reads are answered from: the last bulk read-back. */
-    private float[] circles = new float[0];
-
-    private float[] velocities = new float[0];
-    private boolean circlesCurrent;
-    private boolean velocitiesCurrent;
     private boolean savedCurrent;
+    private boolean closed;
 
     private World(Builder b) {
         bounds = b.bounds;
@@ -113,7 +107,8 @@ public final class World implements AutoCloseable {
                 : BackendChoice.of(b.device, b.capacity, b.profiling);
         backend = choice.backend();
         reason = choice.reason();
-        pipeline = choice.pipeline();
+        pipeline = new GuardedPipeline(choice.pipeline());
+        last = new LastReading(pipeline, roster, this::applyCommands);
     }
 
     /**
@@ -419,9 +414,11 @@ public final class World implements AutoCloseable {
 
     private void set(int operation, int id, float a, float b) {
         expect(1);
-        boolean moves = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        circlesCurrent &= moves || operation == Commands.RESTITUTION;
-        velocitiesCurrent &= !moves;
+        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+            last.forgetVelocities();
+        } else if (operation != Commands.RESTITUTION) {
+            last.forgetCircles();
+        }
         savedCurrent = false;
         commands.set(operation, id, a, b);
     }
@@ -506,11 +503,7 @@ public final class World implements AutoCloseable {
             }
             applyCommands();
             changed();
-            try {
-                pipeline.confine(next);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.confine(next);
             bounds = next;
         } finally {
             exit();
@@ -630,11 +623,7 @@ public final class World implements AutoCloseable {
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
                 levels.layOut(bounds, roster.greatestRadius(), roster.population());
-                try {
-                    pipeline.step(constants, levels, steps);
-                } catch (RuntimeException | Error e) {
-                    throw failed(e);
-                }
+                pipeline.step(constants, levels, steps);
             }
             savedCurrent = false;
             previousTimeStep = timeStep;
@@ -651,8 +640,6 @@ public final class World implements AutoCloseable {
         enter();
         try {
             pipeline.finish();
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
         } finally {
             exit();
         }
@@ -672,11 +659,7 @@ public final class World implements AutoCloseable {
         try {
             requireRoom("circles", circles.length, 4L * roster.size());
             applyCommands();
-            try {
-                pipeline.readCircles(roster, circles);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.readCircles(roster, circles);
         } finally {
             exit();
         }
@@ -692,8 +675,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             requireRoom("circles", circles.remaining(), 4L * roster.size());
-            refreshCircles();
-            circles.put(this.circles, 0, 4 * roster.size());
+            circles.put(last.circles(), 0, 4 * roster.size());
         } finally {
             exit();
         }
@@ -710,11 +692,7 @@ public final class World implements AutoCloseable {
         try {
             requireRoom("velocities", velocities.length, 2L * roster.size());
             applyCommands();
-            try {
-                pipeline.readVelocities(roster, velocities);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.readVelocities(roster, velocities);
         } finally {
             exit();
         }
@@ -730,8 +708,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             requireRoom("velocities", velocities.remaining(), 2L * roster.size());
-            refreshVelocities();
-            velocities.put(this.velocities, 0, 2 * roster.size());
+            velocities.put(last.velocities(), 0, 2 * roster.size());
         } finally {
             exit();
         }
@@ -865,8 +842,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             int place = roster.place(find(handle));
-            refreshCircles();
-            return circles[4 * place + element];
+            return last.circles()[4 * place + element];
         } finally {
             exit();
         }
@@ -876,8 +852,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             int place = roster.place(find(handle));
-            refreshVelocities();
-            return velocities[2 * place + element];
+            return last.velocities()[2 * place + element];
         } finally {
             exit();
         }
@@ -900,11 +875,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             applyCommands();
-            try {
-                return pipeline.hash();
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            return pipeline.hash();
         } finally {
             exit();
         }
@@ -929,8 +900,6 @@ public final class World implements AutoCloseable {
                     backend,
                     pipeline.device(),
                     reason);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
         } finally {
             exit();
         }
@@ -995,14 +964,11 @@ public final class World implements AutoCloseable {
         try {
             savedCurrent = false;
             SnapshotCodec.read(from, saved);
+            // first, as it changes nothing where memory is short
+            roster.load(saved);
             commands.clear();
             changed();
-            try {
-                pipeline.load(saved);
-                roster.load(saved);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.load(saved);
             WorldParameters p = saved.parameters();
             bounds = p.bounds();
             gravityX = p.gravityX();
@@ -1020,11 +986,7 @@ public final class World implements AutoCloseable {
         if (!savedCurrent) {
             applyCommands();
             roster.save(saved);
-            try {
-                pipeline.save(saved);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.save(saved);
             saved.setParameters(
                     new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep));
             savedCurrent = true;
@@ -1034,39 +996,9 @@ public final class World implements AutoCloseable {
     // ---- housekeeping
     // ------------------------------------------------------------------------------------------------
 
-    private void refreshCircles() {
-        if (!circlesCurrent) {
-            applyCommands();
-            if (circles.length < 4 * roster.size()) {
-                circles = new float[4 * roster.size()];
-            }
-            try {
-                pipeline.readCircles(roster, circles);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
-            circlesCurrent = true;
-        }
-    }
-
-    private void refreshVelocities() {
-        if (!velocitiesCurrent) {
-            applyCommands();
-            if (velocities.length < 2 * roster.size()) {
-                velocities = new float[2 * roster.size()];
-            }
-            try {
-                pipeline.readVelocities(roster, velocities);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
-            velocitiesCurrent = true;
-        }
-    }
-
     private void changed() {
-        circlesCurrent = false;
-        velocitiesCurrent = false;
+        last.forgetCircles();
+        last.forgetVelocities();
         savedCurrent = false;
     }
 
@@ -1080,22 +1012,9 @@ public final class World implements AutoCloseable {
 
     private void applyCommands() {
         if (commands.count() > 0) {
-            try {
-                pipeline.apply(commands);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.apply(commands);
             commands.clear();
         }
-    }
-
-    /** Where the pipeline fails half-way, the state is lost, and the world says so from then on. */
-    private RuntimeException failed(Throwable cause) {
-        failure = cause;
-        if (cause instanceof Error error) {
-            throw error;
-        }
-        return (RuntimeException) cause;
     }
 
     private void enter() {
@@ -1103,10 +1022,11 @@ public final class World implements AutoCloseable {
             throw new ConcurrentModificationException("a World is used by one thread at a time, but "
                     + Thread.currentThread().getName() + " came in while another was inside");
         }
-        if (closed || failure != null) {
+        if (closed || pipeline.failure() != null) {
             exit();
             throw new IllegalStateException(
-                    closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
+                    closed ? "this World has been closed" : "this World failed earlier and lost its state",
+                    pipeline.failure());
         }
     }
 
