@@ -15,6 +15,7 @@ import io.github.circles2d.world.SavedState;
 import io.github.circles2d.world.SnapshotCodec;
 import io.github.circles2d.world.StepConstants;
 import io.github.circles2d.world.WorldParameters;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -669,12 +670,12 @@ public final class World implements AutoCloseable {
      * Reads x, y, radius and mass of every circle, in the order of the ids.
      *
      * @param circles takes four elements a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
         enter();
         try {
-            requireRoom("circles", circles.remaining(), 4L * roster.size());
+            requireRoom("circles", circles, 4L * roster.size());
             circles.put(last.circles(), 0, 4 * roster.size());
         } finally {
             exit();
@@ -702,12 +703,12 @@ public final class World implements AutoCloseable {
      * Reads the velocity of every circle, in the order of the ids.
      *
      * @param velocities takes vx and vy of each from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
         enter();
         try {
-            requireRoom("velocities", velocities.remaining(), 2L * roster.size());
+            requireRoom("velocities", velocities, 2L * roster.size());
             velocities.put(last.velocities(), 0, 2 * roster.size());
         } finally {
             exit();
@@ -739,12 +740,12 @@ public final class World implements AutoCloseable {
      * Reads the handle of every circle, in the order of the ids.
      *
      * @param handles takes one element a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
         enter();
         try {
-            requireRoom("handles", handles.remaining(), roster.size());
+            requireRoom("handles", handles, roster.size());
             for (int id = 0; id < roster.end(); id++) {
                 if (roster.lives(id)) {
                     handles.put(roster.handle(id));
@@ -856,6 +857,13 @@ public final class World implements AutoCloseable {
         } finally {
             exit();
         }
+    }
+
+    private static void requireRoom(String what, Buffer buffer, long needs) {
+        if (buffer.isReadOnly()) {
+            throw new IllegalArgumentException(what + " is a read-only buffer");
+        }
+        requireRoom(what, buffer.remaining(), needs);
     }
 
     private static void requireRoom(String what, long has, long needs) {

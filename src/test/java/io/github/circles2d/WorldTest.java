@@ -282,6 +282,9 @@ class WorldTest {
             refused(() -> world.read(circles));
             refused(() -> world.readVelocities(velocities));
             refused(() -> world.readHandles(handles));
+            refused(() -> world.read(FloatBuffer.allocate(4).asReadOnlyBuffer()));
+            refused(() -> world.readVelocities(FloatBuffer.allocate(2).asReadOnlyBuffer()));
+            refused(() -> world.readHandles(LongBuffer.allocate(1).asReadOnlyBuffer()));
         }
     }
 
