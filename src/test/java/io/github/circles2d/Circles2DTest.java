@@ -373,9 +373,18 @@ class Circles2DTest {
     void everyStrategyNumberHasItsIndexing() {
         assertThat(PairIndexing.values())
                 .containsExactly(
-                        PairIndexing.COMPUTED, PairIndexing.LOOKUP_TABLE, PairIndexing.ROW_SEARCH, PairIndexing.EXACT);
+                        PairIndexing.COMPUTED,
+                        PairIndexing.LOOKUP_TABLE,
+                        PairIndexing.ROW_SEARCH,
+                        PairIndexing.EXACT,
+                        PairIndexing.AUTO);
         for (int strategy = 0; strategy < 4; strategy++) {
+            assertThat(PairIndexing.ofStrategy(strategy)).isSameAs(PairIndexing.values()[strategy]);
             assertThat(PairIndexing.ofStrategy(strategy).strategy()).isEqualTo(strategy);
         }
+        assertThatIllegalArgumentException().isThrownBy(() -> PairIndexing.ofStrategy(4));
+        assertThatIllegalStateException()
+                .isThrownBy(PairIndexing.AUTO::strategy)
+                .withMessageContaining("AUTO");
     }
 }
