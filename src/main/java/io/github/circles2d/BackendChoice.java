@@ -38,17 +38,21 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
 
     /** Takes what is asked for, or the fastest that is there. */
     static BackendChoice of(Backend wanted, int threads, int leastShare, int capacity, boolean profiling) {
-        return switch (wanted) {
-            case JVM -> jvm(threads, leastShare, capacity, profiling, ASKED_FOR);
-            case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
-            case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
-            case AUTO -> logged(fastest(threads, leastShare, capacity, profiling));
-        };
+        BackendChoice choice =
+                switch (wanted) {
+                    case JVM -> jvm(threads, leastShare, capacity, profiling, ASKED_FOR);
+                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
+                    case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
+                    case AUTO -> fastest(threads, leastShare, capacity, profiling);
+                };
+        String subject = choice.backend + choice.pipeline.device();
+        return choice.logged(
+                wanted == Backend.AUTO ? Notice.level(System.Logger.Level.INFO, subject) : System.Logger.Level.DEBUG);
     }
 
     /** Takes this very device. */
     static BackendChoice of(Device device, int capacity, boolean profiling) {
-        return openCl(device, capacity, profiling, "this device was asked for");
+        return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
     }
 
     private static BackendChoice fastest(int threads, int leastShare, int capacity, boolean profiling) {
@@ -65,7 +69,8 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         Map<Optional<Device>, Curve> candidates = new LinkedHashMap<>();
         candidates.put(Optional.empty(), jvm.get());
         // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
-        if (capacity >= LEAST_FOR_GPU || !isFastest(jvm.get(), timings, capacity)) {
+        boolean jvmIsFastest = isFastest(jvm.get(), timings, capacity);
+        if (capacity >= LEAST_FOR_GPU || !jvmIsFastest) {
             for (Device device : usable()) {
                 Optional<Curve> curve = curveOf(device, timings);
                 curve.ifPresent(measured -> candidates.put(Optional.of(device), measured));
@@ -77,7 +82,8 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
             }
         }
         String why = Timings.words(
-                candidates, capacity, device -> device.map(Device::name).orElse("JVM"));
+                        candidates, capacity, device -> device.map(Device::name).orElse("JVM"))
+                + (jvmIsFastest ? "; nothing that was measured is faster" : "");
         Optional<Device> taken = Timings.fastest(candidates, capacity);
         try {
             if (taken.isPresent()) {
@@ -154,13 +160,8 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return new BackendChoice(Backend.JVM, new JvmPipeline(threads, leastShare, capacity, profiling), reason);
     }
 
-    private static BackendChoice logged(BackendChoice choice) {
-        String device = choice.pipeline.device();
-        Notice.once(
-                LOG,
-                System.Logger.Level.INFO,
-                choice.backend + device,
-                "World on " + choice.backend + ", " + device + ": " + choice.reason);
-        return choice;
+    private BackendChoice logged(System.Logger.Level level) {
+        LOG.log(level, "World on {0}, {1}: {2}", backend, pipeline.device(), reason);
+        return this;
     }
 }

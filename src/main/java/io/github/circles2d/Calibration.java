@@ -51,7 +51,7 @@ public final class Calibration {
     private static final double MOST_MILLIS = 5_000;
 
     /** What could not be saved holds for this process. */
-    private static Timings unsaved = Timings.NONE;
+    private static volatile Timings unsaved = Timings.NONE;
 
     private final Timings timings;
     private final Optional<Path> file;
@@ -198,20 +198,21 @@ public final class Calibration {
     }
 
     /** What is known; nothing where the file cannot be used. */
-    static synchronized Timings timings() {
-        if (!unsaved.entries().isEmpty()) {
-            return unsaved;
+    static Timings timings() {
+        Timings here = unsaved;
+        if (!here.entries().isEmpty()) {
+            return here;
         }
         Optional<Path> place = CachePlace.find();
         if (place.isPresent()) {
             try {
                 return TimingsFile.read(place.get());
             } catch (IOException | SecurityException e) {
-                Notice.once(
-                        LOG,
-                        Level.WARNING,
-                        place.get() + e.getMessage(),
-                        "the calibration in " + place.get() + " is not used: " + e.getMessage());
+                LOG.log(
+                        Notice.level(Level.WARNING, place.get() + e.getMessage()),
+                        "the calibration in {0} is not used: {1}",
+                        place.get(),
+                        e.getMessage());
             }
         }
         return Timings.NONE;

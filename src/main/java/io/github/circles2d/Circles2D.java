@@ -294,11 +294,12 @@ public final class Circles2D implements AutoCloseable {
         IndexingChoice choice = IndexingChoice.of(
                 device, circles.size(), indexing -> MemoryNeed.of(strategyOf(indexing), circles.size())
                         .fits(device, freeBytes));
-        Notice.once(
-                LOG,
-                Level.INFO,
-                choice.indexing() + device.toString(),
-                "Circles2D with pair indexing " + choice.indexing() + " on " + device.name() + ": " + choice.reason());
+        LOG.log(
+                Notice.level(Level.INFO, choice.indexing() + device.toString()),
+                "Circles2D with pair indexing {0} on {1}: {2}",
+                choice.indexing(),
+                device.name(),
+                choice.reason());
         return choice.indexing();
     }
 

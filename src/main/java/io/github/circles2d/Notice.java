@@ -3,21 +3,20 @@ package io.github.circles2d;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
-/** Logs what a user should be told of once: the first time at a level that is seen, later for those who debug. */
+/** Tells a user once what is worth knowing once, and those who debug every time. */
 final class Notice {
     private static final Set<String> GIVEN = ConcurrentHashMap.newKeySet();
 
     private Notice() {}
 
     /**
-     * Logs a text.
+     * Returns the level to log something at.
      *
-     * @param log where
-     * @param level the level of the first time
+     * @param first the level of the first time
      * @param subject what makes two notices the same
-     * @param text what to say
+     * @return that level, or DEBUG if it has been given before
      */
-    static void once(System.Logger log, System.Logger.Level level, String subject, String text) {
-        log.log(GIVEN.add(subject) ? level : System.Logger.Level.DEBUG, text);
+    static System.Logger.Level level(System.Logger.Level first, String subject) {
+        return GIVEN.add(subject) ? first : System.Logger.Level.DEBUG;
     }
 }
