@@ -74,7 +74,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
             for (Device device : usable()) {
                 Optional<Curve> curve = curveOf(device, timings);
                 curve.ifPresent(measured -> candidates.put(Optional.of(device), measured));
-                if (curve.isEmpty() && device.kind() == Device.Kind.GPU) {
+                if (curve.isEmpty() && isTheGpuOfTheRule(device)) {
                     String hint =
                             "; the calibration is not of " + device.name() + " with this driver and these kernels";
                     return byRule(threads, leastShare, capacity, profiling, hint);
@@ -93,6 +93,10 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
             why = taken.get().name() + " cannot be used: " + e.getMessage();
         }
         return jvm(threads, leastShare, capacity, profiling, why);
+    }
+
+    private static boolean isTheGpuOfTheRule(Device device) {
+        return device.kind() == Device.Kind.GPU && device == OpenCl.bestDevice();
     }
 
     /** Whether nothing that was measured, here or on what was here once, is faster. */
