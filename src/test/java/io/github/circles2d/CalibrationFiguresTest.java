@@ -115,7 +115,7 @@ class CalibrationFiguresTest {
                 .isLessThanOrEqualTo(ALLOWED * best);
     }
 
-    /** Mean ms of a loop by device, indexing and n: all four, also the one that is never picked. */
+    /** Mean ms of a loop by device (its name begins with what it is), indexing and n: all four, also the one that is never picked. */
     private static Map<String, Map<String, NavigableMap<Integer, Double>>> loops() throws IOException {
         Map<String, Map<String, NavigableMap<Integer, Double>>> loops = new TreeMap<>();
         for (String machine : machines()) {
@@ -123,7 +123,7 @@ class CalibrationFiguresTest {
                 if (row.get("mode").equals("loop")) {
                     put(
                             loops,
-                            row.get("device"),
+                            row.get("device") + " of " + machine,
                             PairIndexing.ofStrategy(Integer.parseInt(row.get("strategy")))
                                     .name(),
                             row);
