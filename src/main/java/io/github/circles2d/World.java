@@ -1070,12 +1070,16 @@ public final class World implements AutoCloseable {
         private int subSteps = 4;
         private Backend backend = Backend.AUTO;
         private Device device;
-        private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
+        private int threads = defaultThreads();
         private int capacity = 1024;
         private boolean profiling;
         private int leastShare = JvmPipeline.LEAST_SHARE;
 
         private Builder() {}
+
+        static int defaultThreads() {
+            return Math.min(Runtime.getRuntime().availableProcessors(), 16);
+        }
 
         /** Circles that a thread of the JVM back end has at least. For tests of few circles on many threads. */
         Builder leastShare(int circles) {
@@ -1173,7 +1177,7 @@ public final class World implements AutoCloseable {
 
         /**
          * How many circles to make room for at once. A world grows by itself; this saves it the growing, and tells
-         * {@link Backend#AUTO} whether a GPU is worth its while.
+         * {@link Backend#AUTO} for how many circles the world is to be fast.
          *
          * @param capacity number of circles, at least 0
          * @return this

@@ -108,6 +108,15 @@ public final class ClPipeline implements Pipeline {
         }
     }
 
+    /**
+     * Identifies the kernels of this version.
+     *
+     * @return a fingerprint of their source
+     */
+    public static String kernels() {
+        return ClKernels.source(true).fingerprint();
+    }
+
     /** Sets the size of work-groups, which has no effect on results. */
     ClPipeline workGroupSize(int size) {
         kernels.workGroupSize(size);
