@@ -39,6 +39,7 @@
  *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells what was chosen, and why.
  *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back,
  *       for replays and roll-back; {@link io.github.circles2d.World#hash} compares two, across machines too.
+ *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
  *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, where one of several is to be chosen, and the exceptions that tell
  *       what is missing.
  * </ul>
