@@ -14,6 +14,7 @@ final class JmhWork implements Work {
     /** How long a run may take. */
     enum Effort {
         QUICK(20, 3, 1),
+        BRISK(40, 5, 10),
         FULL(300, 5, 10);
 
         final double maxSeconds;
@@ -66,6 +67,16 @@ final class JmhWork implements Work {
         columns.put("overlappingPairs", "overlapping_pairs");
         columns.put("deepPairs", "deep_pairs");
         columns.put("kineticEnergy", "kinetic_energy");
+        columns.put("gridMicros", "grid_us");
+        columns.put("scanMicros", "scan_us");
+        columns.put("sweepMicros", "sweep_us");
+        columns.put("contactsMicros", "contacts_us");
+        columns.put("solverMicros", "solver_us");
+        columns.put("residentMicros", "resident_us");
+        columns.put("otherMicros", "other_us");
+        columns.put("contacts", "contacts");
+        columns.put("candidatePairs", "candidate_pairs");
+        columns.put("bytesHeld", "bytes_held");
         columns.put("allocatedBytes", "allocated_bytes");
         columns.put("peakResidentMiB", "peak_rss_mib");
         return columns;
@@ -158,11 +169,11 @@ final class JmhWork implements Work {
                 row.put(column, Numbers.exact(run.counter(counter)));
             }
         });
-        extra(row, millis);
+        extra(row, run, millis);
         return row;
     }
 
-    private void extra(Map<String, String> row, Statistics millis) {
+    private void extra(Map<String, String> row, JmhRun run, Statistics millis) {
         switch (task.kind()) {
             case COPY:
                 row.put("gb_per_s", Numbers.exact(2 * task.n() / millis.median() / 1e6));
@@ -178,8 +189,21 @@ final class JmhWork implements Work {
                 row.put("skipped", Integer.toString(task.skipped()));
                 row.put("remarks", Engines.remarks(row.get("engine")));
                 break;
+            case TRANSFER:
+                row.put("gb_per_s", Numbers.exact(task.n() / millis.median() / 1e6));
+                break;
+            case WORLD:
+                row.put("skipped", task.parameters().get("skipped"));
+                row.put("steps", Integer.toString(task.steps()));
+                row.put("state_hash", hash(run.counter("hashHigh"), run.counter("hashLow")));
+                break;
             default:
                 throw new AssertionError(task.kind());
         }
+    }
+
+    /** JMH's counters are doubles, which hold half a hash without loss. */
+    static String hash(double high, double low) {
+        return String.format("%08x%08x", (long) high, (long) low);
     }
 }
