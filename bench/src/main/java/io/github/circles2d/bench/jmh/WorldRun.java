@@ -23,7 +23,7 @@ import org.openjdk.jmh.infra.BenchmarkParams;
 @State(Scope.Thread)
 public class WorldRun {
     /** World's name out of {@link Engines}. */
-    @Param("world-jvm")
+    @Param({"world-jvm", "world@best"})
     public String engine;
 
     /** Number of circles. */
