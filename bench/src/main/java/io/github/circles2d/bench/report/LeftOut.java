@@ -19,6 +19,11 @@ final class LeftOut {
         return row.get("status").startsWith("left out");
     }
 
+    /** Whether a row has no figure because a smaller size of the same did not fit into the memory. */
+    static boolean followsFromASmallerSize(Map<String, String> row) {
+        return row.get("status").equals(ResultsFolder.SMALLER_DOES_NOT_FIT);
+    }
+
     /** The strategies of a device, n by n, with the modes that are missing where not all are; empty if nothing is. */
     static String strategies(ResultsFolder folder, String device) {
         Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();

@@ -173,7 +173,7 @@ public final class Page {
         return perDevice((folder, device) -> {
             Grid grid = Grid.ofNumbers("n", "strategy", "with read-back", "device alone", "with profiling events");
             for (int n : Tables.sizes(folder, device)) {
-                for (int strategy = 0; strategy < 4 && Tables.tried(folder, device, n); strategy++) {
+                for (int strategy = 0; strategy < 4 && Tables.measured(folder, device, n); strategy++) {
                     List<String> row = new ArrayList<>(List.of(Numbers.whole(n), Integer.toString(strategy)));
                     for (String mode : List.of("loop", "deviceOnly", "profiled")) {
                         row.add(Tables.millis(Tables.run(folder, device, strategy, n, mode)));
@@ -259,10 +259,13 @@ public final class Page {
     /** What failed or did not fit. */
     private static String missing(ResultsFolder folder, Kind kind, String column, String value) {
         String list = folder.table(kind).rows(column, value).stream()
-                .filter(row -> !row.get("status").equals("ok") && !LeftOut.is(row))
+                .filter(row ->
+                        !row.get("status").equals("ok") && !LeftOut.is(row) && !LeftOut.followsFromASmallerSize(row))
                 .map(row -> "- " + String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status") + "\n")
                 .collect(Collectors.joining());
-        return list.isEmpty() ? "" : "Without a figure:\n\n" + list + "\n";
+        return list.isEmpty()
+                ? ""
+                : "Without a figure (where one size does not fit, larger ones were not tried):\n\n" + list + "\n";
     }
 
     /** One figure: folder, table, the key's values in order with _ for a space, column. */

@@ -12,6 +12,9 @@ import org.openjdk.jmh.results.RunResult;
 
 /** The results of one machine: the tables and the JMH JSON of a folder. What a new run does not measure stays. */
 public final class ResultsFolder {
+    /** The status of what was not tried because less of the same did not fit into the device's memory. */
+    public static final String SMALLER_DOES_NOT_FIT = "does not fit: a smaller size does not";
+
     /** The tables of a folder. */
     public enum Kind {
         /** What the machine is, and how it was measured: a name and a value a row. */

@@ -147,7 +147,7 @@ final class JmhWork implements Work {
 
     private String explain(String failure) throws IOException {
         if (failure.startsWith("DeviceMemoryException")) {
-            hopeless.put(task.series(), "does not fit: a smaller size does not");
+            hopeless.put(task.series(), ResultsFolder.SMALLER_DOES_NOT_FIT);
             return without("does not fit: " + failure);
         }
         if (failure.startsWith(JmhRun.GIVEN_UP)) {

@@ -48,6 +48,7 @@ public final class Options {
             "  --machine NAME       name of the results folder (default: processor, cores and graphics processor)",
             "  --out DIR            parent of the results folder (default: bench/results, or results)",
             "  --no-charts          writes no charts",
+            "  --missing            only what has no figure yet in the results folder",
             "  --list               prints the devices and the runs that there would be",
             "",
             "A folder that is there is added to: what is measured again replaces what was there.");
@@ -55,6 +56,7 @@ public final class Options {
     private boolean quick;
     private boolean list;
     private boolean help;
+    private boolean missing;
     private boolean charts = true;
     private double budgetSeconds = Double.POSITIVE_INFINITY;
     private Set<Part> parts = EnumSet.allOf(Part.class);
@@ -90,6 +92,9 @@ public final class Options {
                 break;
             case "--list":
                 list = true;
+                break;
+            case "--missing":
+                missing = true;
                 break;
             case "--no-charts":
                 charts = false;
@@ -175,6 +180,11 @@ public final class Options {
 
     public boolean help() {
         return help;
+    }
+
+    /** Whether what the results folder has a figure for is left alone. */
+    public boolean missing() {
+        return missing;
     }
 
     public boolean charts() {

@@ -250,8 +250,14 @@ final class Plan {
 
     private Task packed(String engine, int n) {
         double small = List.of("jbox2d", "dyn4j").contains(engine) ? 12 : 3;
-        int steps = options.quick() ? 100 : n < LARGE_CROWDS.get(0) ? 500 : 100;
-        return peer(engine, "packed", n, 100, steps, small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2));
+        double guess = small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2);
+        if (engine.equals("gdx-box2d") && n >= 15_000) {
+            // Its steps take from a quarter of a second to seconds.
+            int steps = n < LARGE_CROWDS.get(0) ? 100 : 10;
+            return peer(engine, "packed", n, steps, steps, guess);
+        }
+        int steps = options.quick() || n >= LARGE_CROWDS.get(0) ? 100 : 500;
+        return peer(engine, "packed", n, 100, steps, guess);
     }
 
     /** Few steps: engines that solve their contacts take a second for one of them, and it never comes to rest anyway. */
@@ -282,6 +288,9 @@ final class Plan {
     }
 
     private void add(Task task) {
+        if (options.missing() && folder.hasFigure(task.kind(), task.key())) {
+            return;
+        }
         boolean many = effort == JmhWork.Effort.FULL && task.kind() == ResultsFolder.Kind.WORLD;
         work.add(new JmhWork(task, many ? JmhWork.Effort.BRISK : effort, folder, hopeless));
     }

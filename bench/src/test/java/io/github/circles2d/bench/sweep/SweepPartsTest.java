@@ -11,9 +11,12 @@ import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -92,6 +95,28 @@ class SweepPartsTest {
         // 320 ms a step at 10,000: an iteration of 201 steps is 64 s
         assertThat(work.label()).startsWith("dyn4j");
         assertThat(work.run(pace, 60)).startsWith("left out: it would take about 131 s");
+    }
+
+    @Test
+    void onlyWhatHasNoFigureIsMissing() throws IOException {
+        ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
+        Map<String, String> there = new LinkedHashMap<>(
+                Map.of("engine", "dyn4j", "scene", "packed", "n", "1250", "steps", "100", "status", "ok"));
+        folder.put(Kind.PEERS, there);
+        there.put("engine", "jbox2d");
+        there.put("status", "left out: the time was up");
+        folder.put(Kind.PEERS, there);
+        List<String> quick = List.of("--quick", "--only", "peers", "--sizes", "1250", "--engine", "dyn4j,jbox2d");
+        List<String> missing = new ArrayList<>(quick);
+        missing.add("--missing");
+        assertThat(labels(quick, folder)).containsExactly("jbox2d packed 1250 100", "dyn4j packed 1250 100");
+        assertThat(labels(missing, folder)).containsExactly("jbox2d packed 1250 100");
+    }
+
+    private static List<String> labels(List<String> arguments, ResultsFolder folder) {
+        return Plan.of(Options.parse(arguments), Map.of(), folder).stream()
+                .map(Work::label)
+                .collect(Collectors.toList());
     }
 
     @Test
