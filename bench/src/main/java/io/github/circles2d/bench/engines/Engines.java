@@ -109,7 +109,7 @@ public final class Engines {
                         + " of 0.5 m";
             case JAVA_GRID:
                 return "plain Java, one thread: a uniform grid, 4 sub-steps of soft contacts with warm starting, solved one after"
-                        + " the other; no rotation, no friction, no sleeping";
+                        + " the other, restitution once a step; no rotation, no friction, no sleeping";
             case WORLD_JVM:
                 return "this library's engine for games in Java, as many threads as the machine has processors; 4 sub-steps; no"
                         + " rotation, no friction, no sleeping; the same bits as world@device";
