@@ -139,6 +139,7 @@ final class WorldCharts {
                 "ms a step",
                 "mean depth of overlaps, radii");
         chart.getStyler().setXAxisDecimalPattern("#,##0.###");
+        chart.getStyler().setYAxisDecimalPattern("0.#####");
         chart.getStyler().setLegendVisible(false);
         chart.getStyler().setAnnotationTextFont(new Font(Font.SANS_SERIF, Font.PLAIN, 14));
         List<Label> labels = new ArrayList<>();

@@ -13,25 +13,35 @@ import java.util.Map;
 final class JmhWork implements Work {
     /** How long a run may take. */
     enum Effort {
-        QUICK(20, 3, 1),
-        BRISK(40, 5, 10),
-        FULL(300, 5, 10);
+        QUICK(20, 3, 3, 1),
+        BRISK(90, 5, 3, 10),
+        FULL(300, 5, 5, 10);
+
+        /** From here on an iteration is long. */
+        private static final double LONG_SECONDS = 2;
 
         final double maxSeconds;
-        final int wantedRuns;
         final int mostWarmups;
+        private final int wantedRuns;
+        private final int wantedLongRuns;
 
-        Effort(double maxSeconds, int wantedRuns, int mostWarmups) {
+        Effort(double maxSeconds, int wantedRuns, int wantedLongRuns, int mostWarmups) {
             this.maxSeconds = maxSeconds;
             this.wantedRuns = wantedRuns;
+            this.wantedLongRuns = wantedLongRuns;
             this.mostWarmups = mostWarmups;
+        }
+
+        /** How many iterations should count. */
+        int wantedRuns(double iterationSeconds) {
+            return iterationSeconds > LONG_SECONDS ? wantedLongRuns : wantedRuns;
         }
     }
 
     /** With fewer there is no standard error. */
     private static final int MIN_RUNS = 2;
 
-    /** An iteration as long as this needs no other before it to warm up. */
+    /** An iteration as long as this, its set-up not counted, needs no other before it to warm up. */
     private static final double WARM_SECONDS = 5;
 
     /** Short iterations are repeated for about so long before they count: the JVM compiles meanwhile. */
@@ -89,7 +99,7 @@ final class JmhWork implements Work {
 
     @Override
     public double seconds(Pace pace) {
-        double wanted = pace.seconds(task, warmups(pace) + effort.wantedRuns);
+        double wanted = pace.seconds(task, warmups(pace) + effort.wantedRuns(pace.iterationSeconds(task)));
         double least = pace.seconds(task, MIN_RUNS);
         return least > effort.maxSeconds ? 0 : Math.min(wanted, effort.maxSeconds);
     }
@@ -102,7 +112,8 @@ final class JmhWork implements Work {
         double limit = Math.min(secondsLeft, effort.maxSeconds);
         double iteration = pace.iterationSeconds(task);
         int warmups = warmups(pace);
-        int affordable = (int) Math.min(effort.wantedRuns, (limit - pace.seconds(task, warmups)) / iteration);
+        int affordable =
+                (int) Math.min(effort.wantedRuns(iteration), (limit - pace.seconds(task, warmups)) / iteration);
         if (affordable < MIN_RUNS) {
             return leaveOut(pace.seconds(task, warmups + MIN_RUNS), limit);
         }
@@ -113,7 +124,7 @@ final class JmhWork implements Work {
 
     private int warmups(Pace pace) {
         double iteration = pace.iterationSeconds(task);
-        return iteration > WARM_SECONDS
+        return iteration - task.setUpSeconds() > WARM_SECONDS
                 ? 0
                 : (int) Math.max(1, Math.min(effort.mostWarmups, Math.ceil(WARM_UP_SECONDS / iteration)));
     }
