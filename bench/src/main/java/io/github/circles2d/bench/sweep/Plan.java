@@ -225,11 +225,16 @@ final class Plan {
         List<Integer> sizes = options.sizes(options.quick() ? List.of(1250) : THESIS_SIZES).stream()
                 .filter(n -> n < LARGE_CROWDS.get(0) && !(options.quick() && n == QUICK_CROWD))
                 .collect(Collectors.toList());
+        if (options.quick()) {
+            // What takes longest comes last: it may have to be left out.
+            sizes.forEach(n -> engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, n))));
+            if (options.sizes(QUICK_SIZES).contains(QUICK_CROWD)) {
+                engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, QUICK_CROWD)));
+            }
+            engines.removeIf(Plan::scales);
+        }
         for (int n : sizes) {
             engines.forEach(engine -> add(packed(engine, n)));
-        }
-        if (options.quick() && options.sizes(QUICK_SIZES).contains(QUICK_CROWD)) {
-            engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, QUICK_CROWD)));
         }
         if (!options.quick()) {
             for (int n : options.sizes(LARGE_CROWDS)) {
@@ -279,7 +284,7 @@ final class Plan {
                 key,
                 peerSeries(engine, scene),
                 n,
-                2,
+                scales(engine) && scene.equals("packed") ? 1.5 : 2,
                 PeerBenchmark.class.getName() + ".step",
                 parameters,
                 skipped,
