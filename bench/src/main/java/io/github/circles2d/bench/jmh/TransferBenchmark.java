@@ -1,10 +1,11 @@
 package io.github.circles2d.bench.jmh;
 
 import io.github.circles2d.bench.Devices;
-import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Session;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -79,25 +80,29 @@ public class TransferBenchmark {
         private Session session;
         private DeviceBuffer buffer;
         private HostBuffer pinned;
-        private FloatBuffer array;
-        private PlainTransfer plain;
+        private ByteBuffer pageable;
+
+        /** The host's memory, whatever its kind. */
         private FloatBuffer host;
 
         /** Allocates both ends. */
         @Setup(Level.Trial)
         public void open(BenchmarkParams params) {
             transfers = params.getOpsPerInvocation();
-            Device found = Devices.find(device);
-            if (memory == Memory.PAGEABLE) {
-                plain = new PlainTransfer(found, bytes);
-                host = plain.memory.asFloatBuffer();
-                return;
-            }
-            session = Session.open(found);
+            session = Session.open(Devices.find(device));
             buffer = session.allocate("transfers", bytes);
-            pinned = session.hostBuffer(memory == Memory.PINNED ? bytes : 0);
-            array = FloatBuffer.allocate(memory == Memory.STAGED ? bytes / Float.BYTES : 0);
-            host = memory == Memory.PINNED ? pinned.floats() : array;
+            switch (memory) {
+                case PINNED:
+                    pinned = session.hostBuffer(bytes);
+                    host = pinned.floats();
+                    break;
+                case STAGED:
+                    host = FloatBuffer.allocate(bytes / Float.BYTES);
+                    break;
+                default:
+                    pageable = ByteBuffer.allocateDirect(bytes).order(ByteOrder.nativeOrder());
+                    host = pageable.asFloatBuffer();
+            }
         }
 
         /** Makes the two ends equal, so that every page is there, and different from what was there before. */
@@ -115,10 +120,10 @@ public class TransferBenchmark {
                     buffer.read(0, pinned, 0, bytes);
                     break;
                 case STAGED:
-                    buffer.read(array);
+                    buffer.read(host);
                     break;
                 default:
-                    plain.read();
+                    buffer.readPageable(pageable);
             }
         }
 
@@ -128,10 +133,10 @@ public class TransferBenchmark {
                     buffer.write(0, pinned, 0, bytes);
                     break;
                 case STAGED:
-                    buffer.write(array);
+                    buffer.write(host);
                     break;
                 default:
-                    plain.write();
+                    buffer.writePageable(pageable);
             }
         }
 
@@ -152,11 +157,7 @@ public class TransferBenchmark {
         /** Frees both ends. */
         @TearDown(Level.Trial)
         public void close() {
-            if (plain != null) {
-                plain.close();
-            } else {
-                session.close();
-            }
+            session.close();
         }
     }
 }

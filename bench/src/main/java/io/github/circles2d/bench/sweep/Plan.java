@@ -11,6 +11,7 @@ import io.github.circles2d.bench.results.Table;
 import io.github.circles2d.opencl.Device;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -158,7 +159,7 @@ final class Plan {
         }
         for (int n : options.sizes(sizes)) {
             for (Map.Entry<String, Device> device : devices.entrySet()) {
-                for (PairIndexing indexing : PairIndexing.values()) {
+                for (PairIndexing indexing : EnumSet.complementOf(EnumSet.of(PairIndexing.AUTO))) {
                     for (String mode : modes(n)) {
                         add(strategy(n, device.getKey(), device.getValue(), indexing, mode));
                     }
