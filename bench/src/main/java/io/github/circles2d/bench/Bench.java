@@ -100,7 +100,7 @@ public final class Bench {
             for (ResultsFolder folder : folders) {
                 Charts.draw(folder, System.out);
             }
-            Charts.drawAll(results, folders);
+            Charts.drawAll(results, folders, System.out);
         } else {
             Charts.draw(folder(arguments), System.out);
         }

@@ -48,27 +48,38 @@ public final class Charts {
 
     /** Draws what there are figures for. Where this JVM cannot draw (a machine without fonts) it says so and goes on. */
     public static void draw(ResultsFolder folder, PrintStream out) throws IOException {
-        try {
-            for (String device : Tables.devices(folder)) {
-                if (!folder.table(Kind.STRATEGIES)
-                        .rows("device", device, "mode", "loop", "status", "ok")
-                        .isEmpty()) {
-                    save(strategies(folder, device), folder.path(), strategiesFile(device));
-                }
-            }
-            for (String scene : List.of("packed", "thesis")) {
-                save(peers(folder, scene), folder.path(), peersFile(scene));
-            }
-            WorldCharts.draw(folder);
-        } catch (LinkageError | InternalError | RuntimeException e) {
-            out.println("no charts: this JVM cannot draw here (" + e + "); draw them elsewhere with: charts "
-                    + folder.path());
-        }
+        tryTo(() -> draw(folder), folder.path(), out);
     }
 
-    /** Draws what compares machines, into the folder of their folders. */
-    public static void drawAll(Path results, List<ResultsFolder> folders) throws IOException {
-        save(WorldCharts.steps(folders), results, WorldCharts.FILE);
+    private static void draw(ResultsFolder folder) throws IOException {
+        for (String device : Tables.devices(folder)) {
+            if (!folder.table(Kind.STRATEGIES)
+                    .rows("device", device, "mode", "loop", "status", "ok")
+                    .isEmpty()) {
+                save(strategies(folder, device), folder.path(), strategiesFile(device));
+            }
+        }
+        for (String scene : List.of("packed", "thesis")) {
+            save(peers(folder, scene), folder.path(), peersFile(scene));
+        }
+        WorldCharts.draw(folder);
+    }
+
+    /** Draws what compares machines, into the folder of their folders; says so where it cannot, as {@link #draw} does. */
+    public static void drawAll(Path results, List<ResultsFolder> folders, PrintStream out) throws IOException {
+        tryTo(() -> save(WorldCharts.steps(folders), results, WorldCharts.FILE), results, out);
+    }
+
+    private interface Drawing {
+        void run() throws IOException;
+    }
+
+    private static void tryTo(Drawing drawing, Path where, PrintStream out) throws IOException {
+        try {
+            drawing.run();
+        } catch (LinkageError | InternalError | RuntimeException e) {
+            out.println("no charts: this JVM cannot draw here (" + e + "); draw them elsewhere with: charts " + where);
+        }
     }
 
     /** File name, without ending, of the chart of a device. */

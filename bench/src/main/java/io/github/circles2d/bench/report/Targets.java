@@ -58,7 +58,7 @@ final class Targets {
     }
 
     private static String verdict(double reached, double aim) {
-        return reached <= aim ? "yes" : "no: " + Numbers.brief(reached / aim) + " of the aim";
+        return reached <= aim ? "yes" : "no: " + Numbers.brief(reached / aim) + " times the aim";
     }
 
     /** The run with the least median that a target is about; null where the folder has none. */

@@ -51,7 +51,9 @@ final class WorldCharts {
         }
     }
 
-    /** World on all machines; other engines on the first machine that has some. */
+    /**
+     * World on all machines, of machines that are alike the first; other engines on the first machine that has some.
+     */
     static XYChart steps(List<ResultsFolder> folders) {
         XYChart chart = Charts.chart("A step on the scene packed", "circles", "ms a step");
         int index = 0;
@@ -77,7 +79,7 @@ final class WorldCharts {
     }
 
     private static int line(XYChart chart, String name, Map<Integer, Double> millis, int index, boolean thin) {
-        if (millis.isEmpty()) {
+        if (millis.isEmpty() || chart.getSeriesMap().containsKey(name)) {
             return 0;
         }
         Charts.line(chart, name, new ArrayList<>(millis.keySet()), new ArrayList<>(millis.values()), index, thin);

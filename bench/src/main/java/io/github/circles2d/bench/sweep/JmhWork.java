@@ -150,7 +150,7 @@ final class JmhWork implements Work {
             return explain(run.failure());
         }
         Statistics millis = run.millis();
-        pace.learn(task, millis.mean(), (System.nanoTime() - before) / 1e9, warmups + runs);
+        pace.learn(task, millis.median(), (System.nanoTime() - before) / 1e9, warmups + runs);
         folder.put(run.result());
         folder.put(task.kind(), row(run, millis));
         return Numbers.brief(millis.mean()) + " ms +/- " + Numbers.brief(millis.standardError());

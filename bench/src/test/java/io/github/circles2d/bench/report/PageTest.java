@@ -233,7 +233,7 @@ class PageTest {
                 .contains("| NVIDIA H200 | 15,000 | steps alone | 0.1 | 0.09 | world@gpu | yes |");
         world("world@gpu", "1250", "steps", "0.12");
         assertThat(Page.of(temporary))
-                .contains("| NVIDIA H200 | 1,250 | steps alone | 0.06 | 0.12 | world@gpu | no: 2 of the aim |");
+                .contains("| NVIDIA H200 | 1,250 | steps alone | 0.06 | 0.12 | world@gpu | no: 2 times the aim |");
     }
 
     @Test
@@ -244,7 +244,7 @@ class PageTest {
         world("world@cpu", "5000", "steps", "3");
         world("world-jvm", "5000", "steps", "1.5");
         assertThat(Page.of(temporary))
-                .contains("| 2 cores | 5,000 | steps alone | 1 | 1.5 | world-jvm | no: 1.5 of the aim |");
+                .contains("| 2 cores | 5,000 | steps alone | 1 | 1.5 | world-jvm | no: 1.5 times the aim |");
     }
 
     @Test
@@ -280,7 +280,7 @@ class PageTest {
         peer("gdx-box2d", "2.5", "0.01");
         ByteArrayOutputStream said = new ByteArrayOutputStream();
         Charts.draw(folder, new PrintStream(said, true, StandardCharsets.UTF_8));
-        Charts.drawAll(temporary, Page.folders(temporary));
+        Charts.drawAll(temporary, Page.folders(temporary), new PrintStream(said, true, StandardCharsets.UTF_8));
         assertThat(said.toString(StandardCharsets.UTF_8)).isEmpty();
         assertThat(WorldCharts.steps(List.of(folder)).getSeriesMap())
                 .containsOnlyKeys("World, Java,  cores", "gdx-box2d");
@@ -290,6 +290,18 @@ class PageTest {
         assertThat(temporary.resolve("box/quality-5000.svg")).doesNotExist();
         assertThat(Page.of(temporary))
                 .contains("(../bench/results/world.svg)", "(../bench/results/box/quality-1250.svg)");
+    }
+
+    /** The host of a GPU is often a machine that was measured without it, too. */
+    @Test
+    void machinesThatAreAlikeShareALine() throws IOException {
+        Files.writeString(temporary.resolve("machines.txt"), "box\ntwin\n");
+        world("world-jvm", "1250", "steps", "1");
+        ResultsFolder twin = ResultsFolder.open(temporary.resolve("twin"));
+        twin.put(
+                Kind.WORLD,
+                Map.of("engine", "world-jvm", "n", "1250", "mode", "steps", "mean_ms", "3", "status", "ok"));
+        assertThat(WorldCharts.steps(List.of(folder, twin)).getSeriesMap()).hasSize(1);
     }
 
     private void measureWorld() throws IOException {
