@@ -3,17 +3,19 @@ package io.github.circles2d.bench.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.github.circles2d.bench.Devices;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import io.github.circles2d.opencl.Device;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.opentest4j.TestAbortedException;
 
 class WorldPlanTest {
     @TempDir
@@ -95,10 +97,36 @@ class WorldPlanTest {
         assertThat(pace.stepMillis(task)).isCloseTo(6, within(1e-9));
     }
 
+    static Map<String, Device> devices() {
+        Map<String, Device> devices = Devices.all();
+        if (devices.isEmpty() && !Boolean.getBoolean("circles2d.device.required")) {
+            throw new TestAbortedException("no OpenCL device");
+        }
+        return devices;
+    }
+
+    @Test
+    void everyDeviceIsMeasuredAloneAndWithReadBackAndByStage() {
+        devices().forEach((name, device) -> assertThat(
+                        Plan.of(Options.parse(List.of("--only", "world")), Map.of(name, device), folder))
+                .extracting(Work::label)
+                .contains(
+                        "world@" + name + " 1250 steps",
+                        "world@" + name + " 5000 frames",
+                        "world@" + name + " 15000 readArray",
+                        "world@" + name + " 15000 storm10",
+                        "world@" + name + " 100000 profiled",
+                        "world@" + name + " 1000000 steps"));
+    }
+
     @Test
     void transfersAreMeasuredWithEveryKindOfMemory() {
-        assertThat(WorldPlan.transfers(Options.parse(List.of()), new HashMap<>(Map.of())))
-                .isEmpty();
+        devices().forEach((name, device) -> assertThat(
+                        WorldPlan.transfers(Options.parse(List.of("--quick")), Map.of(name, device)))
+                .extracting(Task::label)
+                .containsExactly(
+                        name + " read pinned 1048576", name + " read staged 1048576", name + " read pageable 1048576"));
+        assertThat(WorldPlan.transfers(Options.parse(List.of()), Map.of())).isEmpty();
     }
 
     @Test
