@@ -61,6 +61,25 @@ final class LeftOut {
         return list(missing);
     }
 
+    /** World's runs, n by n; empty if none is missing. */
+    static String world(ResultsFolder folder) {
+        Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();
+        for (Map<String, String> row : folder.table(Kind.WORLD).rows()) {
+            if (is(row)) {
+                modes.computeIfAbsent(Integer.valueOf(row.get("n")), n -> new LinkedHashMap<>())
+                        .computeIfAbsent(row.get("engine"), engine -> new ArrayList<>())
+                        .add(row.get("mode"));
+            }
+        }
+        Map<Integer, String> missing = new TreeMap<>();
+        modes.forEach((n, engines) -> missing.put(
+                n,
+                engines.entrySet().stream()
+                        .map(entry -> entry.getKey() + " (" + String.join(", ", entry.getValue()) + ")")
+                        .collect(Collectors.joining(", "))));
+        return list(missing);
+    }
+
     /** A line for all n that lack the same. */
     private static String list(Map<Integer, String> missing) {
         Map<String, List<String>> sizes = new LinkedHashMap<>();

@@ -30,6 +30,9 @@ final class Plan {
 
     private static final List<Integer> QUICK_SIZES = List.of(1250, 2500, 5000);
 
+    /** In a short look only engines run it whose time grows about as n does. */
+    private static final int QUICK_CROWD = 5000;
+
     private static final long MIB = 1 << 20;
 
     private final Options options;
@@ -60,6 +63,12 @@ final class Plan {
                 case STRATEGIES:
                     plan.addStrategies();
                     break;
+                case TRANSFER:
+                    WorldPlan.transfers(options, devices).forEach(plan::add);
+                    break;
+                case WORLD:
+                    plan.addWorld();
+                    break;
                 case PEERS:
                     plan.addPeers();
                     break;
@@ -81,6 +90,12 @@ final class Plan {
         for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.PEERS))) {
             pace.remember(
                     peerSeries(row.get("engine"), row.get("scene")),
+                    Long.parseLong(row.get("n")),
+                    Numbers.parse(row.get("mean_ms")));
+        }
+        for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.WORLD))) {
+            pace.remember(
+                    WorldPlan.series(row.get("engine"), row.get("mode")),
                     Long.parseLong(row.get("n")),
                     Numbers.parse(row.get("mean_ms")));
         }
@@ -188,6 +203,19 @@ final class Plan {
                 : (int) Math.max(10, Math.min(200, 2.5e9 / slots));
     }
 
+    /** Each size begins with the state that all its runs start from. */
+    private void addWorld() {
+        WorldPlan world = new WorldPlan(options, devices);
+        for (int n : world.sizes()) {
+            List<Task> tasks = world.tasks(n);
+            int before = work.size();
+            tasks.forEach(this::add);
+            if (work.size() > before) {
+                work.add(before, new StartWork(tasks.get(0)));
+            }
+        }
+    }
+
     private void addPeers() {
         List<String> engines = new ArrayList<>(Engines.PEERS);
         engines.add(Engines.WORLD_JVM);
@@ -195,9 +223,17 @@ final class Plan {
         if (!options.engines().isEmpty()) {
             engines.retainAll(options.engines());
         }
-        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES).stream()
-                .filter(n -> n < LARGE_CROWDS.get(0))
+        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250) : THESIS_SIZES).stream()
+                .filter(n -> n < LARGE_CROWDS.get(0) && !(options.quick() && n == QUICK_CROWD))
                 .collect(Collectors.toList());
+        if (options.quick()) {
+            // What takes longest comes last: it may have to be left out.
+            sizes.forEach(n -> engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, n))));
+            if (options.sizes(QUICK_SIZES).contains(QUICK_CROWD)) {
+                engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, QUICK_CROWD)));
+            }
+            engines.removeIf(Plan::scales);
+        }
         for (int n : sizes) {
             engines.forEach(engine -> add(packed(engine, n)));
         }
@@ -214,7 +250,8 @@ final class Plan {
 
     /** Whether an engine's time grows about as the number of circles does. */
     private static boolean scales(String engine) {
-        return engine.startsWith("world") || engine.equals("gdx-box2d");
+        return engine.startsWith("world")
+                || List.of("gdx-box2d", Engines.JAVA_GRID).contains(engine);
     }
 
     private Task packed(String engine, int n) {
@@ -248,7 +285,7 @@ final class Plan {
                 key,
                 peerSeries(engine, scene),
                 n,
-                2,
+                scales(engine) && scene.equals("packed") ? 1.5 : 2,
                 PeerBenchmark.class.getName() + ".step",
                 parameters,
                 skipped,
@@ -260,6 +297,7 @@ final class Plan {
         if (options.missing() && folder.hasFigure(task.kind(), task.key())) {
             return;
         }
-        work.add(new JmhWork(task, effort, folder, hopeless));
+        boolean many = effort == JmhWork.Effort.FULL && task.kind() == ResultsFolder.Kind.WORLD;
+        work.add(new JmhWork(task, many ? JmhWork.Effort.BRISK : effort, folder, hopeless));
     }
 }
