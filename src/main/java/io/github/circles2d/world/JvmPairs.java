@@ -23,7 +23,7 @@ final class JvmPairs {
 
     /** Pairs near to each other, a few at a time: slot of the one above slot of the other. */
     static long[] newHits() {
-        return new long[2 * BLOCK + 1];
+        return new long[2 * BLOCK];
     }
 
     /** Gathers the pairs of a group. */
