@@ -9,14 +9,11 @@ import java.util.Locale;
  * barrier over resident work-groups one or two; a large world has other costs, and is better off with launches.
  */
 final class ClResident {
-    /** Worlds of more circles use a launch a pass. */
-    private static final int MOST_CIRCLES = 80_000;
+    /** Worlds of more circles use a launch a pass: with several tiles a work-group the barriers cost more than launches. */
+    private static final int MOST_CIRCLES = 32_000;
 
     /** Work-items of a work-group. */
     static final int GROUP = 256;
-
-    /** Work-groups that surely run at once on a compute unit. */
-    private static final int GROUPS_A_UNIT = 2;
 
     private final Kernel steps;
     private final int mostGroups;
@@ -24,7 +21,9 @@ final class ClResident {
     ClResident(ClKernels kernels, Device device) {
         steps = kernels.staged("resident_steps");
         // Elsewhere nothing is known of work-groups that wait for each other.
-        mostGroups = fits(device) ? GROUPS_A_UNIT * device.computeUnits() : 1;
+        // On a compute unit one surely runs; whether two run at once hangs on registers, and one that does not would be
+        // waited for.
+        mostGroups = fits(device) ? device.computeUnits() : 1;
     }
 
     /** Whether a device is known to run work-groups that wait for each other. */
