@@ -98,21 +98,16 @@ void listAll(World *w, local Local *l) {
         EACH(slot, w->circles) layLeash(w, slot);
         deviceBarrier(arrivals);
     }
-    EACH(slot, w->circles) seekAll(w, slot, COUNTING);
-    deviceBarrier(arrivals);
-    scanAll(w, w->groupStart, buckets + 1, l->cells);
-    deviceBarrier(arrivals);
-    if (get_global_id(0) == 0) noteContacts(w);
-    if (!lackContactRoom(w) && !tooCrowded(w)) {
-        EACH(slot, w->circles) seekAll(w, slot, LISTING);
+#pragma unroll 1
+    for (int first = (int) get_group_id(0) * RESIDENT_GROUP; first < buckets; first += (int) get_global_size(0)) {
+        listGroups(w, first, buckets, l->cells);
     }
     deviceBarrier(arrivals);
-    if (outOfRoom(w)) return;
-    EACH(c, w->groupStart[buckets]) linkContact(w, c);
+    bool stop = refused(w);
+    int contacts = w->status[CONTACTS];
+    EACH(c, stop ? 0 : contacts) linkContact(w, c);
     deviceBarrier(arrivals);
-    bool crowded = tooCrowded(w);
-    deviceBarrier(arrivals);
-    if (crowded) return;
+    if (stop) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
@@ -122,7 +117,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t, int contacts) {
+void solveAll(const World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -130,19 +125,13 @@ void solveAll(const World *w, local Tile *t, int contacts) {
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
 #pragma unroll 1
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
-        int subStep = pass >> 1;
-        bool relaxing = pass & 1;
-        if (relaxing) {
-            EACH(c, contacts) measureContact(w, c);
-            deviceBarrier(arrivals);
-        }
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
-            if (relaxing) {
-                relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+            if (pass & 1) {
+                relaxTile(w, t, tile, pass == 2 * w->k.subSteps - 1);
             } else {
-                pushTile(w, t, tile, subStep);
+                pushTile(w, t, tile, pass >> 1);
             }
         }
         deviceBarrier(arrivals);
@@ -160,10 +149,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
     for (int step = 0; step < steps; step++) {
         listAll(&w, &l);
         if (refused(&w)) break;
-        int contacts = groupStart[levels->first[LEVELS]];
-        solveAll(&w, &l.tile, contacts);
-        // Shares the barrier of the next step's beginning, or of the end of the launch.
-        EACH(c, contacts) rememberHeld(&w, c);
+        solveAll(&w, &l.tile);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
         w.slots = w.circles;
         w.warmScale = 1.0f;

@@ -1,12 +1,12 @@
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has three launches. Push reads motion, traits,
-// load and held and writes pushedVelocity, pushedDisplacement and impulse; it ends with what is a circle's own business, its
-// move and the walls. Measure, a contact a work-item, takes what is costly about a contact out of the chain of dependent
-// contacts. Relax goes back to motion, load and held. Traits change between traits and pushedTraits every sub-step.
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and held
+// and writes pushedVelocity, pushedDisplacement and impulse; it ends with the move and the walls. Relax measures the contacts
+// anew, goes back to held, and begins the next sub-step.
 
 // A tile in local memory, by the numbers of its record.
 typedef struct {
     float2 velocity[TILE_CIRCLES];
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
+    float2 displacement[TILE_CIRCLES]; // in the relaxing pass
     float inverseMass[TILE_CIRCLES];
     uchar flags[TILE_CIRCLES];
     int partStart[TILE_PARTS + 2]; // by part of a round
@@ -53,7 +53,8 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
 }
 
 // The relaxing pass over one contact: returns its new impulse.
-float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
+float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float e, float thr2, float mass, float bounce,
+                  bool last) {
     float wi = t->inverseMass[p.x];
     float wj = t->inverseMass[p.y];
     bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
@@ -62,9 +63,9 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
     float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
     float next, impulse;
     bool solved;
-    bool moves = relaxImpulse(w, n, shape.x, shape.y, shape.w, vn, bounce, unloaded, &next, &impulse, &solved);
+    bool moves = relaxImpulse(w, n, e, thr2, mass, vn, bounce, unloaded, &next, &impulse, &solved);
     if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
-    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), shape.y)) {
+    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), thr2)) {
         float2 lo = t->load[p.x];
         float2 hi = t->load[p.y];
         t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
@@ -75,180 +76,175 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
     return next;
 }
 
+// A pass over the contacts of a tile.
+typedef struct {
+    global int *record;
+    size_t offset; // of its contacts
+    bool relaxing, last;
+} Pass;
+
 // What a pass reads of a contact.
 typedef struct {
-    int2 contact; // as in the record, or NO_CONTACT
-    float4 normal, shape;
+    int2 contact;   // as in the record, or NO_CONTACT
+    float4 normal;  // normal x, y, separation; before the relaxing pass has measured, as tileBase
+    float4 shape;   // as tileShape
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
 #define NO_CONTACT ((int2)(0, -1))
 
 // The contact of a part that is this work-item's.
-int2 contactOf(local const Tile *t, global const int2 *contacts, int part) {
+int2 contactOf(local const Tile *t, const Pass *pass, int part) {
     if (part >= t->parts) return NO_CONTACT;
     int k = t->partStart[part] + (int) get_local_id(0);
-    return k < t->partStart[part + 1] ? contacts[k] : NO_CONTACT;
+    return k < t->partStart[part + 1] ? contactsOf(pass->record)[k] : NO_CONTACT;
 }
 
-void readContact(const World *w, int2 contact, bool relaxing, Reading *reading) {
+size_t placeOf(local const Tile *t, const Pass *pass, int part) {
+    return pass->offset + t->partStart[part] + (int) get_local_id(0);
+}
+
+void readContact(const World *w, local const Tile *t, const Pass *pass, int part, int2 contact, Reading *reading) {
     reading->contact = contact;
     if (contact.y < 0) return;
+    size_t at = placeOf(t, pass, part);
     int c = contact.x & ~NOT_OWN;
-    reading->normal = w->contact[c];
-    reading->shape = w->shape[c];
-    reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
+    if (pass->relaxing) {
+        reading->normal = w->tileBase[at];
+        reading->impulse = w->impulse[c];
+    } else {
+        reading->normal = w->tileNormal[at];
+        reading->shape = w->tileShape[at];
+        reading->impulse.x = w->held[c];
+    }
 }
 
-void solveContact(const World *w, local Tile *t, const Reading *reading, bool relaxing, bool last) {
+// Measures a contact that has been read, after the circles have moved.
+void measureContact(const World *w, local const Tile *t, const Pass *pass, int part, Reading *reading) {
+    if (reading->contact.y < 0) return;
+    int2 p = (int2)(reading->contact.y & 0xffff, reading->contact.y >> 16);
+    float4 b = reading->normal;
+    size_t at = placeOf(t, pass, part);
+    float4 n;
+    if (!measure(&n, b.x, b.y, b.z, t->displacement[p.x], t->displacement[p.y])) n.xy = w->tileNormal[at].xy;
+    n.w = 0.0f;
+    if (!pass->last) w->tileNormal[at] = n;
+    reading->normal = n;
+    reading->shape = (float4)(b.w, thresholdOf(w, b.z, b.w), 0.0f, 1.0f / (t->inverseMass[p.x] + t->inverseMass[p.y]));
+}
+
+// Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
+// looked up by id.
+void rememberHeld(const World *w, const Pass *pass, int2 p, int c, float lambda) {
+    int lo = pass->record[RECORD_SLOTS + p.x] & SLOT_MASK;
+    int hi = pass->record[RECORD_SLOTS + p.y] & SLOT_MASK;
+    int next = atomic_xchg(&w->homeMemory[lo], c);
+    w->old[c] = (int4)(w->id[hi], as_int(lambda), next, 0);
+}
+
+void solveContact(const World *w, local Tile *t, const Pass *pass, const Reading *reading) {
     int2 contact = reading->contact;
     int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
     float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
-    if (relaxing) {
-        float next = relaxInTile(w, t, p, n, reading->shape, reading->impulse.y, last);
-        if (contact.x >= 0) w->held[contact.x] = next;
-    } else {
-        float2 next = pushInTile(w, t, p, n, reading->shape);
+    float4 shape = reading->shape;
+    if (!pass->relaxing) {
+        float2 next = pushInTile(w, t, p, n, shape);
         if (contact.x >= 0) w->impulse[contact.x] = next;
+        return;
+    }
+    float next = relaxInTile(w, t, p, n, shape.x, shape.y, shape.w, reading->impulse.y, pass->last);
+    if (contact.x < 0) return;
+    if (!pass->last) {
+        w->held[contact.x] = next;
+    } else if (next > 0.0f) {
+        rememberHeld(w, pass, p, contact.x, next);
     }
 }
 
 // Solves the contacts of a part of a round, which have been read before; reads those of the part after the next, of which the
-// places are known, and the places of two parts later.
-void solvePart(const World *w, local Tile *t, global const int2 *contacts, int part, bool relaxing, bool last,
-               Reading *reading, int2 *next) {
+// places are known, and the places of two parts later; and measures those of the next part.
+void solvePart(const World *w, local Tile *t, const Pass *pass, int part, Reading *reading, int2 *next, Reading *other) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (reading->contact.y >= 0) solveContact(w, t, reading, relaxing, last);
-    readContact(w, *next, relaxing, reading);
-    *next = contactOf(t, contacts, part + 4);
+    if (reading->contact.y >= 0) solveContact(w, t, pass, reading);
+    readContact(w, t, pass, part + 2, *next, reading);
+    *next = contactOf(t, pass, part + 4);
+    if (pass->relaxing) measureContact(w, t, pass, part + 1, other);
 }
 
 // Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
-void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
+void solveParts(const World *w, local Tile *t, int tile, bool relaxing, bool last) {
+    Pass pass;
+    pass.record = recordOf(w, tile);
+    pass.offset = contactOffset(tile);
+    pass.relaxing = relaxing;
+    pass.last = last;
     int parts = t->parts;
     Reading even, odd;
-    readContact(w, contactOf(t, contacts, 0), relaxing, &even);
-    readContact(w, contactOf(t, contacts, 1), relaxing, &odd);
-    int2 nextEven = contactOf(t, contacts, 2);
-    int2 nextOdd = contactOf(t, contacts, 3);
+    readContact(w, t, &pass, 0, contactOf(t, &pass, 0), &even);
+    readContact(w, t, &pass, 1, contactOf(t, &pass, 1), &odd);
+    int2 nextEven = contactOf(t, &pass, 2);
+    int2 nextOdd = contactOf(t, &pass, 3);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (relaxing) measureContact(w, t, &pass, 0, &even);
 #pragma unroll 1
     for (int part = 0; part < parts; part += 2) {
-        solvePart(w, t, contacts, part, relaxing, last, &even, &nextEven);
-        solvePart(w, t, contacts, part + 1, relaxing, last, &odd, &nextOdd);
+        solvePart(w, t, &pass, part, &even, &nextEven, &odd);
+        solvePart(w, t, &pass, part + 1, &odd, &nextOdd, &even);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The biased pass of a tile: gravity and the walls, the contacts, the circles' move.
+// The biased pass of a tile.
 void pushTile(const World *w, local Tile *t, int tile, int subStep) {
-    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
-    global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
-    global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+    global int *slots = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
 #pragma unroll 1
     TILE_EACH(i, circles) {
-        int slot = slots[i] & ~NOT_OWN;
-        float4 m = w->motion[slot];
-        float4 traits = oldTraits[slot];
-        float2 before, bounce;
-        bool loaded;
-        accelerate(w, w->circle[slot], &m, &traits, w->load[slot], &before, &bounce, &loaded);
-        t->velocity[i] = m.zw;
-        t->load[i] = before;
-        t->inverseMass[i] = traits.x;
-        t->flags[i] = loaded ? LOADED : 0;
-        if (slots[i] >= 0) {
-            newTraits[slot] = traits;
-            w->wallBounce[slot] = bounce;
-            w->pushedDisplacement[slot] = m.xy;
-            if (subStep == 0) w->homeMemory[slot] = NONE;
-        }
+        int slot = slots[i] & SLOT_MASK;
+        float4 drive = w->drive[slot];
+        float burden = w->burden[slot];
+        t->velocity[i] = drive.xy;
+        t->load[i] = drive.zw;
+        t->inverseMass[i] = fabs(burden);
+        t->flags[i] = as_int(burden) < 0 ? LOADED : 0;
+        if (subStep == 0 && slots[i] >= 0) w->homeMemory[slot] = NONE;
     }
-    solveParts(w, t, contactsOf(recordOf(w, tile)), false, false);
+    solveParts(w, t, tile, false, false);
 #pragma unroll 1
     TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        float4 m;
-        m.xy = w->pushedDisplacement[slot];
-        m.zw = t->velocity[i];
-        float4 traits = newTraits[slot];
-        bool loaded = t->flags[i] & LOADED;
-        moveCircle(w, slot, w->circle[slot], &m, &traits, w->wallBounce[slot], loaded);
-        newTraits[slot] = traits;
-        w->pushedVelocity[slot] = (float4)(m.z, m.w, traits.x, loaded ? 1.0f : 0.0f);
-        w->pushedDisplacement[slot] = m.xy;
+        if (slots[i] >= 0) endPush(w, slots + i, t->velocity[i], t->inverseMass[i], t->flags[i] & LOADED);
     }
 }
 
-// Measures a contact after the circles have moved.
-void measureContact(const World *w, int c) {
-    uint2 p = w->ordered[c];
-    float4 ci = w->circle[p.x];
-    float4 cj = w->circle[p.y];
-    float4 n;
-    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, w->pushedDisplacement[p.x], w->pushedDisplacement[p.y])) {
-        n.xy = w->contact[c].xy;
-    }
-    n.w = 0.0f;
-    w->contact[c] = n;
-}
-
-// Index space: any number of work-items, which take the contacts in turn.
-kernel void solver_measure(WORLD_PARAMETERS) {
-    World w = WORLD;
-    if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
-    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
-}
-
-// The relaxing pass of a tile: the contacts; in the last sub-step the circles go home.
-void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) {
-    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
-    global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
+// The relaxing pass of a tile; in the last sub-step the circles go home.
+void relaxTile(const World *w, local Tile *t, int tile, bool last) {
+    global int *slots = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
 #pragma unroll 1
     TILE_EACH(i, circles) {
-        float4 v = w->pushedVelocity[slots[i] & ~NOT_OWN];
+        int slot = slots[i] & SLOT_MASK;
+        float4 v = w->pushedVelocity[slot];
+        t->displacement[i] = w->pushedDisplacement[slot];
         t->velocity[i] = v.xy;
         t->load[i] = (float2)(0.0f);
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    solveParts(w, t, contactsOf(recordOf(w, tile)), true, last);
+    solveParts(w, t, tile, true, last);
 #pragma unroll 1
     TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        float2 d = w->pushedDisplacement[slot];
+        int place = slots[i];
+        if (place < 0) continue;
+        int slot = place & SLOT_MASK;
+        float2 d = t->displacement[i];
         float2 v = t->velocity[i];
-        float4 m = (float4)(d.x, d.y, v.x, v.y);
         if (last) {
-            goHome(w, slot, w->circle[slot], m, newTraits[slot]);
+            goHome(w, slot, w->circle[slot], (float4)(d.x, d.y, v.x, v.y), w->traits[slot]);
         } else {
-            float2 load = t->load[i];
-            w->motion[slot] = m;
-            w->load[slot] = (float4)(load.x, load.y, 0.0f, t->flags[i] & CARRIED ? 1.0f : 0.0f);
+            startCircle(w, slots + i, slot, (place & AT_WALL) != 0, d, v, t->inverseMass[i], t->load[i],
+                        (t->flags[i] & CARRIED) != 0);
         }
     }
-}
-
-// Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
-// looked up by id.
-void rememberHeld(const World *w, int c) {
-    float lambda = w->held[c];
-    if (!(lambda > 0.0f)) return;
-    uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeMemory[p.x], c);
-    w->old[c] = (int4)(w->id[p.y], as_int(lambda), next, 0);
-}
-
-// Index space: any number of work-items, which take the contacts in turn.
-kernel void solver_remember(WORLD_PARAMETERS) {
-    World w = WORLD;
-    if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
-    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
 }
 
 // Index space of each: a work-group a tile. Cost: see Tiles.cl.
@@ -261,12 +257,12 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     pushTile(&w, &t, tile, subStep);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep, int last) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
     World w = WORLD;
     local Tile t;
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
     takeTile(&w, &t, tile, idle);
-    relaxTile(&w, &t, tile, subStep, last);
+    relaxTile(&w, &t, tile, last);
 }

@@ -25,14 +25,14 @@
 #define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
 
 // A tile's record: circles, parts, by part its first contact and the end, slots, contacts. A contact: its number, its
-// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
+// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too. What a
+// pass reads of a contact lies in the same order, for each tile by itself: read in one piece, it is worth its room.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
 #define RECORD_STARTS 2
 #define RECORD_SLOTS (RECORD_STARTS + TILE_PARTS + 2)
 #define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
 #define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
-#define NOT_OWN ((int) 0x80000000)
 
 // The work-items of a work-group take 0 to count - 1 in turn. All of them go round equally often, and no barrier here stands
 // behind a condition: compilers that run the work-items of a work-group in loops have been seen to get that wrong.
@@ -41,6 +41,8 @@
         if ((i = first_##i + (int) get_local_id(0)) < (count))
 
 global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
+
+size_t contactOffset(int tile) { return (size_t) tile * TILE_CONTACTS; }
 
 global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
 
@@ -103,6 +105,7 @@ typedef struct {
     uchar degree[TILE_CIRCLES]; // contacts so far
     int2 contact[TILE_CONTACTS];
     uchar contactRound[TILE_CONTACTS];
+    ushort inOrder[TILE_CONTACTS];
     int roundCount[TILE_ROUNDS + 1];
     int roundStart[TILE_ROUNDS + 1];
     int contacts;
@@ -239,7 +242,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int column = (r->ringX ? px : colour) + 2 * (g - line * across);
             int row = py + 2 * line;
             int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
-            int to = w->groupStart[group + 1];
+            int to = w->groupFill[group];
             int c = w->groupStart[group];
             // Read ahead by one.
             uint nextLink = c < to ? w->link[c] : 0;
@@ -261,8 +264,24 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
 // The number of parts that a round of so many contacts is made in.
 int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
 
+// Writes down what does not change about a contact during the step, and its normal as the step begins.
+void recordContact(const World *w, global const int *record, int2 contact, size_t at) {
+    int i = record[RECORD_SLOTS + (contact.y & 0xffff)] & SLOT_MASK;
+    int j = record[RECORD_SLOTS + (contact.y >> 16)] & SLOT_MASK;
+    float4 ci = w->circle[i];
+    float4 cj = w->circle[j];
+    // Their owners change the rest of the traits meanwhile.
+    float e = greatest(w->traits[i].y, w->traits[j].y);
+    float mass = 1.0f / (w->traits[i].x + w->traits[j].x);
+    float sum = ci.z + cj.z;
+    w->tileBase[at] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, e);
+    w->tileShape[at] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), mass);
+    w->tileNormal[at] = w->contact[contact.x & ~NOT_OWN];
+}
+
 // Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
-void recordContacts(local Arrangement *a, global int *record, int circles) {
+void recordContacts(const World *w, local Arrangement *a, int tile, int circles) {
+    global int *record = recordOf(w, tile);
     int starts = circles > 0 ? TILE_ROUNDS + 1 : 0;
     TILE_EACH(round, starts) {
         int sum = 0;
@@ -283,9 +302,14 @@ void recordContacts(local Arrangement *a, global int *record, int circles) {
     if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     int contacts = circles > 0 ? a->contacts : 0;
-    TILE_EACH(k, contacts) {
-        contactsOf(record)[atomic_inc(&a->roundStart[a->contactRound[k]])] = a->contact[k];
+    TILE_EACH(k, contacts) a->inOrder[atomic_inc(&a->roundStart[a->contactRound[k]])] = (ushort) k;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    TILE_EACH(at, contacts) {
+        int2 contact = a->contact[a->inOrder[at]];
+        contactsOf(record)[at] = contact;
+        recordContact(w, record, contact, contactOffset(tile) + at);
     }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
 // Whether the step has been refused, asked while others may refuse it.
@@ -299,7 +323,7 @@ void refuseTile(const World *w, int peak) {
     atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
-// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit. idle: do nothing.
+// Writes the tile's record, and begins the first sub-step for its own circles. Refuses the step where they do not fit. idle: do nothing.
 void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     Region r = regionOf(w, tile);
     global int *record = recordOf(w, tile);
@@ -309,11 +333,13 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     int contacts = a->contacts;
     bool fits = any && !a->overfull && !a->crowded;
     int circles = fits ? found : 0;
-    recordContacts(a, record, circles);
+    recordContacts(w, a, tile, circles);
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
-        float2 sum = a->load[i];
-        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+        if (slot < 0) continue;
+        float4 m = w->motion[slot];
+        startCircle(w, record + RECORD_SLOTS + i, slot, true, m.xy, m.zw, w->traits[slot].x, a->load[i],
+                    (a->flags[i] & CARRIED) != 0);
     }
     if (get_local_id(0) != 0 || idle) return;
     if (fits) {

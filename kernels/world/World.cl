@@ -43,11 +43,12 @@ typedef struct {
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
-        global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
-        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,           \
-        global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
-        global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
-        global int *blockSums, global int *tiles
+        global float4 *blockRange, global float4 *drive, global float *burden, global float2 *startDisplacement,       \
+        global float4 *pushedVelocity, global float2 *pushedDisplacement, global int *groupStart,                      \
+        global int *groupFill, global ulong *key, global uint2 *pair, global float4 *base, global float4 *masses,      \
+        global float4 *contact, global uint *link, global float *held, global float2 *impulse, global int4 *old,       \
+        global int *blockSums, global int *tiles, global float4 *tileBase, global float4 *tileShape,                   \
+        global float4 *tileNormal
 
 typedef struct {
     StepConstants k; // by value: read once, not at every use
@@ -84,20 +85,20 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *pushedTraits;       // every other sub-step's traits
+    global float4 *drive;              // before the biased pass: velocity x, y, the same before any impulse
+    global float *burden;              // before the biased pass: inverse mass, negative where loaded
+    global float2 *startDisplacement;  // before the biased pass
     global float4 *pushedVelocity;     // between the passes: velocity x, y, inverse mass, 1 where loaded
     global float2 *pushedDisplacement; // between the passes
 
     // stage Contacts: by group, then by contact
-    global int *groupStart, *groupFill;
+    global int *groupStart, *groupFill; // by tiles, groupFill: the end of a group, and groups are in no order
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
     global float4 *contact; // normal x, y, separation, accumulated impulse
     global uint *link;      // by tiles: see linkOf
-    global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
-    global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
     global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
@@ -107,6 +108,11 @@ typedef struct {
     global int *blockSums;
     global int *tiles; // by tile: a record of TILE_RECORD ints, see Tiles.cl
 
+    // by tile, TILE_CONTACTS each, in the order of the record
+    global float4 *tileBase;   // difference of the bases x, y, sum of the radii, restitution
+    global float4 *tileShape;  // restitution, square of the threshold, greatest push-out speed, effective mass
+    global float4 *tileNormal; // normal x, y, separation
+
     float warmScale; // what remembered impulses are multiplied by
 } World;
 
@@ -114,9 +120,9 @@ typedef struct {
     {                                                                                                                  \
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
-            load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
-            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
-            blockSums, tiles, k->warmScale                                                                             \
+            load, wallBounce, leash, share, near, blockRange, drive, burden, startDisplacement, pushedVelocity,        \
+            pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, held, impulse, old,     \
+            blockSums, tiles, tileBase, tileShape, tileNormal, k->warmScale                                            \
     }
 
 #define NONE (-1)

@@ -41,27 +41,30 @@ final class ClBuffers {
     static final int SHARE = 26;
     static final int NEAR = 27;
     static final int BLOCK_RANGE = 28;
-    static final int PUSHED_TRAITS = 29;
-    static final int PUSHED_VELOCITY = 30;
-    static final int PUSHED_DISPLACEMENT = 31;
-    static final int GROUP_START = 32;
-    static final int GROUP_FILL = 33;
-    static final int KEY = 34;
-    static final int PAIR = 35;
-    static final int BASE = 36;
-    static final int MASSES = 37;
-    static final int CONTACT = 38;
-    static final int LINK = 39;
-    static final int ORDERED = 40;
-    static final int SHAPE = 41;
+    static final int DRIVE = 29;
+    static final int BURDEN = 30;
+    static final int START_DISPLACEMENT = 31;
+    static final int PUSHED_VELOCITY = 32;
+    static final int PUSHED_DISPLACEMENT = 33;
+    static final int GROUP_START = 34;
+    static final int GROUP_FILL = 35;
+    static final int KEY = 36;
+    static final int PAIR = 37;
+    static final int BASE = 38;
+    static final int MASSES = 39;
+    static final int CONTACT = 40;
+    static final int LINK = 41;
     static final int HELD = 42;
     static final int IMPULSE = 43;
     static final int OLD = 44;
     static final int BLOCK_SUMS = 45;
     static final int TILES = 46;
+    static final int TILE_BASE = 47;
+    static final int TILE_SHAPE = 48;
+    static final int TILE_NORMAL = 49;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 47;
+    static final int COUNT = 50;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -96,7 +99,9 @@ final class ClBuffers {
         "free shares",
         "shares to contacts",
         "ranges of paths",
-        "pushed traits",
+        "drives",
+        "burdens",
+        "displacements before",
         "pushed velocities",
         "pushed displacements",
         "group starts",
@@ -107,13 +112,14 @@ final class ClBuffers {
         "contact masses",
         "contacts",
         "contact links",
-        "contact pairs in order",
-        "contact shapes",
         "held impulses",
         "contact impulses",
         "remembered contacts",
         "block sums",
-        "tiles"
+        "tiles",
+        "contact bases by tile",
+        "contact shapes by tile",
+        "contact normals by tile"
     };
 
     /** Ints of the status. */
@@ -137,11 +143,14 @@ final class ClBuffers {
         SHARE,
         NEAR
     };
-    private static final int[] BY_SLOT_TILED = {PUSHED_VELOCITY, PUSHED_TRAITS, PUSHED_DISPLACEMENT};
+    private static final int[] BY_SLOT_TILED = {
+        DRIVE, BURDEN, START_DISPLACEMENT, PUSHED_VELOCITY, PUSHED_DISPLACEMENT
+    };
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
-    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, SHAPE, HELD, IMPULSE};
+    private static final int[] BY_CONTACT_TILED = {LINK, HELD, IMPULSE};
+    private static final int[] BY_TILE = {TILES, TILE_BASE, TILE_SHAPE, TILE_NORMAL};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -190,18 +199,19 @@ final class ClBuffers {
                     LOAD,
                     LEASH,
                     BLOCK_RANGE,
-                    PUSHED_TRAITS,
+                    DRIVE,
                     PUSHED_VELOCITY,
                     BASE,
                     MASSES,
                     CONTACT,
-                    SHAPE,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
+            case WALL_BOUNCE, START_DISPLACEMENT, PUSHED_DISPLACEMENT, KEY, PAIR, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;
+            case TILE_BASE, TILE_SHAPE, TILE_NORMAL:
+                return 16 * ClTiles.CONTACTS;
             default:
                 return 4;
         }
@@ -264,7 +274,7 @@ final class ClBuffers {
     void ensureTiles(int tiles) {
         if (tiles > tileRoom) {
             int room = grown(tileRoom, tiles);
-            grow(room, 0, NO_BUFFERS, new int[] {TILES});
+            grow(room, 0, NO_BUFFERS, BY_TILE);
             tileRoom = room;
         }
     }

@@ -99,7 +99,7 @@ public final class ClPipeline implements Pipeline {
             sweep = new ClSweep(kernels);
             contacts = new ClContacts(kernels, buffers, scan);
             solver = new ClSolver(kernels);
-            tiles = new ClTiles(kernels, buffers, scan, device);
+            tiles = new ClTiles(kernels, buffers, device);
             resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
@@ -178,7 +178,7 @@ public final class ClPipeline implements Pipeline {
             }
             if (tiled) {
                 tiles.list(levels, circles);
-                tiles.solve(circles, subSteps);
+                tiles.solve(subSteps);
             } else {
                 contacts.list(levels, circles, thinning > 0);
                 solver.solve(levels, circles, subSteps);

@@ -31,7 +31,7 @@ final class ClTiles {
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 33 << 10;
+    private static final int LOCAL_BYTES = 37 << 10;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
@@ -43,15 +43,11 @@ final class ClTiles {
     private static final int[][] SIZES = {{4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
 
     private final ClBuffers buffers;
-    private final ClScan scan;
     private final Device device;
-    private final Kernel count;
     private final Kernel list;
     private final Kernel link;
     private final Kernel arrange;
     private final Kernel push;
-    private final Kernel measure;
-    private final Kernel remember;
     private final Kernel relax;
 
     /** The largest size that may be chosen: larger ones held too many circles. None may where it is the number of sizes. */
@@ -63,16 +59,12 @@ final class ClTiles {
     private int size;
     private int tiles;
 
-    ClTiles(ClKernels kernels, ClBuffers buffers, ClScan scan, Device device) {
+    ClTiles(ClKernels kernels, ClBuffers buffers, Device device) {
         this.buffers = buffers;
-        this.scan = scan;
         this.device = device;
-        count = kernels.staged("contacts_count");
-        list = kernels.staged("contacts_list");
+        list = kernels.staged("contacts_group");
         arrange = kernels.staged("contacts_arrange");
         link = kernels.staged("contacts_link");
-        remember = kernels.staged("solver_remember");
-        measure = kernels.staged("solver_measure");
         push = kernels.staged("solver_pushTile");
         relax = kernels.staged("solver_relaxTile");
     }
@@ -137,22 +129,16 @@ final class ClTiles {
     }
 
     void list(Levels levels, int circles) {
-        count.run(circles);
-        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
-        list.run(circles);
+        list.run(levels.buckets(), GROUP);
         link.run(2L * circles);
         arrange.run((long) tiles * GROUP, GROUP);
     }
 
-    void solve(int circles, int subSteps) {
+    void solve(int subSteps) {
         long items = (long) tiles * GROUP;
         for (int sub = 0; sub < subSteps; sub++) {
             push.arg(ClBuffers.COUNT, sub).run(items, GROUP);
-            measure.run(2L * circles);
-            relax.arg(ClBuffers.COUNT, sub)
-                    .arg(ClBuffers.COUNT + 1, sub == subSteps - 1 ? 1 : 0)
-                    .run(items, GROUP);
+            relax.arg(ClBuffers.COUNT, sub == subSteps - 1 ? 1 : 0).run(items, GROUP);
         }
-        remember.run(2L * circles);
     }
 }
