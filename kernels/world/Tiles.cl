@@ -18,7 +18,7 @@
 
 // From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
-#define TILE_CELLS 400
+#define TILE_CELLS 700
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
@@ -103,9 +103,8 @@ typedef struct {
     uchar flags[TILE_CIRCLES];
     uchar round[TILE_CIRCLES];  // the first round in which the circle is free
     uchar degree[TILE_CIRCLES]; // contacts so far
-    int2 contact[TILE_CONTACTS];
-    uchar contactRound[TILE_CONTACTS];
-    ushort inOrder[TILE_CONTACTS];
+    uchar contactRound[TILE_CONTACTS]; // by contact as they are met
+    ushort inOrder[TILE_CONTACTS];     // the same contacts, round by round
     int roundCount[TILE_ROUNDS + 1];
     int roundStart[TILE_ROUNDS + 1];
     int contacts;
@@ -196,8 +195,11 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
+// Where a tile notes its contacts as they are met; their normals come there later.
+global int2 *metOf(const World *w, int tile) { return (global int2 *) (w->tileNormal + contactOffset(tile)); }
+
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
-void takeContact(const Region *r, local Arrangement *a, int column, int row, int c, uint link, float4 n) {
+void takeContact(const Region *r, local Arrangement *a, global int2 *met, int column, int row, int c, uint link, float4 n) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     float2 loadLo = a->load[lo];
@@ -220,13 +222,13 @@ void takeContact(const Region *r, local Arrangement *a, int column, int row, int
     if (max(a->degree[lo], a->degree[hi]) > CROWD) a->crowded = 1;
     a->round[lo] = (uchar) (round + 1);
     a->round[hi] = (uchar) (round + 1);
-    a->contact[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
+    met[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
     a->contactRound[k] = (uchar) round;
     atomic_inc(&a->roundCount[round]);
 }
 
 // Takes all contacts that a tile depends on, or none.
-void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
+void takeContacts(const World *w, const Region *r, local Arrangement *a, global int2 *met, bool any) {
     int l = w->levels->used[0];
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
@@ -254,7 +256,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                     nextLink = w->link[c + 1];
                     next = w->contact[c + 1];
                 }
-                takeContact(r, a, column, row, c, link, n);
+                takeContact(r, a, met, column, row, c, link, n);
             }
         }
     }
@@ -264,7 +266,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
 // The number of parts that a round of so many contacts is made in.
 int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
 
-// Writes down what does not change about a contact during the step, and its normal as the step begins.
+// Writes down what does not change about a contact during the step.
 void recordContact(const World *w, global const int *record, int2 contact, size_t at) {
     int i = record[RECORD_SLOTS + (contact.y & 0xffff)] & SLOT_MASK;
     int j = record[RECORD_SLOTS + (contact.y >> 16)] & SLOT_MASK;
@@ -276,7 +278,6 @@ void recordContact(const World *w, global const int *record, int2 contact, size_
     float sum = ci.z + cj.z;
     w->tileBase[at] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, e);
     w->tileShape[at] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), mass);
-    w->tileNormal[at] = w->contact[contact.x & ~NOT_OWN];
 }
 
 // Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
@@ -303,13 +304,15 @@ void recordContacts(const World *w, local Arrangement *a, int tile, int circles)
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     int contacts = circles > 0 ? a->contacts : 0;
     TILE_EACH(k, contacts) a->inOrder[atomic_inc(&a->roundStart[a->contactRound[k]])] = (ushort) k;
-    barrier(CLK_LOCAL_MEM_FENCE);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    global const int2 *met = metOf(w, tile);
     TILE_EACH(at, contacts) {
-        int2 contact = a->contact[a->inOrder[at]];
+        int2 contact = met[a->inOrder[at]];
         contactsOf(record)[at] = contact;
         recordContact(w, record, contact, contactOffset(tile) + at);
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    TILE_EACH(at, contacts) w->tileNormal[contactOffset(tile) + at] = w->contact[contactsOf(record)[at].x & ~NOT_OWN];
 }
 
 // Whether the step has been refused, asked while others may refuse it.
@@ -329,7 +332,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     global int *record = recordOf(w, tile);
     int found = numberCircles(w, &r, a, record);
     bool any = !idle && found > 0 && found <= TILE_CIRCLES;
-    takeContacts(w, &r, a, any);
+    takeContacts(w, &r, a, metOf(w, tile), any);
     int contacts = a->contacts;
     bool fits = any && !a->overfull && !a->crowded;
     int circles = fits ? found : 0;

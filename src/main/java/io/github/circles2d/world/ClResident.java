@@ -10,13 +10,13 @@ import java.util.Locale;
  */
 final class ClResident {
     /** Worlds of more circles use a launch a pass. */
-    private static final int MOST_CIRCLES = 80_000;
+    private static final int MOST_CIRCLES = Integer.getInteger("resident.most", 80_000);
 
     /** Work-items of a work-group. */
-    static final int GROUP = 256;
+    static final int GROUP = Integer.getInteger("resident.group", 256);
 
     /** Work-groups that surely run at once on a compute unit. */
-    private static final int GROUPS_A_UNIT = 2;
+    private static final int GROUPS_A_UNIT = Integer.getInteger("resident.unit", 2);
 
     private final Kernel steps;
     private final int mostGroups;

@@ -10,16 +10,16 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 768;
+    static final int CIRCLES = Integer.getInteger("tile.circles", 768);
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = 2048;
+    static final int CONTACTS = Integer.getInteger("tile.contacts", 2048);
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
 
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
-    static final int GROUP = 128;
+    static final int GROUP = Integer.getInteger("tile.group", 128);
 
     /** Parts of rounds that there is room for. */
     static final int PARTS = ROUNDS + CONTACTS / GROUP;
@@ -31,7 +31,7 @@ final class ClTiles {
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 37 << 10;
+    private static final int LOCAL_BYTES = 24 << 10;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
