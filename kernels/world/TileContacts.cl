@@ -150,7 +150,6 @@ void linkContact(const World *w, int c) {
     bool carrying;
     float4 n = newContact(w, w->pair[c], w->key[c], &carrying);
     w->contact[c] = n;
-    w->held[c] = n.w;
     if (carrying) w->link[c] |= LINK_CARRYING;
 }
 

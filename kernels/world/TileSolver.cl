@@ -80,7 +80,7 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float e, floa
 typedef struct {
     global int *record;
     size_t offset; // of its contacts
-    bool relaxing, last;
+    bool relaxing, first, last; // first: of the step's biased passes; last: of its relaxing ones
 } Pass;
 
 // What a pass reads of a contact.
@@ -108,14 +108,21 @@ void readContact(const World *w, local const Tile *t, const Pass *pass, int part
     reading->contact = contact;
     if (contact.y < 0) return;
     size_t at = placeOf(t, pass, part);
-    int c = contact.x & ~NOT_OWN;
+    size_t owned = contact.x < 0 ? (size_t) (contact.x & ~NOT_OWN) : at;
     if (pass->relaxing) {
         reading->normal = w->tileBase[at];
-        reading->impulse = w->impulse[c];
+        reading->impulse = w->impulse[owned];
+        return;
+    }
+    float4 normal = w->tileNormal[at];
+    reading->normal = normal;
+    reading->shape = w->tileShape[at];
+    if (pass->first) {
+        reading->impulse.x = normal.w;
+        // From now on the record says where the owner of the contact keeps its impulse.
+        if (contact.x < 0) contactsOf(pass->record)[at - pass->offset].x = w->position[owned] | NOT_OWN;
     } else {
-        reading->normal = w->tileNormal[at];
-        reading->shape = w->tileShape[at];
-        reading->impulse.x = w->held[c];
+        reading->impulse.x = w->held[owned];
     }
 }
 
@@ -142,20 +149,20 @@ void rememberHeld(const World *w, const Pass *pass, int2 p, int c, float lambda)
     w->old[c] = (int4)(w->id[hi], as_int(lambda), next, 0);
 }
 
-void solveContact(const World *w, local Tile *t, const Pass *pass, const Reading *reading) {
+void solveContact(const World *w, local Tile *t, const Pass *pass, int part, const Reading *reading) {
     int2 contact = reading->contact;
     int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
     float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
     float4 shape = reading->shape;
     if (!pass->relaxing) {
         float2 next = pushInTile(w, t, p, n, shape);
-        if (contact.x >= 0) w->impulse[contact.x] = next;
+        if (contact.x >= 0) w->impulse[placeOf(t, pass, part)] = next;
         return;
     }
     float next = relaxInTile(w, t, p, n, shape.x, shape.y, shape.w, reading->impulse.y, pass->last);
     if (contact.x < 0) return;
     if (!pass->last) {
-        w->held[contact.x] = next;
+        w->held[placeOf(t, pass, part)] = next;
     } else if (next > 0.0f) {
         rememberHeld(w, pass, p, contact.x, next);
     }
@@ -165,18 +172,19 @@ void solveContact(const World *w, local Tile *t, const Pass *pass, const Reading
 // places are known, and the places of two parts later; and measures those of the next part.
 void solvePart(const World *w, local Tile *t, const Pass *pass, int part, Reading *reading, int2 *next, Reading *other) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (reading->contact.y >= 0) solveContact(w, t, pass, reading);
+    if (reading->contact.y >= 0) solveContact(w, t, pass, part, reading);
     readContact(w, t, pass, part + 2, *next, reading);
     *next = contactOf(t, pass, part + 4);
     if (pass->relaxing) measureContact(w, t, pass, part + 1, other);
 }
 
 // Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
-void solveParts(const World *w, local Tile *t, int tile, bool relaxing, bool last) {
+void solveParts(const World *w, local Tile *t, int tile, bool relaxing, bool first, bool last) {
     Pass pass;
     pass.record = recordOf(w, tile);
     pass.offset = contactOffset(tile);
     pass.relaxing = relaxing;
+    pass.first = first;
     pass.last = last;
     int parts = t->parts;
     Reading even, odd;
@@ -209,7 +217,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
         t->flags[i] = as_int(burden) < 0 ? LOADED : 0;
         if (subStep == 0 && slots[i] >= 0) w->homeMemory[slot] = NONE;
     }
-    solveParts(w, t, tile, false, false);
+    solveParts(w, t, tile, false, subStep == 0, false);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         if (slots[i] >= 0) endPush(w, slots + i, t->velocity[i], t->inverseMass[i], t->flags[i] & LOADED);
@@ -230,7 +238,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last) {
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    solveParts(w, t, tile, true, last);
+    solveParts(w, t, tile, true, false, last);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int place = slots[i];

@@ -312,7 +312,11 @@ void recordContacts(const World *w, local Arrangement *a, int tile, int circles)
         recordContact(w, record, contact, contactOffset(tile) + at);
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    TILE_EACH(at, contacts) w->tileNormal[contactOffset(tile) + at] = w->contact[contactsOf(record)[at].x & ~NOT_OWN];
+    TILE_EACH(at, contacts) {
+        int c = contactsOf(record)[at].x;
+        w->tileNormal[contactOffset(tile) + at] = w->contact[c & ~NOT_OWN];
+        if (c >= 0) w->position[c] = (int) contactOffset(tile) + at;
+    }
 }
 
 // Whether the step has been refused, asked while others may refuse it.

@@ -46,9 +46,9 @@ typedef struct {
         global float4 *blockRange, global float4 *drive, global float *burden, global float2 *startDisplacement,       \
         global float4 *pushedVelocity, global float2 *pushedDisplacement, global int *groupStart,                      \
         global int *groupFill, global ulong *key, global uint2 *pair, global float4 *base, global float4 *masses,      \
-        global float4 *contact, global uint *link, global float *held, global float2 *impulse, global int4 *old,       \
-        global int *blockSums, global int *tiles, global float4 *tileBase, global float4 *tileShape,                   \
-        global float4 *tileNormal
+        global float4 *contact, global uint *link, global int *position, global int4 *old, global int *blockSums,      \
+        global int *tiles, global float4 *tileBase, global float4 *tileShape,                   \
+        global float4 *tileNormal, global float *held, global float2 *impulse
 
 typedef struct {
     StepConstants k; // by value: read once, not at every use
@@ -99,8 +99,7 @@ typedef struct {
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
     global float4 *contact; // normal x, y, separation, accumulated impulse
     global uint *link;      // by tiles: see linkOf
-    global float *held;     // by tiles: accumulated impulse after a sub-step
-    global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
+    global int *position;   // by tiles: where its tile has it
 
     // remembered contacts of the step before
     global int4 *old; // by contact: higher id, impulse, the next of the same circle of lower id or NONE
@@ -111,7 +110,9 @@ typedef struct {
     // by tile, TILE_CONTACTS each, in the order of the record
     global float4 *tileBase;   // difference of the bases x, y, sum of the radii, restitution
     global float4 *tileShape;  // restitution, square of the threshold, greatest push-out speed, effective mass
-    global float4 *tileNormal; // normal x, y, separation
+    global float4 *tileNormal; // normal x, y, separation; as the step begins, accumulated impulse
+    global float *held;        // of the tile's own: accumulated impulse after a sub-step
+    global float2 *impulse;    // of the tile's own, between the passes: accumulated impulse, target speed of a bounce
 
     float warmScale; // what remembered impulses are multiplied by
 } World;
@@ -121,8 +122,8 @@ typedef struct {
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, drive, burden, startDisplacement, pushedVelocity,        \
-            pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, held, impulse, old,     \
-            blockSums, tiles, tileBase, tileShape, tileNormal, k->warmScale                                            \
+            pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, position, old,          \
+            blockSums, tiles, tileBase, tileShape, tileNormal, held, impulse, k->warmScale                             \
     }
 
 #define NONE (-1)

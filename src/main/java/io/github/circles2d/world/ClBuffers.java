@@ -54,17 +54,18 @@ final class ClBuffers {
     static final int MASSES = 39;
     static final int CONTACT = 40;
     static final int LINK = 41;
-    static final int HELD = 42;
-    static final int IMPULSE = 43;
-    static final int OLD = 44;
-    static final int BLOCK_SUMS = 45;
-    static final int TILES = 46;
-    static final int TILE_BASE = 47;
-    static final int TILE_SHAPE = 48;
-    static final int TILE_NORMAL = 49;
+    static final int POSITION = 42;
+    static final int OLD = 43;
+    static final int BLOCK_SUMS = 44;
+    static final int TILES = 45;
+    static final int TILE_BASE = 46;
+    static final int TILE_SHAPE = 47;
+    static final int TILE_NORMAL = 48;
+    static final int HELD = 49;
+    static final int IMPULSE = 50;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 50;
+    static final int COUNT = 51;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -112,14 +113,15 @@ final class ClBuffers {
         "contact masses",
         "contacts",
         "contact links",
-        "held impulses",
-        "contact impulses",
+        "contact positions",
         "remembered contacts",
         "block sums",
         "tiles",
         "contact bases by tile",
         "contact shapes by tile",
-        "contact normals by tile"
+        "contact normals by tile",
+        "held impulses by tile",
+        "contact impulses by tile"
     };
 
     /** Ints of the status. */
@@ -149,8 +151,8 @@ final class ClBuffers {
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
-    private static final int[] BY_CONTACT_TILED = {LINK, HELD, IMPULSE};
-    private static final int[] BY_TILE = {TILES, TILE_BASE, TILE_SHAPE, TILE_NORMAL};
+    private static final int[] BY_CONTACT_TILED = {LINK, POSITION};
+    private static final int[] BY_TILE = {TILES, TILE_BASE, TILE_SHAPE, TILE_NORMAL, HELD, IMPULSE};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -206,12 +208,16 @@ final class ClBuffers {
                     CONTACT,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, START_DISPLACEMENT, PUSHED_DISPLACEMENT, KEY, PAIR, IMPULSE:
+            case WALL_BOUNCE, START_DISPLACEMENT, PUSHED_DISPLACEMENT, KEY, PAIR:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;
             case TILE_BASE, TILE_SHAPE, TILE_NORMAL:
                 return 16 * ClTiles.CONTACTS;
+            case HELD:
+                return 4 * ClTiles.CONTACTS;
+            case IMPULSE:
+                return 8 * ClTiles.CONTACTS;
             default:
                 return 4;
         }
