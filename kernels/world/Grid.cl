@@ -11,7 +11,6 @@ void clearBucket(const World *w, int i) {
         if (w->k.sweeping) w->status[FAST] = 0;
         if (w->k.thinning) w->status[CROWDED] = 0;
         w->status[TILE_PEAK] = 0;
-        w->status[CONTACTS] = 0;
     }
 }
 

@@ -98,16 +98,21 @@ void listAll(World *w, local Local *l) {
         EACH(slot, w->circles) layLeash(w, slot);
         deviceBarrier(arrivals);
     }
-#pragma unroll 1
-    for (int first = (int) get_group_id(0) * RESIDENT_GROUP; first < buckets; first += (int) get_global_size(0)) {
-        listGroups(w, first, buckets, l->cells);
+    EACH(slot, w->circles) seekAll(w, slot, COUNTING);
+    deviceBarrier(arrivals);
+    scanAll(w, w->groupStart, buckets + 1, l->cells);
+    deviceBarrier(arrivals);
+    if (get_global_id(0) == 0) noteContacts(w);
+    if (!lackContactRoom(w) && !tooCrowded(w)) {
+        EACH(slot, w->circles) seekAll(w, slot, LISTING);
     }
     deviceBarrier(arrivals);
-    bool stop = refused(w);
-    int contacts = w->status[CONTACTS];
-    EACH(c, stop ? 0 : contacts) linkContact(w, c);
+    if (outOfRoom(w)) return;
+    EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
-    if (stop) return;
+    bool crowded = tooCrowded(w);
+    deviceBarrier(arrivals);
+    if (crowded) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {

@@ -37,7 +37,7 @@ void applyTo(local Tile *t, int2 p, float2 vi, float2 vj, float nx, float ny, fl
 }
 
 // The biased pass over one contact; returns its new impulse and the target speed of its bounce.
-float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape) {
+float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float mass) {
     float2 bi = t->load[p.x];
     float2 bj = t->load[p.y];
     float wi = t->inverseMass[p.x];
@@ -46,7 +46,7 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
     float2 vi = t->velocity[p.x];
     float2 vj = t->velocity[p.y];
     float next, bounce, impulse;
-    bool moves = pushImpulse(w, n, shape.x, shape.y, shape.w, shape.z, along(n.x, n.y, vj.x - vi.x, vj.y - vi.y),
+    bool moves = pushImpulse(w, n, shape.x, shape.y, mass, shape.z, along(n.x, n.y, vj.x - vi.x, vj.y - vi.y),
                              along(n.x, n.y, bj.x - bi.x, bj.y - bi.y), loaded, &next, &bounce, &impulse);
     if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
     return (float2)(next, bounce);
@@ -80,64 +80,61 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float e, floa
 typedef struct {
     global int *record;
     size_t offset; // of its contacts
-    bool relaxing, first, last; // first: of the step's biased passes; last: of its relaxing ones
+    bool relaxing, last;
 } Pass;
 
-// What a pass reads of a contact.
+// What a pass has read of a contact. Every component that is loaded is used: one that is not would share its register with
+// another value, which would then have to wait for the load.
 typedef struct {
-    int2 contact;   // as in the record, or NO_CONTACT
-    float4 normal;  // normal x, y, separation; before the relaxing pass has measured, as tileBase
+    int at;         // its place in the tile, or -1
+    int number;     // as in the record
+    int pair;       // its circles
+    float4 normal;  // as tileNormal; before the relaxing pass has measured, as tileBase
     float4 shape;   // as tileShape
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-#define NO_CONTACT ((int2)(0, -1))
-
-// The contact of a part that is this work-item's.
-int2 contactOf(local const Tile *t, const Pass *pass, int part) {
-    if (part >= t->parts) return NO_CONTACT;
-    int k = t->partStart[part] + (int) get_local_id(0);
-    return k < t->partStart[part + 1] ? contactsOf(pass->record)[k] : NO_CONTACT;
-}
-
-size_t placeOf(local const Tile *t, const Pass *pass, int part) {
-    return pass->offset + t->partStart[part] + (int) get_local_id(0);
-}
-
-void readContact(const World *w, local const Tile *t, const Pass *pass, int part, int2 contact, Reading *reading) {
-    reading->contact = contact;
-    if (contact.y < 0) return;
-    size_t at = placeOf(t, pass, part);
-    size_t owned = contact.x < 0 ? (size_t) (contact.x & ~NOT_OWN) : at;
+// Reads what lies at a contact's own place: this work-item's of a part.
+void readContact(const World *w, local const Tile *t, const Pass *pass, int part, Reading *r) {
+    r->at = -1;
+    if (part >= t->parts) return;
+    int at = t->partStart[part] + (int) get_local_id(0);
+    if (at >= t->partStart[part + 1]) return;
+    r->at = at;
+    r->number = numbersOf(pass->record)[at];
     if (pass->relaxing) {
-        reading->normal = w->tileBase[at];
-        reading->impulse = w->impulse[owned];
-        return;
-    }
-    float4 normal = w->tileNormal[at];
-    reading->normal = normal;
-    reading->shape = w->tileShape[at];
-    if (pass->first) {
-        reading->impulse.x = normal.w;
-        // From now on the record says where the owner of the contact keeps its impulse.
-        if (contact.x < 0) contactsOf(pass->record)[at - pass->offset].x = w->position[owned] | NOT_OWN;
+        r->pair = pairsOf(pass->record)[at];
+        r->normal = w->tileBase[pass->offset + at];
     } else {
-        reading->impulse.x = w->held[owned];
+        r->normal = w->tileNormal[pass->offset + at];
+        r->shape = w->tileShape[pass->offset + at];
     }
 }
 
-// Measures a contact that has been read, after the circles have moved.
-void measureContact(const World *w, local const Tile *t, const Pass *pass, int part, Reading *reading) {
-    if (reading->contact.y < 0) return;
-    int2 p = (int2)(reading->contact.y & 0xffff, reading->contact.y >> 16);
-    float4 b = reading->normal;
-    size_t at = placeOf(t, pass, part);
+// Reads a contact's impulse, where the tile has it that the contact belongs to.
+void readImpulse(const World *w, const Pass *pass, Reading *r) {
+    if (r->at < 0) return;
+    size_t at = r->number < 0 ? (size_t) (r->number & ~NOT_OWN) : pass->offset + r->at;
+    if (pass->relaxing) {
+        r->impulse = w->impulse[at];
+    } else {
+        r->impulse.x = w->held[at];
+    }
+}
+
+// Measures a contact that has been read, after the circles have moved: then shape is restitution, square of the threshold.
+void measureContact(const World *w, local const Tile *t, const Pass *pass, Reading *r) {
+    if (r->at < 0) return;
+    int2 p = (int2)(r->pair & 0xffff, r->pair >> 16);
+    float4 b = r->normal;
     float4 n;
-    if (!measure(&n, b.x, b.y, b.z, t->displacement[p.x], t->displacement[p.y])) n.xy = w->tileNormal[at].xy;
-    n.w = 0.0f;
-    if (!pass->last) w->tileNormal[at] = n;
-    reading->normal = n;
-    reading->shape = (float4)(b.w, thresholdOf(w, b.z, b.w), 0.0f, 1.0f / (t->inverseMass[p.x] + t->inverseMass[p.y]));
+    global float4 *normal = w->tileNormal + pass->offset + r->at;
+    if (!measure(&n, b.x, b.y, b.z, t->displacement[p.x], t->displacement[p.y])) n.xy = normal->xy;
+    n.w = 1.0f / (t->inverseMass[p.x] + t->inverseMass[p.y]);
+    if (!pass->last) *normal = n;
+    r->normal = n;
+    r->shape.x = b.w;
+    r->shape.y = thresholdOf(w, b.z, b.w);
 }
 
 // Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
@@ -149,57 +146,70 @@ void rememberHeld(const World *w, const Pass *pass, int2 p, int c, float lambda)
     w->old[c] = (int4)(w->id[hi], as_int(lambda), next, 0);
 }
 
-void solveContact(const World *w, local Tile *t, const Pass *pass, int part, const Reading *reading) {
-    int2 contact = reading->contact;
-    int2 p = (int2)(contact.y & 0xffff, contact.y >> 16);
-    float4 n = (float4)(reading->normal.x, reading->normal.y, reading->normal.z, reading->impulse.x);
-    float4 shape = reading->shape;
+void solveContact(const World *w, local Tile *t, const Pass *pass, const Reading *r) {
+    int pair = pass->relaxing ? r->pair : as_int(r->shape.w);
+    int2 p = (int2)(pair & 0xffff, pair >> 16);
+    float4 n = (float4)(r->normal.x, r->normal.y, r->normal.z, r->impulse.x);
     if (!pass->relaxing) {
-        float2 next = pushInTile(w, t, p, n, shape);
-        if (contact.x >= 0) w->impulse[placeOf(t, pass, part)] = next;
+        float2 next = pushInTile(w, t, p, n, r->shape, r->normal.w);
+        if (r->number >= 0) w->impulse[pass->offset + r->at] = next;
         return;
     }
-    float next = relaxInTile(w, t, p, n, shape.x, shape.y, shape.w, reading->impulse.y, pass->last);
-    if (contact.x < 0) return;
+    float next = relaxInTile(w, t, p, n, r->shape.x, r->shape.y, r->normal.w, r->impulse.y, pass->last);
+    if (r->number < 0) return;
     if (!pass->last) {
-        w->held[placeOf(t, pass, part)] = next;
+        w->held[pass->offset + r->at] = next;
     } else if (next > 0.0f) {
-        rememberHeld(w, pass, p, contact.x, next);
+        rememberHeld(w, pass, p, r->number, next);
     }
 }
 
-// Solves the contacts of a part of a round, which have been read before; reads those of the part after the next, of which the
-// places are known, and the places of two parts later; and measures those of the next part.
-void solvePart(const World *w, local Tile *t, const Pass *pass, int part, Reading *reading, int2 *next, Reading *other) {
+// Solves the contacts of a part of a round; reads those of the fourth part from here, the impulses of the second, and measures
+// those of the next.
+void solvePart(const World *w, local Tile *t, const Pass *pass, int part, Reading *r, Reading *next, Reading *second) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (reading->contact.y >= 0) solveContact(w, t, pass, part, reading);
-    readContact(w, t, pass, part + 2, *next, reading);
-    *next = contactOf(t, pass, part + 4);
-    if (pass->relaxing) measureContact(w, t, pass, part + 1, other);
+    if (r->at >= 0) solveContact(w, t, pass, r);
+    readContact(w, t, pass, part + 4, r);
+    readImpulse(w, pass, second);
+    if (pass->relaxing) measureContact(w, t, pass, next);
 }
 
-// Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
-void solveParts(const World *w, local Tile *t, int tile, bool relaxing, bool first, bool last) {
+// Solves the contacts of a tile, part by part, four in turn, so that what each needs is on its way for the time of several.
+void solveParts(const World *w, local Tile *t, int tile, bool relaxing, bool last) {
     Pass pass;
     pass.record = recordOf(w, tile);
     pass.offset = contactOffset(tile);
     pass.relaxing = relaxing;
-    pass.first = first;
     pass.last = last;
     int parts = t->parts;
-    Reading even, odd;
-    readContact(w, t, &pass, 0, contactOf(t, &pass, 0), &even);
-    readContact(w, t, &pass, 1, contactOf(t, &pass, 1), &odd);
-    int2 nextEven = contactOf(t, &pass, 2);
-    int2 nextOdd = contactOf(t, &pass, 3);
+    Reading a, b, c, d;
+    readContact(w, t, &pass, 0, &a);
+    readContact(w, t, &pass, 1, &b);
+    readContact(w, t, &pass, 2, &c);
+    readContact(w, t, &pass, 3, &d);
+    readImpulse(w, &pass, &a);
+    readImpulse(w, &pass, &b);
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (relaxing) measureContact(w, t, &pass, 0, &even);
+    if (relaxing) measureContact(w, t, &pass, &a);
 #pragma unroll 1
-    for (int part = 0; part < parts; part += 2) {
-        solvePart(w, t, &pass, part, &even, &nextEven, &odd);
-        solvePart(w, t, &pass, part + 1, &odd, &nextOdd, &even);
+    for (int part = 0; part < parts; part += 4) {
+        solvePart(w, t, &pass, part, &a, &b, &c);
+        solvePart(w, t, &pass, part + 1, &b, &c, &d);
+        solvePart(w, t, &pass, part + 2, &c, &d, &a);
+        solvePart(w, t, &pass, part + 3, &d, &a, &b);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Notes where the owners of contacts that are not the tile's own keep their impulses.
+void findOwners(const World *w, local const Tile *t, int tile) {
+    global int *numbers = numbersOf(recordOf(w, tile));
+    int contacts = t->circles > 0 ? t->partStart[t->parts] : 0;
+    TILE_EACH(at, contacts) {
+        int number = numbers[at];
+        if (number < 0) numbers[at] = w->position[number & ~NOT_OWN] | NOT_OWN;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
 // The biased pass of a tile.
@@ -217,7 +227,8 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
         t->flags[i] = as_int(burden) < 0 ? LOADED : 0;
         if (subStep == 0 && slots[i] >= 0) w->homeMemory[slot] = NONE;
     }
-    solveParts(w, t, tile, false, subStep == 0, false);
+    if (subStep == 0) findOwners(w, t, tile);
+    solveParts(w, t, tile, false, false);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         if (slots[i] >= 0) endPush(w, slots + i, t->velocity[i], t->inverseMass[i], t->flags[i] & LOADED);
@@ -238,7 +249,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last) {
         t->inverseMass[i] = v.z;
         t->flags[i] = v.w > 0.0f ? LOADED : 0;
     }
-    solveParts(w, t, tile, true, false, last);
+    solveParts(w, t, tile, true, last);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int place = slots[i];

@@ -24,15 +24,17 @@
 #define HALO_ROWS 1
 #define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
 
-// A tile's record: circles, parts, by part its first contact and the end, slots, contacts. A contact: its number, its
-// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too. What a
-// pass reads of a contact lies in the same order, for each tile by itself: read in one piece, it is worth its room.
+// A tile's record: circles, parts, by part its first contact and the end, slots, then for each contact its number and its pair:
+// its circles in 16 bits each, the lower id in the lower half. Slots and numbers that are not the tile's own: NOT_OWN too; from
+// the first pass on, such a number is the place where its owner has it. What a pass reads of a contact lies in the same order,
+// for each tile by itself: read in one piece, it is worth its room.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
 #define RECORD_STARTS 2
 #define RECORD_SLOTS (RECORD_STARTS + TILE_PARTS + 2)
-#define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
-#define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
+#define RECORD_NUMBERS (RECORD_SLOTS + TILE_CIRCLES)
+#define RECORD_PAIRS (RECORD_NUMBERS + TILE_CONTACTS)
+#define TILE_RECORD (RECORD_PAIRS + TILE_CONTACTS)
 
 // The work-items of a work-group take 0 to count - 1 in turn. All of them go round equally often, and no barrier here stands
 // behind a condition: compilers that run the work-items of a work-group in loops have been seen to get that wrong.
@@ -44,7 +46,9 @@ global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile
 
 size_t contactOffset(int tile) { return (size_t) tile * TILE_CONTACTS; }
 
-global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
+global int *numbersOf(global int *record) { return record + RECORD_NUMBERS; }
+
+global int *pairsOf(global int *record) { return record + RECORD_PAIRS; }
 
 // Flags of a circle.
 #define LOADED 1
@@ -195,8 +199,8 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
-// Where a tile notes its contacts as they are met; their normals come there later.
-global int2 *metOf(const World *w, int tile) { return (global int2 *) (w->tileNormal + contactOffset(tile)); }
+// Where a tile notes its contacts as they are met; their impulses come there later.
+global int2 *metOf(const World *w, int tile) { return (global int2 *) (w->impulse + contactOffset(tile)); }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
 void takeContact(const Region *r, local Arrangement *a, global int2 *met, int column, int row, int c, uint link, float4 n) {
@@ -244,7 +248,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, global 
             int column = (r->ringX ? px : colour) + 2 * (g - line * across);
             int row = py + 2 * line;
             int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
-            int to = w->groupFill[group];
+            int to = w->groupStart[group + 1];
             int c = w->groupStart[group];
             // Read ahead by one.
             uint nextLink = c < to ? w->link[c] : 0;
@@ -266,18 +270,53 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, global 
 // The number of parts that a round of so many contacts is made in.
 int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
 
-// Writes down what does not change about a contact during the step.
-void recordContact(const World *w, global const int *record, int2 contact, size_t at) {
-    int i = record[RECORD_SLOTS + (contact.y & 0xffff)] & SLOT_MASK;
-    int j = record[RECORD_SLOTS + (contact.y >> 16)] & SLOT_MASK;
-    float4 ci = w->circle[i];
-    float4 cj = w->circle[j];
-    // Their owners change the rest of the traits meanwhile.
-    float e = greatest(w->traits[i].y, w->traits[j].y);
-    float mass = 1.0f / (w->traits[i].x + w->traits[j].x);
-    float sum = ci.z + cj.z;
-    w->tileBase[at] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, e);
-    w->tileShape[at] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), mass);
+// Writes down what is known of the contacts as the step begins. Four at a time: each is a chain of reads.
+void recordEach(const World *w, local const Arrangement *a, int tile, int contacts) {
+    global int *record = recordOf(w, tile);
+    global const int2 *met = metOf(w, tile);
+    size_t offset = contactOffset(tile);
+    int size = (int) get_local_size(0);
+#pragma unroll 1
+    for (int first = (int) get_local_id(0); first < contacts; first += 4 * size) {
+        int2 contact[4];
+        int i[4], j[4];
+        float4 ci[4], cj[4], n[4];
+        float2 ti[4], tj[4];
+#pragma unroll
+        for (int k = 0; k < 4; k++) contact[k] = met[a->inOrder[min(first + k * size, contacts - 1)]];
+#pragma unroll
+        for (int k = 0; k < 4; k++) {
+            i[k] = record[RECORD_SLOTS + (contact[k].y & 0xffff)] & SLOT_MASK;
+            j[k] = record[RECORD_SLOTS + (contact[k].y >> 16)] & SLOT_MASK;
+            n[k] = w->contact[contact[k].x & ~NOT_OWN];
+        }
+#pragma unroll
+        for (int k = 0; k < 4; k++) {
+            ci[k] = w->circle[i[k]];
+            cj[k] = w->circle[j[k]];
+            // Their owners change the rest of the traits meanwhile.
+            ti[k] = (float2)(w->traits[i[k]].x, w->traits[i[k]].y);
+            tj[k] = (float2)(w->traits[j[k]].x, w->traits[j[k]].y);
+        }
+#pragma unroll
+        for (int k = 0; k < 4; k++) {
+            int at = first + k * size;
+            if (at >= contacts) continue;
+            float sum = ci[k].z + cj[k].z;
+            float e = greatest(ti[k].y, tj[k].y);
+            numbersOf(record)[at] = contact[k].x;
+            pairsOf(record)[at] = contact[k].y;
+            w->tileBase[offset + at] = (float4)(cj[k].x - ci[k].x, cj[k].y - ci[k].y, sum, e);
+            w->tileShape[offset + at] =
+                (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
+                         as_float(contact[k].y));
+            w->tileNormal[offset + at] = (float4)(n[k].x, n[k].y, n[k].z, 1.0f / (ti[k].x + tj[k].x));
+            if (contact[k].x >= 0) {
+                w->held[offset + at] = n[k].w;
+                w->position[contact[k].x] = (int) offset + at;
+            }
+        }
+    }
 }
 
 // Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
@@ -305,18 +344,8 @@ void recordContacts(const World *w, local Arrangement *a, int tile, int circles)
     int contacts = circles > 0 ? a->contacts : 0;
     TILE_EACH(k, contacts) a->inOrder[atomic_inc(&a->roundStart[a->contactRound[k]])] = (ushort) k;
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    global const int2 *met = metOf(w, tile);
-    TILE_EACH(at, contacts) {
-        int2 contact = met[a->inOrder[at]];
-        contactsOf(record)[at] = contact;
-        recordContact(w, record, contact, contactOffset(tile) + at);
-    }
+    recordEach(w, a, tile, contacts);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    TILE_EACH(at, contacts) {
-        int c = contactsOf(record)[at].x;
-        w->tileNormal[contactOffset(tile) + at] = w->contact[c & ~NOT_OWN];
-        if (c >= 0) w->position[c] = (int) contactOffset(tile) + at;
-    }
 }
 
 // Whether the step has been refused, asked while others may refuse it.

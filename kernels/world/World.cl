@@ -92,7 +92,7 @@ typedef struct {
     global float2 *pushedDisplacement; // between the passes
 
     // stage Contacts: by group, then by contact
-    global int *groupStart, *groupFill; // by tiles, groupFill: the end of a group, and groups are in no order
+    global int *groupStart, *groupFill;
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
@@ -109,8 +109,8 @@ typedef struct {
 
     // by tile, TILE_CONTACTS each, in the order of the record
     global float4 *tileBase;   // difference of the bases x, y, sum of the radii, restitution
-    global float4 *tileShape;  // restitution, square of the threshold, greatest push-out speed, effective mass
-    global float4 *tileNormal; // normal x, y, separation; as the step begins, accumulated impulse
+    global float4 *tileShape;  // restitution, square of the threshold, greatest push-out speed, bits of the pair
+    global float4 *tileNormal; // normal x, y, separation, effective mass
     global float *held;        // of the tile's own: accumulated impulse after a sub-step
     global float2 *impulse;    // of the tile's own, between the passes: accumulated impulse, target speed of a bounce
 

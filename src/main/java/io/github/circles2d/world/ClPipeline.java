@@ -99,7 +99,7 @@ public final class ClPipeline implements Pipeline {
             sweep = new ClSweep(kernels);
             contacts = new ClContacts(kernels, buffers, scan);
             solver = new ClSolver(kernels);
-            tiles = new ClTiles(kernels, buffers, device);
+            tiles = new ClTiles(kernels, buffers, scan, device);
             resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);

@@ -10,10 +10,10 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = Integer.getInteger("tile.circles", 768);
+    static final int CIRCLES = Integer.getInteger("tile.circles", 832);
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = Integer.getInteger("tile.contacts", 2048);
+    static final int CONTACTS = Integer.getInteger("tile.contacts", 2560);
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
@@ -43,7 +43,9 @@ final class ClTiles {
     private static final int[][] SIZES = {{4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
 
     private final ClBuffers buffers;
+    private final ClScan scan;
     private final Device device;
+    private final Kernel count;
     private final Kernel list;
     private final Kernel link;
     private final Kernel arrange;
@@ -59,10 +61,12 @@ final class ClTiles {
     private int size;
     private int tiles;
 
-    ClTiles(ClKernels kernels, ClBuffers buffers, Device device) {
+    ClTiles(ClKernels kernels, ClBuffers buffers, ClScan scan, Device device) {
         this.buffers = buffers;
+        this.scan = scan;
         this.device = device;
-        list = kernels.staged("contacts_group");
+        count = kernels.staged("contacts_count");
+        list = kernels.staged("contacts_list");
         arrange = kernels.staged("contacts_arrange");
         link = kernels.staged("contacts_link");
         push = kernels.staged("solver_pushTile");
@@ -123,13 +127,15 @@ final class ClTiles {
             if (++without == RETRY) {
                 largestSize--;
             }
-        } else if (size == largestSize && size > 0 && peak > 0 && peak < 40) {
+        } else if (size == largestSize && size > 0 && peak > 0 && peak < 50) {
             largestSize--;
         }
     }
 
     void list(Levels levels, int circles) {
-        list.run(levels.buckets(), GROUP);
+        count.run(circles);
+        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
+        list.run(circles);
         link.run(2L * circles);
         arrange.run((long) tiles * GROUP, GROUP);
     }
