@@ -67,7 +67,10 @@ void scanAll(const World *w, global int *counts, int count, local int *cells) {
 typedef union {
     int cells[RESIDENT_GROUP];
     Arrangement arrangement;
-    Tile tile;
+    struct {
+        Tile tile;
+        float2 displacement[TILE_CIRCLES];
+    } solving;
 } Local;
 
 // Stages Grid, Sweep where some circle is fast, and Contacts.
@@ -122,7 +125,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t) {
+void solveAll(const World *w, local Tile *t, local float2 *displacement) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -134,7 +137,7 @@ void solveAll(const World *w, local Tile *t) {
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (pass & 1) {
-                relaxTile(w, t, tile, pass == 2 * w->k.subSteps - 1);
+                relaxTile(w, t, tile, displacement, pass == 2 * w->k.subSteps - 1);
             } else {
                 pushTile(w, t, tile, pass >> 1);
             }
@@ -154,7 +157,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
     for (int step = 0; step < steps; step++) {
         listAll(&w, &l);
         if (refused(&w)) break;
-        solveAll(&w, &l.tile);
+        solveAll(&w, &l.solving.tile, l.solving.displacement);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
         w.slots = w.circles;
         w.warmScale = 1.0f;

@@ -18,14 +18,13 @@ bool wallIsFar(const World *w, float x, float dx, float before, float v, float r
 // Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. place: in the tile's record;
 // atWall: whether the impulses of walls may be other than 0; d: displacement; v: velocity; mass: inverse; sum: of the impulses
 // of its contacts; carried: whether one of them carries. Leaves to the biased pass its drive, burden and startDisplacement.
-void startCircle(const World *w, global int *place, int slot, bool atWall, float2 d, float2 v, float mass, float2 sum,
-                 bool carried) {
+void startCircle(const World *w, global int *place, int slot, bool atWall, float4 c, float2 d, float2 v, float mass,
+                 float2 sum, bool carried) {
     const StepConstants *k = &w->k;
     float2 before = v;
     bool loaded = false;
     bool walled = false;
     if (mass != 0.0f) {
-        float4 c = w->circle[slot];
         before = (float2)(v.x + k->gravityStepX, v.y + k->gravityStepY);
         loaded = carried;
         float2 kept = (float2)(0.0f);
@@ -59,24 +58,24 @@ void startCircle(const World *w, global int *place, int slot, bool atWall, float
     w->startDisplacement[slot] = d;
 }
 
-// Ends the biased pass for a circle: its move, within the walls, and the relaxing pass over those. place: in the tile's record.
-void endPush(const World *w, global int *place, float2 v, float mass, bool loaded) {
+// Ends the biased pass for a circle: its move, within the walls, and the relaxing pass over those. place: in the tile's record,
+// what it says; c, d: the circle and its displacement; v: velocity; burden: inverse mass, negative where loaded.
+void endPush(const World *w, global int *place, int said, float4 c, float2 d, float2 v, float burden) {
     const StepConstants *k = &w->k;
-    int slot = *place & SLOT_MASK;
-    bool atWall = (*place & AT_WALL) != 0;
-    float4 c = w->circle[slot];
-    float2 d = w->startDisplacement[slot];
+    int slot = said & SLOT_MASK;
+    bool atWall = (said & AT_WALL) != 0;
+    float mass = fabs(burden);
     float4 m = (float4)(d.x, d.y, v.x, v.y);
     moveFreely(w, slot, c, &m, mass);
     if (mass != 0.0f &&
         (atWall || !(wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX) > 0.0f) ||
          !(wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY) > 0.0f))) {
         float4 t = w->traits[slot];
-        relaxAtWalls(w, c, &m, &t, atWall ? w->wallBounce[slot] : (float2)(0.0f), loaded);
+        relaxAtWalls(w, c, &m, &t, atWall ? w->wallBounce[slot] : (float2)(0.0f), as_int(burden) < 0);
         w->traits[slot].z = t.z;
         w->traits[slot].w = t.w;
         if (!atWall && (t.z != 0.0f || t.w != 0.0f)) *place = slot | AT_WALL;
     }
-    w->pushedVelocity[slot] = (float4)(m.z, m.w, mass, loaded ? 1.0f : 0.0f);
+    w->pushedVelocity[slot] = (float4)(m.z, m.w, burden, 0.0f);
     w->pushedDisplacement[slot] = m.xy;
 }

@@ -50,9 +50,8 @@ global int *numbersOf(global int *record) { return record + RECORD_NUMBERS; }
 
 global int *pairsOf(global int *record) { return record + RECORD_PAIRS; }
 
-// Flags of a circle.
-#define LOADED 1
-#define CARRIED 2
+// Flag of a circle: one of its contacts carries.
+#define CARRIED 1
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
@@ -310,7 +309,9 @@ void recordEach(const World *w, local const Arrangement *a, int tile, int contac
             w->tileShape[offset + at] =
                 (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
                          as_float(contact[k].y));
-            w->tileNormal[offset + at] = (float4)(n[k].x, n[k].y, n[k].z, 1.0f / (ti[k].x + tj[k].x));
+            float mass = 1.0f / (ti[k].x + tj[k].x);
+            w->tileNormal[offset + at] = (float4)(n[k].x, n[k].y, n[k].z, mass);
+            w->tileMass[offset + at] = mass;
             if (contact[k].x >= 0) {
                 w->held[offset + at] = n[k].w;
                 w->position[contact[k].x] = (int) offset + at;
@@ -374,7 +375,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
         int slot = record[RECORD_SLOTS + i];
         if (slot < 0) continue;
         float4 m = w->motion[slot];
-        startCircle(w, record + RECORD_SLOTS + i, slot, true, m.xy, m.zw, w->traits[slot].x, a->load[i],
+        startCircle(w, record + RECORD_SLOTS + i, slot, true, w->circle[slot], m.xy, m.zw, w->traits[slot].x, a->load[i],
                     (a->flags[i] & CARRIED) != 0);
     }
     if (get_local_id(0) != 0 || idle) return;

@@ -48,7 +48,7 @@ typedef struct {
         global int *groupFill, global ulong *key, global uint2 *pair, global float4 *base, global float4 *masses,      \
         global float4 *contact, global uint *link, global int *position, global int4 *old, global int *blockSums,      \
         global int *tiles, global float4 *tileBase, global float4 *tileShape,                   \
-        global float4 *tileNormal, global float *held, global float2 *impulse
+        global float4 *tileNormal, global float *tileMass, global float *held, global float2 *impulse
 
 typedef struct {
     StepConstants k; // by value: read once, not at every use
@@ -88,7 +88,7 @@ typedef struct {
     global float4 *drive;              // before the biased pass: velocity x, y, the same before any impulse
     global float *burden;              // before the biased pass: inverse mass, negative where loaded
     global float2 *startDisplacement;  // before the biased pass
-    global float4 *pushedVelocity;     // between the passes: velocity x, y, inverse mass, 1 where loaded
+    global float4 *pushedVelocity;     // between the passes: velocity x, y, burden
     global float2 *pushedDisplacement; // between the passes
 
     // stage Contacts: by group, then by contact
@@ -111,6 +111,7 @@ typedef struct {
     global float4 *tileBase;   // difference of the bases x, y, sum of the radii, restitution
     global float4 *tileShape;  // restitution, square of the threshold, greatest push-out speed, bits of the pair
     global float4 *tileNormal; // normal x, y, separation, effective mass
+    global float *tileMass;    // effective mass
     global float *held;        // of the tile's own: accumulated impulse after a sub-step
     global float2 *impulse;    // of the tile's own, between the passes: accumulated impulse, target speed of a bounce
 
@@ -123,7 +124,7 @@ typedef struct {
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, drive, burden, startDisplacement, pushedVelocity,        \
             pushedDisplacement, groupStart, groupFill, key, pair, base, masses, contact, link, position, old,          \
-            blockSums, tiles, tileBase, tileShape, tileNormal, held, impulse, k->warmScale                             \
+            blockSums, tiles, tileBase, tileShape, tileNormal, tileMass, held, impulse, k->warmScale                   \
     }
 
 #define NONE (-1)

@@ -61,11 +61,12 @@ final class ClBuffers {
     static final int TILE_BASE = 46;
     static final int TILE_SHAPE = 47;
     static final int TILE_NORMAL = 48;
-    static final int HELD = 49;
-    static final int IMPULSE = 50;
+    static final int TILE_MASS = 49;
+    static final int HELD = 50;
+    static final int IMPULSE = 51;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 51;
+    static final int COUNT = 52;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -120,6 +121,7 @@ final class ClBuffers {
         "contact bases by tile",
         "contact shapes by tile",
         "contact normals by tile",
+        "contact masses by tile",
         "held impulses by tile",
         "contact impulses by tile"
     };
@@ -152,7 +154,7 @@ final class ClBuffers {
     private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
     private static final int[] BY_CONTACT_TILED = {LINK, POSITION};
-    private static final int[] BY_TILE = {TILES, TILE_BASE, TILE_SHAPE, TILE_NORMAL, HELD, IMPULSE};
+    private static final int[] BY_TILE = {TILES, TILE_BASE, TILE_SHAPE, TILE_NORMAL, TILE_MASS, HELD, IMPULSE};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -214,7 +216,7 @@ final class ClBuffers {
                 return 4 * ClTiles.RECORD;
             case TILE_BASE, TILE_SHAPE, TILE_NORMAL:
                 return 16 * ClTiles.CONTACTS;
-            case HELD:
+            case TILE_MASS, HELD:
                 return 4 * ClTiles.CONTACTS;
             case IMPULSE:
                 return 8 * ClTiles.CONTACTS;
