@@ -128,6 +128,8 @@ typedef struct {
 
 // Reads what lies at a contact's own place: this work-item's of a part, or any, unused, where it has none.
 void readContact(const World *w, local const Tile *t, const Pass *pass, int part, Reading *r) {
+    r->at = -1;
+    if (t->parts == 0) return;
     part = min(part, t->parts);
     int end = t->partStart[min(part + 1, t->parts)];
     int at = t->partStart[part] + (int) get_local_id(0);

@@ -202,33 +202,41 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
 global int2 *metOf(const World *w, int tile) { return (global int2 *) (w->impulse + contactOffset(tile)); }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
-void takeContact(const Region *r, local Arrangement *a, global int2 *met, int column, int row, int c, uint link, float4 n) {
+void takeContact(const Region *r, local Arrangement *a, global int2 *met, int column, int row, int c, uint link,
+                 float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     float2 loadLo = a->load[lo];
     float2 loadHi = a->load[hi];
-    a->load[lo] = (float2)(loadLo.x - n.x * n.w, loadLo.y - n.y * n.w);
-    a->load[hi] = (float2)(loadHi.x + n.x * n.w, loadHi.y + n.y * n.w);
+    int roundLo = a->round[lo];
+    int roundHi = a->round[hi];
+    int degreeLo = a->degree[lo] + 1;
+    int degreeHi = a->degree[hi] + 1;
+    a->load[lo] = loadLo - impulse;
+    a->load[hi] = loadHi + impulse;
     if (link & LINK_CARRYING) {
         a->flags[lo] = CARRIED;
         a->flags[hi] = CARRIED;
     }
-    int round = max(a->round[lo], a->round[hi]);
+    int round = max(roundLo, roundHi);
     int k = atomic_inc(&a->contacts);
     if (round >= TILE_ROUNDS || k >= TILE_CONTACTS) {
         a->overfull = 1;
         return;
     }
     // No more than there have been rounds, so it fits.
-    a->degree[lo]++;
-    a->degree[hi]++;
-    if (max(a->degree[lo], a->degree[hi]) > CROWD) a->crowded = 1;
+    a->degree[lo] = (uchar) degreeLo;
+    a->degree[hi] = (uchar) degreeHi;
+    if (max(degreeLo, degreeHi) > CROWD) a->crowded = 1;
     a->round[lo] = (uchar) (round + 1);
     a->round[hi] = (uchar) (round + 1);
     met[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
     a->contactRound[k] = (uchar) round;
     atomic_inc(&a->roundCount[round]);
 }
+
+// How many contacts of a group are read at a time.
+#define GROUP_TOGETHER 6
 
 // Takes all contacts that a tile depends on, or none.
 void takeContacts(const World *w, const Region *r, local Arrangement *a, global int2 *met, bool any) {
@@ -248,18 +256,21 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, global 
             int row = py + 2 * line;
             int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
             int to = w->groupStart[group + 1];
-            int c = w->groupStart[group];
-            // Read ahead by one.
-            uint nextLink = c < to ? w->link[c] : 0;
-            float4 next = c < to ? w->contact[c] : (float4)(0.0f);
-            for (; c < to; c++) {
-                uint link = nextLink;
-                float4 n = next;
-                if (c + 1 < to) {
-                    nextLink = w->link[c + 1];
-                    next = w->contact[c + 1];
+#pragma unroll 1
+            for (int from = w->groupStart[group]; from < to; from += GROUP_TOGETHER) {
+                uint link[GROUP_TOGETHER];
+                float2 impulse[GROUP_TOGETHER];
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    int c = min(from + k, to - 1);
+                    float4 n = w->contact[c];
+                    link[k] = w->link[c];
+                    impulse[k] = (float2)(n.x * n.w, n.y * n.w);
                 }
-                takeContact(r, a, met, column, row, c, link, n);
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    if (from + k < to) takeContact(r, a, met, column, row, from + k, link[k], impulse[k]);
+                }
             }
         }
     }

@@ -10,16 +10,16 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = Integer.getInteger("tile.circles", 832);
+    static final int CIRCLES = Integer.getInteger("tile.circles", 704);
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = Integer.getInteger("tile.contacts", 2560);
+    static final int CONTACTS = Integer.getInteger("tile.contacts", 2304);
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
 
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
-    static final int GROUP = Integer.getInteger("tile.group", 128);
+    static final int GROUP = Integer.getInteger("tile.group", 64);
 
     /** Parts of rounds that there is room for. */
     static final int PARTS = ROUNDS + CONTACTS / GROUP;
