@@ -1,6 +1,6 @@
 // Stage Contacts for tiles: the contacts that Contacts.cl has listed group by group, each in its place.
 
-#define LONGEST_GROUP 512 // contacts; what is more crowded goes the way of crowds
+#define LONGEST_GROUP 512 // contacts; what is more crowded goes the way of crowds, and from there that of colours
 
 // Puts a listed contact in its place, and measures it for the first sub-step, with the impulse that it ended the step before
 // with.
@@ -23,7 +23,11 @@ void linkContact(const World *w, int listed) {
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
-        w->status[CROWDED] = 1;
+        if (w->k.thinning) {
+            refuseTile(w, NO_TILE);
+        } else {
+            w->status[CROWDED] = 1;
+        }
         return;
     }
     int lowPlace = (int) p.x - w->bucketStart[low];

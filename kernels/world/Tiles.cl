@@ -280,6 +280,12 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, global 
 // The number of parts that a round of so many contacts is made in.
 int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
 
+// A circle's inverse mass and restitution, read by themselves: its owner may change the rest of its traits meanwhile.
+float2 constantTraits(const World *w, int slot) {
+    global const float *traits = (global const float *) (w->traits + slot);
+    return (float2)(traits[0], traits[1]);
+}
+
 // Writes down what is known of the contacts as the step begins. Four at a time: each is a chain of reads.
 void recordEach(const World *w, local const Arrangement *a, int tile, int contacts) {
     global int *record = recordOf(w, tile);
@@ -304,9 +310,8 @@ void recordEach(const World *w, local const Arrangement *a, int tile, int contac
         for (int k = 0; k < 4; k++) {
             ci[k] = w->circle[i[k]];
             cj[k] = w->circle[j[k]];
-            // Their owners change the rest of the traits meanwhile.
-            ti[k] = (float2)(w->traits[i[k]].x, w->traits[i[k]].y);
-            tj[k] = (float2)(w->traits[j[k]].x, w->traits[j[k]].y);
+            ti[k] = constantTraits(w, i[k]);
+            tj[k] = constantTraits(w, j[k]);
         }
 #pragma unroll
         for (int k = 0; k < 4; k++) {
@@ -379,7 +384,8 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     bool any = !idle && found > 0 && found <= TILE_CIRCLES;
     takeContacts(w, &r, a, metOf(w, tile), any);
     int contacts = a->contacts;
-    bool fits = any && !a->overfull && !a->crowded;
+    bool crowded = a->crowded && w->k.thinning == 0;
+    bool fits = any && !a->overfull && !crowded;
     int circles = fits ? found : 0;
     recordContacts(w, a, tile, circles);
     TILE_EACH(i, circles) {
@@ -394,7 +400,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
         atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
     } else if (found > TILE_CIRCLES) {
         refuseTile(w, 100 * found / TILE_CIRCLES + 1);
-    } else if (found > 0 && a->crowded) {
+    } else if (found > 0 && crowded) {
         atomic_or(&w->status[CROWDED], 1);
     } else if (found > 0) {
         refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);

@@ -156,9 +156,9 @@ public final class ClPipeline implements Pipeline {
 
     private void enqueue() {
         parameters.setPlan(sweeping > 0, thinning > 0);
-        boolean small = resident != null && ClResident.suits(circles);
+        boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
         int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
-        boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
+        boolean tiled = plan != ClPlan.COLOURS && tiles.choose(levels, parameters, atOnce);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
@@ -177,7 +177,7 @@ public final class ClPipeline implements Pipeline {
                 sweep.sweep(levels, circles);
             }
             if (tiled) {
-                tiles.list(levels, circles);
+                tiles.list(levels, circles, thinning > 0);
                 tiles.solve(subSteps);
             } else {
                 contacts.list(levels, circles, thinning > 0);

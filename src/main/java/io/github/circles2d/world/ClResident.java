@@ -15,8 +15,8 @@ final class ClResident {
     /** Work-items of a work-group. */
     static final int GROUP = Integer.getInteger("resident.group", 256);
 
-    /** Work-groups that surely run at once on a compute unit. */
-    private static final int GROUPS_A_UNIT = Integer.getInteger("resident.unit", 2);
+    /** Work-groups that surely run at once on a compute unit: one fits, or the kernel would not start. */
+    private static final int GROUPS_A_UNIT = Integer.getInteger("resident.unit", 1);
 
     private final Kernel steps;
     private final int mostGroups;

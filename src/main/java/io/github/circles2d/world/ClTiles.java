@@ -10,16 +10,16 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = Integer.getInteger("tile.circles", 704);
+    static final int CIRCLES = Integer.getInteger("tile.circles", 1280);
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = Integer.getInteger("tile.contacts", 2304);
+    static final int CONTACTS = Integer.getInteger("tile.contacts", 4096);
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
 
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
-    static final int GROUP = Integer.getInteger("tile.group", 64);
+    static final int GROUP = Integer.getInteger("tile.group", 128);
 
     /** Parts of rounds that there is room for. */
     static final int PARTS = ROUNDS + CONTACTS / GROUP;
@@ -31,7 +31,7 @@ final class ClTiles {
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 24 << 10;
+    private static final int LOCAL_BYTES = 40 << 10;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
@@ -45,6 +45,7 @@ final class ClTiles {
     private final ClBuffers buffers;
     private final ClScan scan;
     private final Device device;
+    private final Kernel crowd;
     private final Kernel count;
     private final Kernel list;
     private final Kernel link;
@@ -65,6 +66,7 @@ final class ClTiles {
         this.buffers = buffers;
         this.scan = scan;
         this.device = device;
+        crowd = kernels.staged("contacts_crowd");
         count = kernels.staged("contacts_count");
         list = kernels.staged("contacts_list");
         arrange = kernels.staged("contacts_arrange");
@@ -132,7 +134,15 @@ final class ClTiles {
         }
     }
 
-    void list(Levels levels, int circles) {
+    /**
+     * Lists the contacts, and puts those of each tile in order.
+     *
+     * @param thinning whether to thin crowds out
+     */
+    void list(Levels levels, int circles, boolean thinning) {
+        if (thinning) {
+            crowd.run(circles);
+        }
         count.run(circles);
         scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
         list.run(circles);
