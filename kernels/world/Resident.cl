@@ -1,11 +1,16 @@
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
 // run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
-// once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and builds
-// this file only for devices where that, and the fence below, are known to hold.
+// once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
+// this file only for devices where that, and the fence below, are known to hold. One work-group alone runs anywhere.
 
 // Makes what a work-item has written visible to all others, and what they have written to it. OpenCL 1.2 has no such fence
-// beyond a work-group; mem_fence leaves the first-level cache stale.
+// beyond a work-group; mem_fence leaves the first-level cache stale. From the host: PTX: 1 on NVIDIA devices. On others one
+// work-group alone may run this, where mem_fence does.
+#if PTX
 #define DEVICE_FENCE asm volatile("fence.acq_rel.gpu;" ::: "memory")
+#else
+#define DEVICE_FENCE mem_fence(CLK_GLOBAL_MEM_FENCE)
+#endif
 
 // Waits until all work-groups are here. arrivals: counts them; starts at 0.
 void deviceBarrier(volatile global int *arrivals) {

@@ -1,5 +1,8 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.Timings;
+import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
@@ -7,6 +10,11 @@ import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.ClPipeline;
 import io.github.circles2d.world.JvmPipeline;
 import io.github.circles2d.world.Pipeline;
+import java.io.UncheckedIOException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 
 /**
  * What a world runs on, and why.
@@ -19,30 +27,102 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
     /**
-     * Worlds with room for fewer circles run on the JVM, which needs no read-back and starts at once. On an NVIDIA H200 a step of
-     * packed circles and a look at its status take 0.2 ms for 1,250 circles and 0.25 ms for 15,000; on 16 threads of its
-     * host's JVM 0.7 and 1.4 ms, on one thread 0.2 ms for 300. OpenCL on a CPU is never taken by itself: on two cores it takes
-     * two to three times as long as two threads of the JVM.
+     * Where nothing has been calibrated, worlds with room for fewer circles run on the JVM, which needs no read-back and starts at
+     * once. On an NVIDIA H200 a step of packed circles and a look at its status take 0.2 ms for 1,250 circles and 0.25 ms for
+     * 15,000; on 16 threads of its host's JVM 0.7 and 1.4 ms, on one thread 0.2 ms for 300. OpenCL on a CPU is never taken by this
+     * rule: on two cores it takes two to three times as long as two threads of the JVM.
      */
     private static final int LEAST_FOR_GPU = 2048;
 
+    private static final String ASKED_FOR = "asked for";
+
     /** Takes what is asked for, or the fastest that is there. */
     static BackendChoice of(Backend wanted, int threads, int leastShare, int capacity, boolean profiling) {
-        return switch (wanted) {
-            case JVM -> jvm(threads, leastShare, capacity, profiling, "asked for");
-            case OPENCL_CPU -> openCl(wanted, OpenCl.cpuDevice(), capacity, profiling, "asked for");
-            case OPENCL_GPU -> openCl(wanted, gpu(), capacity, profiling, "asked for");
-            case AUTO -> fastest(threads, leastShare, capacity, profiling);
-        };
+        BackendChoice choice =
+                switch (wanted) {
+                    case JVM -> jvm(threads, leastShare, capacity, profiling, ASKED_FOR);
+                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
+                    case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
+                    case AUTO -> fastest(threads, leastShare, capacity, profiling);
+                };
+        String subject = choice.backend + choice.pipeline.device();
+        return choice.logged(
+                wanted == Backend.AUTO ? Notice.level(System.Logger.Level.INFO, subject) : System.Logger.Level.DEBUG);
     }
 
     /** Takes this very device. */
     static BackendChoice of(Device device, int capacity, boolean profiling) {
-        Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
-        return openCl(backend, device, capacity, profiling, "this device was asked for");
+        return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
     }
 
     private static BackendChoice fastest(int threads, int leastShare, int capacity, boolean profiling) {
+        Timings timings = Calibration.timings();
+        if (timings.entries().isEmpty()) {
+            String hint = "; not calibrated: Calibration.run() would measure it";
+            return byRule(threads, leastShare, capacity, profiling, hint);
+        }
+        Optional<Curve> jvm = timings.find(Workload.WORLD, "", Runners.jvm(threads));
+        if (jvm.isEmpty()) {
+            String hint = "; the calibration is not of this Java virtual machine with so many threads";
+            return byRule(threads, leastShare, capacity, profiling, hint);
+        }
+        Map<Optional<Device>, Curve> candidates = new LinkedHashMap<>();
+        candidates.put(Optional.empty(), jvm.get());
+        // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
+        boolean jvmIsFastest = isFastest(jvm.get(), timings, capacity);
+        if (capacity >= LEAST_FOR_GPU || !jvmIsFastest) {
+            for (Device device : usable()) {
+                Optional<Curve> curve = curveOf(device, timings);
+                curve.ifPresent(measured -> candidates.put(Optional.of(device), measured));
+                if (curve.isEmpty() && isTheGpuOfTheRule(device)) {
+                    String hint =
+                            "; the calibration is not of " + device.name() + " with this driver and these kernels";
+                    return byRule(threads, leastShare, capacity, profiling, hint);
+                }
+            }
+        }
+        String why = Timings.words(
+                        candidates, capacity, device -> device.map(Device::name).orElse("JVM"))
+                + (jvmIsFastest ? "; nothing that was measured is faster" : "");
+        Optional<Device> taken = Timings.fastest(candidates, capacity);
+        try {
+            if (taken.isPresent()) {
+                return openCl(taken.get(), capacity, profiling, why);
+            }
+        } catch (OpenClException e) {
+            why = taken.get().name() + " cannot be used: " + e.getMessage();
+        }
+        return jvm(threads, leastShare, capacity, profiling, why);
+    }
+
+    private static boolean isTheGpuOfTheRule(Device device) {
+        return device.kind() == Device.Kind.GPU && device == OpenCl.bestDevice();
+    }
+
+    /** Whether nothing that was measured, here or on what was here once, is faster. */
+    private static boolean isFastest(Curve jvm, Timings timings, int capacity) {
+        return timings.entries().stream()
+                .filter(entry -> entry.workload() == Workload.WORLD)
+                .allMatch(entry -> entry.curve().millis(capacity) >= jvm.millis(capacity));
+    }
+
+    private static Optional<Curve> curveOf(Device device, Timings timings) {
+        try {
+            return timings.find(Workload.WORLD, "", Runners.world(device));
+        } catch (IllegalArgumentException | UncheckedIOException e) {
+            return Optional.empty(); // Kernels that cannot be read: whoever builds them says so.
+        }
+    }
+
+    private static List<Device> usable() {
+        try {
+            return OpenCl.devices().stream().filter(Device::correctlyRounded).toList();
+        } catch (OpenClException e) {
+            return List.of();
+        }
+    }
+
+    private static BackendChoice byRule(int threads, int leastShare, int capacity, boolean profiling, String hint) {
         String reason;
         if (capacity < LEAST_FOR_GPU) {
             reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is " + capacity;
@@ -50,15 +130,15 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
             try {
                 Device gpu = gpu();
                 if (gpu.correctlyRounded()) {
-                    String why = "the fastest from a capacity of " + LEAST_FOR_GPU + " circles on";
-                    return openCl(Backend.OPENCL_GPU, gpu, capacity, profiling, why);
+                    String why = "a GPU is the fastest from a capacity of " + LEAST_FOR_GPU + " circles on, as a rule";
+                    return openCl(gpu, capacity, profiling, why + hint);
                 }
                 reason = gpu.name() + " does not round correctly, so its results would differ";
             } catch (OpenClException e) {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return jvm(threads, leastShare, capacity, profiling, reason);
+        return jvm(threads, leastShare, capacity, profiling, reason + hint);
     }
 
     private static Device gpu() {
@@ -69,29 +149,23 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return best;
     }
 
-    private static BackendChoice openCl(
-            Backend backend, Device device, int capacity, boolean profiling, String reason) {
+    private static BackendChoice openCl(Device device, int capacity, boolean profiling, String reason) {
         if (!device.correctlyRounded()) {
             LOG.log(
                     System.Logger.Level.WARNING,
                     "{0} does not round divisions and square roots correctly: its results may differ from other devices",
                     device.name());
         }
-        return logged(new BackendChoice(backend, new ClPipeline(device, capacity, profiling), reason));
+        Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
+        return new BackendChoice(backend, new ClPipeline(device, capacity, profiling), reason);
     }
 
     private static BackendChoice jvm(int threads, int leastShare, int capacity, boolean profiling, String reason) {
-        return logged(
-                new BackendChoice(Backend.JVM, new JvmPipeline(threads, leastShare, capacity, profiling), reason));
+        return new BackendChoice(Backend.JVM, new JvmPipeline(threads, leastShare, capacity, profiling), reason);
     }
 
-    private static BackendChoice logged(BackendChoice choice) {
-        LOG.log(
-                System.Logger.Level.DEBUG,
-                "World on {0}, {1}: {2}",
-                choice.backend,
-                choice.pipeline.device(),
-                choice.reason);
-        return choice;
+    private BackendChoice logged(System.Logger.Level level) {
+        LOG.log(level, "World on {0}, {1}: {2}", backend, pipeline.device(), reason);
+        return this;
     }
 }

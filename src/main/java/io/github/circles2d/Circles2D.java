@@ -148,7 +148,7 @@ public final class Circles2D implements AutoCloseable {
      * init.
      *
      * @param timeStep seconds a step, finite and greater than 0
-     * @param indexing how a slot finds its pair
+     * @param indexing how a slot finds its pair; {@link PairIndexing#AUTO} is chosen here, before the first step
      * @param restitution share of the speed that an impact leaves, for circles and walls alike: 0 inelastic to 1 elastic
      * @param gravity acceleration (x, y) in arena widths per second squared, two finite values
      * @throws IOException if the kernel sources cannot be read
@@ -162,9 +162,11 @@ public final class Circles2D implements AutoCloseable {
         requireOpen();
         Objects.requireNonNull(indexing, "indexing");
         Parameters parameters = Parameters.of(timeStep, restitution, gravity);
-        PairStrategy strategy = strategyOf(indexing);
         long held = simulation == null ? 0 : simulation.deviceBytes();
-        MemoryNeed.of(strategy, circles.size()).requireRoom(session.device(), session.freeBytes() + held);
+        long free = session.freeBytes() + held;
+        PairIndexing chosen = indexing == PairIndexing.AUTO ? choose(free) : indexing;
+        PairStrategy strategy = strategyOf(chosen);
+        MemoryNeed.of(strategy, circles.size()).requireRoom(session.device(), free);
         Program program;
         try {
             program = session.build(Simulation.source(strategy, circles.size(), session.device()), BUILD_OPTION);
@@ -176,7 +178,7 @@ public final class Circles2D implements AutoCloseable {
         try (program) {
             simulation = Simulation.start(session, program, strategy, circles, parameters);
         }
-        this.indexing = indexing;
+        this.indexing = chosen;
         warnOfWrongSlots();
     }
 
@@ -248,7 +250,7 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Returns how slots find their pairs.
      *
-     * @return the indexing of the last init
+     * @return the indexing of the last init; never {@link PairIndexing#AUTO} but what it was taken for
      * @throws IllegalStateException before the first init
      */
     public synchronized PairIndexing indexing() {
@@ -285,6 +287,25 @@ public final class Circles2D implements AutoCloseable {
             simulation = null;
             session.close();
         }
+    }
+
+    private PairIndexing choose(long freeBytes) {
+        Device device = session.device();
+        IndexingChoice choice = IndexingChoice.of(
+                device, circles.size(), indexing -> MemoryNeed.of(strategyOf(indexing), circles.size())
+                        .fits(device, freeBytes));
+        LOG.log(
+                Notice.level(Level.INFO, choice.indexing() + device.toString()),
+                "Circles2D with pair indexing {0} on {1}: {2}",
+                choice.indexing(),
+                device.name(),
+                choice.reason());
+        return choice.indexing();
+    }
+
+    /** Identifies the kernels of an indexing. */
+    static String kernels(PairIndexing indexing, Device device) {
+        return Simulation.source(strategyOf(indexing), 1000, device).fingerprint();
     }
 
     private static PairStrategy strategyOf(PairIndexing indexing) {

@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import java.util.List;
+
 /**
  * How a work-item that owns a slot of the collision buffer finds its pair of circles (i, j): the subject of the thesis
  * that {@link Circles2D} reproduces.
@@ -24,15 +26,31 @@ public enum PairIndexing {
      * Strategy 3, not in the thesis but an answer to its first open question: a closed form for single precision that is
      * right for every slot of every n up to {@value Circles2D#MAX_CIRCLES}, without a table.
      */
-    EXACT;
+    EXACT,
+
+    /**
+     * No indexing of its own, but the one of {@link #EXACT}, {@link #LOOKUP_TABLE} and {@link #ROW_SEARCH} that is likely to be
+     * the fastest on the device for the number of circles, and fits into its memory. Where a {@link Calibration} has measured
+     * the device, it is the one with the shortest loop; elsewhere, by rule, the look-up table on a CPU and EXACT on other
+     * devices. Never {@link #COMPUTED}, which may be wrong and is no faster than EXACT. {@link Circles2D#indexing} says which one
+     * was taken; the log says why.
+     */
+    AUTO;
+
+    private static final List<PairIndexing> STRATEGIES = List.of(COMPUTED, LOOKUP_TABLE, ROW_SEARCH, EXACT);
 
     /**
      * Returns the thesis's number for this indexing.
      *
      * @return 0 to 3
+     * @throws IllegalStateException for {@link #AUTO}, which stands for one of the others
      */
     public int strategy() {
-        return ordinal();
+        int strategy = STRATEGIES.indexOf(this);
+        if (strategy < 0) {
+            throw new IllegalStateException("AUTO has no number: it stands for an indexing that init chooses");
+        }
+        return strategy;
     }
 
     /**
@@ -43,10 +61,10 @@ public enum PairIndexing {
      * @throws IllegalArgumentException if there is no such strategy
      */
     public static PairIndexing ofStrategy(int strategy) {
-        if (strategy < 0 || strategy >= values().length) {
+        if (strategy < 0 || strategy >= STRATEGIES.size()) {
             throw new IllegalArgumentException("strategy must be 0 (computed), 1 (look-up table), 2 (row search) or 3"
                     + " (exact), not " + strategy);
         }
-        return values()[strategy];
+        return STRATEGIES.get(strategy);
     }
 }

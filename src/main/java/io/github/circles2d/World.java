@@ -5,15 +5,17 @@ import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Bounds;
 import io.github.circles2d.world.Commands;
+import io.github.circles2d.world.GuardedPipeline;
 import io.github.circles2d.world.JvmPipeline;
+import io.github.circles2d.world.LastReading;
 import io.github.circles2d.world.Levels;
 import io.github.circles2d.world.Limits;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Roster;
 import io.github.circles2d.world.SavedState;
 import io.github.circles2d.world.SnapshotCodec;
 import io.github.circles2d.world.StepConstants;
 import io.github.circles2d.world.WorldParameters;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -43,10 +45,10 @@ import java.util.concurrent.atomic.AtomicReference;
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
  * nothing is removed this is the order of adding; removing a circle closes its gap.
  *
- * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect together, in call order, before the next step or
- * read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap walls and
- * each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the greater of
- * its two circles' values; a wall takes the circle's.
+ * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
+ * step or read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
+ * walls and each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the
+ * greater of its two circles' values; a wall takes the circle's.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
@@ -71,12 +73,13 @@ import java.util.concurrent.atomic.AtomicReference;
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
-    private final Pipeline pipeline;
+    private final GuardedPipeline pipeline;
     private final Roster roster = new Roster();
     private final Commands commands = new Commands();
     private final Levels levels = new Levels();
     private final StepConstants constants = new StepConstants();
     private final AtomicReference<Thread> user = new AtomicReference<>();
+    private final LastReading last;
     private final SavedState saved = new SavedState();
     private final Backend backend;
     private final String reason;
@@ -91,16 +94,8 @@ public final class World implements AutoCloseable {
     /** Whether the last step had no circles; also where there has been none, or one before a restore. */
     private boolean emptyStep = true;
 
-    private boolean closed;
-    private Throwable failure;
-
-    /** What single reads are answered from: the last bulk read-back. */
-    private float[] circles = new float[0];
-
-    private float[] velocities = new float[0];
-    private boolean circlesCurrent;
-    private boolean velocitiesCurrent;
     private boolean savedCurrent;
+    private boolean closed;
 
     private World(Builder b) {
         bounds = b.bounds;
@@ -113,7 +108,8 @@ public final class World implements AutoCloseable {
                 : BackendChoice.of(b.device, b.capacity, b.profiling);
         backend = choice.backend();
         reason = choice.reason();
-        pipeline = choice.pipeline();
+        pipeline = new GuardedPipeline(choice.pipeline());
+        last = new LastReading(pipeline, roster, this::applyCommands);
     }
 
     /**
@@ -160,6 +156,7 @@ public final class World implements AutoCloseable {
             checkRoom(1);
             check(x, y, radius, mass);
             Limits.velocity(vx, vy);
+            expect(1);
             changed();
             return addChecked(x, y, radius, mass, vx, vy);
         } finally {
@@ -216,7 +213,7 @@ public final class World implements AutoCloseable {
                     throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
                 }
             }
-            commands.ensure(n);
+            expect(n);
             changed();
             for (int i = 0; i < n; i++) {
                 long handle = addChecked(
@@ -249,8 +246,8 @@ public final class World implements AutoCloseable {
     }
 
     private long addChecked(float x, float y, float radius, float mass, float vx, float vy) {
-        commands.ensure(1);
         int id = roster.add(radius);
+        roster.setRestitution(id, defaultRestitution);
         commands.add(id, x, y, radius, mass, defaultRestitution, vx, vy);
         return roster.handle(id);
     }
@@ -265,7 +262,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             int id = find(handle);
-            commands.ensure(1);
+            expect(1);
             changed();
             roster.remove(id);
             commands.remove(id);
@@ -390,6 +387,7 @@ public final class World implements AutoCloseable {
         try {
             int id = find(handle);
             set(Commands.RESTITUTION, id, Limits.restitution(restitution), 0);
+            roster.setRestitution(id, restitution);
         } finally {
             exit();
         }
@@ -416,10 +414,12 @@ public final class World implements AutoCloseable {
     }
 
     private void set(int operation, int id, float a, float b) {
-        commands.ensure(1);
-        boolean moves = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
-        circlesCurrent &= moves || operation == Commands.RESTITUTION;
-        velocitiesCurrent &= !moves;
+        expect(1);
+        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+            last.forgetVelocities();
+        } else if (operation != Commands.RESTITUTION) {
+            last.forgetCircles();
+        }
         savedCurrent = false;
         commands.set(operation, id, a, b);
     }
@@ -457,6 +457,34 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Gravity along x.
+     *
+     * @return acceleration, in lengths per second squared
+     */
+    public float gravityX() {
+        enter();
+        try {
+            return gravityX;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gravity along y.
+     *
+     * @return acceleration, in lengths per second squared; negative downwards
+     */
+    public float gravityY() {
+        enter();
+        try {
+            return gravityY;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
      * Moves the walls. Circles that are left outside are brought to the nearest place inside.
      *
      * @param minX left wall
@@ -476,12 +504,92 @@ public final class World implements AutoCloseable {
             }
             applyCommands();
             changed();
-            try {
-                pipeline.confine(next);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.confine(next);
             bounds = next;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the left wall is.
+     *
+     * @return its x
+     */
+    public float minX() {
+        enter();
+        try {
+            return bounds.minX();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the lower wall is.
+     *
+     * @return its y
+     */
+    public float minY() {
+        enter();
+        try {
+            return bounds.minY();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the right wall is.
+     *
+     * @return its x
+     */
+    public float maxX() {
+        enter();
+        try {
+            return bounds.maxX();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Where the upper wall is.
+     *
+     * @return its y
+     */
+    public float maxY() {
+        enter();
+        try {
+            return bounds.maxY();
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * The restitution that new circles get.
+     *
+     * @return 0 (inelastic) to 1 (elastic)
+     */
+    public float defaultRestitution() {
+        enter();
+        try {
+            return defaultRestitution;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * The number of sub-steps a step.
+     *
+     * @return 1 to 16
+     */
+    public int subSteps() {
+        enter();
+        try {
+            return subSteps;
         } finally {
             exit();
         }
@@ -516,11 +624,7 @@ public final class World implements AutoCloseable {
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
                 levels.layOut(bounds, roster.greatestRadius(), roster.population());
-                try {
-                    pipeline.step(constants, levels, steps);
-                } catch (RuntimeException | Error e) {
-                    throw failed(e);
-                }
+                pipeline.step(constants, levels, steps);
             }
             savedCurrent = false;
             previousTimeStep = timeStep;
@@ -537,8 +641,6 @@ public final class World implements AutoCloseable {
         enter();
         try {
             pipeline.finish();
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
         } finally {
             exit();
         }
@@ -558,11 +660,7 @@ public final class World implements AutoCloseable {
         try {
             requireRoom("circles", circles.length, 4L * roster.size());
             applyCommands();
-            try {
-                pipeline.readCircles(roster, circles);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.readCircles(roster, circles);
         } finally {
             exit();
         }
@@ -572,14 +670,13 @@ public final class World implements AutoCloseable {
      * Reads x, y, radius and mass of every circle, in the order of the ids.
      *
      * @param circles takes four elements a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
         enter();
         try {
-            requireRoom("circles", circles.remaining(), 4L * roster.size());
-            refreshCircles();
-            circles.put(this.circles, 0, 4 * roster.size());
+            requireRoom("circles", circles, 4L * roster.size());
+            circles.put(last.circles(), 0, 4 * roster.size());
         } finally {
             exit();
         }
@@ -596,11 +693,7 @@ public final class World implements AutoCloseable {
         try {
             requireRoom("velocities", velocities.length, 2L * roster.size());
             applyCommands();
-            try {
-                pipeline.readVelocities(roster, velocities);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.readVelocities(roster, velocities);
         } finally {
             exit();
         }
@@ -610,14 +703,13 @@ public final class World implements AutoCloseable {
      * Reads the velocity of every circle, in the order of the ids.
      *
      * @param velocities takes vx and vy of each from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
         enter();
         try {
-            requireRoom("velocities", velocities.remaining(), 2L * roster.size());
-            refreshVelocities();
-            velocities.put(this.velocities, 0, 2 * roster.size());
+            requireRoom("velocities", velocities, 2L * roster.size());
+            velocities.put(last.velocities(), 0, 2 * roster.size());
         } finally {
             exit();
         }
@@ -648,12 +740,12 @@ public final class World implements AutoCloseable {
      * Reads the handle of every circle, in the order of the ids.
      *
      * @param handles takes one element a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer
+     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
         enter();
         try {
-            requireRoom("handles", handles.remaining(), roster.size());
+            requireRoom("handles", handles, roster.size());
             for (int id = 0; id < roster.end(); id++) {
                 if (roster.lives(id)) {
                     handles.put(roster.handle(id));
@@ -731,12 +823,27 @@ public final class World implements AutoCloseable {
         return oneOfVelocity(handle, 1);
     }
 
+    /**
+     * The restitution of one circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return 0 (inelastic) to 1 (elastic)
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float restitution(long handle) {
+        enter();
+        try {
+            return roster.restitution(find(handle));
+        } finally {
+            exit();
+        }
+    }
+
     private float one(long handle, int element) {
         enter();
         try {
             int place = roster.place(find(handle));
-            refreshCircles();
-            return circles[4 * place + element];
+            return last.circles()[4 * place + element];
         } finally {
             exit();
         }
@@ -746,11 +853,17 @@ public final class World implements AutoCloseable {
         enter();
         try {
             int place = roster.place(find(handle));
-            refreshVelocities();
-            return velocities[2 * place + element];
+            return last.velocities()[2 * place + element];
         } finally {
             exit();
         }
+    }
+
+    private static void requireRoom(String what, Buffer buffer, long needs) {
+        if (buffer.isReadOnly()) {
+            throw new IllegalArgumentException(what + " is a read-only buffer");
+        }
+        requireRoom(what, buffer.remaining(), needs);
     }
 
     private static void requireRoom(String what, long has, long needs) {
@@ -770,11 +883,7 @@ public final class World implements AutoCloseable {
         enter();
         try {
             applyCommands();
-            try {
-                return pipeline.hash();
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            return pipeline.hash();
         } finally {
             exit();
         }
@@ -799,8 +908,6 @@ public final class World implements AutoCloseable {
                     backend,
                     pipeline.device(),
                     reason);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
         } finally {
             exit();
         }
@@ -865,14 +972,11 @@ public final class World implements AutoCloseable {
         try {
             savedCurrent = false;
             SnapshotCodec.read(from, saved);
+            // first, as it changes nothing where memory is short
+            roster.load(saved);
             commands.clear();
             changed();
-            try {
-                pipeline.load(saved);
-                roster.load(saved);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.load(saved);
             WorldParameters p = saved.parameters();
             bounds = p.bounds();
             gravityX = p.gravityX();
@@ -890,11 +994,7 @@ public final class World implements AutoCloseable {
         if (!savedCurrent) {
             applyCommands();
             roster.save(saved);
-            try {
-                pipeline.save(saved);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.save(saved);
             saved.setParameters(
                     new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep));
             savedCurrent = true;
@@ -904,60 +1004,25 @@ public final class World implements AutoCloseable {
     // ---- housekeeping
     // ------------------------------------------------------------------------------------------------
 
-    private void refreshCircles() {
-        if (!circlesCurrent) {
-            applyCommands();
-            if (circles.length < 4 * roster.size()) {
-                circles = new float[4 * roster.size()];
-            }
-            try {
-                pipeline.readCircles(roster, circles);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
-            circlesCurrent = true;
-        }
-    }
-
-    private void refreshVelocities() {
-        if (!velocitiesCurrent) {
-            applyCommands();
-            if (velocities.length < 2 * roster.size()) {
-                velocities = new float[2 * roster.size()];
-            }
-            try {
-                pipeline.readVelocities(roster, velocities);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
-            velocitiesCurrent = true;
-        }
-    }
-
     private void changed() {
-        circlesCurrent = false;
-        velocitiesCurrent = false;
+        last.forgetCircles();
+        last.forgetVelocities();
         savedCurrent = false;
+    }
+
+    /** Makes room for changes to come, so that none fails half-way. */
+    private void expect(int more) {
+        if (commands.count() >= Commands.MANY) {
+            applyCommands();
+        }
+        commands.ensure(more);
     }
 
     private void applyCommands() {
         if (commands.count() > 0) {
-            try {
-                pipeline.apply(commands);
-            } catch (RuntimeException | Error e) {
-                throw failed(e);
-            }
+            pipeline.apply(commands);
             commands.clear();
         }
-    }
-
-    /** Where the pipeline fails half-way, the state is lost, and the world says so from then on. */
-    private RuntimeException failed(Throwable cause) {
-        failure = cause;
-        if (cause instanceof Error error) {
-            throw error;
-        }
-        return (RuntimeException) cause;
     }
 
     private void enter() {
@@ -965,10 +1030,11 @@ public final class World implements AutoCloseable {
             throw new ConcurrentModificationException("a World is used by one thread at a time, but "
                     + Thread.currentThread().getName() + " came in while another was inside");
         }
-        if (closed || failure != null) {
+        if (closed || pipeline.failure() != null) {
             exit();
             throw new IllegalStateException(
-                    closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
+                    closed ? "this World has been closed" : "this World failed earlier and lost its state",
+                    pipeline.failure());
         }
     }
 
@@ -1004,12 +1070,16 @@ public final class World implements AutoCloseable {
         private int subSteps = 4;
         private Backend backend = Backend.AUTO;
         private Device device;
-        private int threads = Math.min(Runtime.getRuntime().availableProcessors(), 16);
+        private int threads = defaultThreads();
         private int capacity = 1024;
         private boolean profiling;
         private int leastShare = JvmPipeline.LEAST_SHARE;
 
         private Builder() {}
+
+        static int defaultThreads() {
+            return Math.min(Runtime.getRuntime().availableProcessors(), 16);
+        }
 
         /** Circles that a thread of the JVM back end has at least. For tests of few circles on many threads. */
         Builder leastShare(int circles) {
@@ -1107,7 +1177,7 @@ public final class World implements AutoCloseable {
 
         /**
          * How many circles to make room for at once. A world grows by itself; this saves it the growing, and tells
-         * {@link Backend#AUTO} whether a GPU is worth its while.
+         * {@link Backend#AUTO} for how many circles the world is to be fast.
          *
          * @param capacity number of circles, at least 0
          * @return this

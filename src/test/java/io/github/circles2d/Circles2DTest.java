@@ -259,7 +259,8 @@ class Circles2DTest {
                     engine.step();
                 }
                 engine.init(STEP, next, 0.5f, GRAVITY);
-                assertThat(engine.indexing()).isEqualTo(next);
+                assertThat(engine.indexing())
+                        .isIn(next == PairIndexing.AUTO ? IndexingChoice.CANDIDATES : List.of(next));
                 assertThat(engine.velocities()).isDeepEqualTo(new float[2][300]);
                 assertThat(engine.loop()[1]).isEqualTo(first[1]);
             }
@@ -373,9 +374,18 @@ class Circles2DTest {
     void everyStrategyNumberHasItsIndexing() {
         assertThat(PairIndexing.values())
                 .containsExactly(
-                        PairIndexing.COMPUTED, PairIndexing.LOOKUP_TABLE, PairIndexing.ROW_SEARCH, PairIndexing.EXACT);
+                        PairIndexing.COMPUTED,
+                        PairIndexing.LOOKUP_TABLE,
+                        PairIndexing.ROW_SEARCH,
+                        PairIndexing.EXACT,
+                        PairIndexing.AUTO);
         for (int strategy = 0; strategy < 4; strategy++) {
+            assertThat(PairIndexing.ofStrategy(strategy)).isSameAs(PairIndexing.values()[strategy]);
             assertThat(PairIndexing.ofStrategy(strategy).strategy()).isEqualTo(strategy);
         }
+        assertThatIllegalArgumentException().isThrownBy(() -> PairIndexing.ofStrategy(4));
+        assertThatIllegalStateException()
+                .isThrownBy(PairIndexing.AUTO::strategy)
+                .withMessageContaining("AUTO");
     }
 }

@@ -11,6 +11,7 @@ import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 import java.util.ConcurrentModificationException;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -60,6 +61,7 @@ class WorldTest {
                 refused(() -> world.applyImpulse(handle, 1, 1));
                 refused(() -> world.x(handle));
                 refused(() -> world.vy(handle));
+                refused(() -> world.restitution(handle));
             }
             assertThat(world.hash()).isEqualTo(hash);
         }
@@ -174,6 +176,73 @@ class WorldTest {
     }
 
     @Test
+    void theWorldTellsWhatItWasBuiltWithAndWhatWasChangedSince() {
+        try (World world = builder()
+                .bounds(-1, -2, 3, 4)
+                .gravity(5, -6)
+                .restitution(0.25f)
+                .subSteps(3)
+                .build()) {
+            assertThat(parameters(world)).containsExactly(-1, -2, 3, 4, 5, -6, 0.25f, 3);
+            world.setGravity(-7, 8);
+            world.setBounds(-9, -8, 7, 6);
+            assertThat(parameters(world)).containsExactly(-9, -8, 7, 6, -7, 8, 0.25f, 3);
+            refused(() -> world.setGravity(0, Float.NaN));
+            refused(() -> world.setBounds(0, 0, 0, 0));
+            assertThat(parameters(world)).containsExactly(-9, -8, 7, 6, -7, 8, 0.25f, 3);
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            try (World other = builder().build()) {
+                other.restore(snapshot.flip());
+                assertThat(parameters(other)).containsExactly(-9, -8, 7, 6, -7, 8, 0.25f, 3);
+            }
+        }
+    }
+
+    private static float[] parameters(World world) {
+        return new float[] {
+            world.minX(),
+            world.minY(),
+            world.maxX(),
+            world.maxY(),
+            world.gravityX(),
+            world.gravityY(),
+            world.defaultRestitution(),
+            world.subSteps()
+        };
+    }
+
+    @Test
+    void eachCircleHasItsOwnRestitutionThroughChangesAndSnapshots() {
+        try (World world = builder().restitution(0.75f).build();
+                World other = builder().build()) {
+            long[] handles = new long[100];
+            float[] circles = new float[400];
+            for (int i = 0; i < 100; i++) {
+                System.arraycopy(new float[] {5, 5, 0.1f, 1}, 0, circles, 4 * i, 4);
+            }
+            world.addAll(circles, handles);
+            assertThat(world.restitution(handles[99])).isEqualTo(0.75f);
+            for (int i = 0; i < 100; i++) {
+                world.setRestitution(handles[i], i / 128f);
+            }
+            refused(() -> world.setRestitution(handles[2], 2));
+            world.remove(handles[1]);
+            refused(() -> world.restitution(handles[1]));
+            long again = world.add(1, 1, 0.1f, 1);
+            world.step(0.01f);
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            other.restore(snapshot.flip());
+            for (World each : new World[] {world, other}) {
+                assertThat(each.restitution(again)).isEqualTo(0.75f);
+                assertThat(each.restitution(handles[2])).isEqualTo(2 / 128f);
+                assertThat(each.restitution(handles[99])).isEqualTo(99 / 128f);
+            }
+        }
+    }
+
+    @Test
     void singleReadsSeeEveryChange() {
         try (World world = builder().gravity(0, -1).build()) {
             long a = world.add(1, 1, 0.1f, 1);
@@ -213,6 +282,9 @@ class WorldTest {
             refused(() -> world.read(circles));
             refused(() -> world.readVelocities(velocities));
             refused(() -> world.readHandles(handles));
+            refused(() -> world.read(FloatBuffer.allocate(4).asReadOnlyBuffer()));
+            refused(() -> world.readVelocities(FloatBuffer.allocate(2).asReadOnlyBuffer()));
+            refused(() -> world.readHandles(LongBuffer.allocate(1).asReadOnlyBuffer()));
         }
     }
 
@@ -278,6 +350,18 @@ class WorldTest {
         closed.accept(() -> world.read(new float[12]));
         closed.accept(() -> world.x(a));
         closed.accept(world::hash);
+        closed.accept(() -> world.restitution(a));
+        for (Runnable read : List.<Runnable>of(
+                world::minX,
+                world::minY,
+                world::maxX,
+                world::maxY,
+                world::gravityX,
+                world::gravityY,
+                world::defaultRestitution,
+                world::subSteps)) {
+            closed.accept(read);
+        }
         closed.accept(world::stats);
         closed.accept(world::snapshotBytes);
         closed.accept(() -> world.restore(ByteBuffer.allocate(100)));

@@ -3,9 +3,12 @@ package io.github.circles2d.opencl;
 import com.nativelibs4java.opencl.CLBuffer;
 import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
+import java.lang.ref.Reference;
+import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Objects;
+import org.bridj.Pointer;
 
 /**
  * Memory of a device. Transfers run in order with the session's kernels, are checked against the sizes of both sides,
@@ -168,6 +171,60 @@ public final class DeviceBuffer implements AutoCloseable {
         } catch (CLException e) {
             throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
         }
+    }
+
+    /**
+     * Reads the first bytes straight into memory that the driver knows nothing of, as a plain use of OpenCL does. A driver
+     * that page-locks takes longer for it than for a {@link HostBuffer}: the benchmarks compare the two.
+     *
+     * @param target direct memory; as many bytes as remain in it are read; its position is left as it is
+     */
+    public void readPageable(ByteBuffer target) {
+        if (target.isReadOnly()) {
+            throw new IllegalArgumentException("the target is read-only");
+        }
+        int length = checkedPageable(target);
+        if (length > 0) {
+            try {
+                Pointer<Byte> memory = Pointer.pointerToBytes(target.slice());
+                buffer.read(session.queue(), 0, length, memory, true, WITHOUT_EVENT);
+            } catch (CLException e) {
+                throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
+            } finally {
+                Reference.reachabilityFence(target);
+            }
+        }
+    }
+
+    /**
+     * Writes the first bytes straight from memory that the driver knows nothing of; see {@link #readPageable}.
+     *
+     * @param source direct memory; its remaining bytes are written; its position is left as it is
+     */
+    public void writePageable(ByteBuffer source) {
+        int length = checkedPageable(source);
+        if (length > 0) {
+            try {
+                Pointer<Byte> memory = Pointer.pointerToBytes(source.slice());
+                buffer.write(session.queue(), 0, length, memory, true);
+            } catch (CLException e) {
+                throw ErrorCodes.failed("write " + length + " bytes to buffer '" + name + "'", session.device(), e);
+            } finally {
+                Reference.reachabilityFence(source);
+            }
+        }
+    }
+
+    private int checkedPageable(ByteBuffer host) {
+        requireOpen();
+        if (!host.isDirect()) {
+            throw new IllegalArgumentException("the memory must be direct: an array may move during the transfer");
+        }
+        if (host.remaining() > bytes) {
+            throw new IndexOutOfBoundsException(
+                    host.remaining() + " bytes are more than buffer '" + name + "' has: " + bytes);
+        }
+        return host.remaining();
     }
 
     /**

@@ -6,7 +6,10 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 
 /**
@@ -124,6 +127,23 @@ public final class KernelSource {
 
     List<String> buildOptions() {
         return buildOptions;
+    }
+
+    /**
+     * Identifies what a compiler would be given: equal sources with equal definitions have equal fingerprints, others
+     * practically never.
+     *
+     * @return 16 hexadecimal digits
+     */
+    public String fingerprint() {
+        try {
+            MessageDigest digest = MessageDigest.getInstance("SHA-256");
+            digest.update(text.getBytes(StandardCharsets.US_ASCII));
+            digest.update(String.join(" ", buildOptions).getBytes(StandardCharsets.US_ASCII));
+            return HexFormat.of().formatHex(digest.digest(), 0, 8);
+        } catch (NoSuchAlgorithmException e) {
+            throw new AssertionError("every Java platform has SHA-256", e);
+        }
     }
 
     /** Returns the names of the files. */

@@ -72,7 +72,14 @@ public final class MemoryNeed {
         return SLOT_BYTES * PairSlots.count(circles);
     }
 
-    private boolean fits(Device device, long freeBytes) {
+    /**
+     * Tells whether it fits.
+     *
+     * @param device where it is to fit
+     * @param freeBytes what is free there
+     * @return true if it does
+     */
+    public boolean fits(Device device, long freeBytes) {
         return circles <= PairSlots.MAX_CIRCLES
                 && totalBytes <= freeBytes
                 && largestBufferBytes <= device.maxBufferBytes();

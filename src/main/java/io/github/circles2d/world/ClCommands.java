@@ -22,6 +22,17 @@ final class ClCommands {
     private int batch;
     private int[] link = new int[0];
 
+    /** By id: the slot that it was given since the slots were last put in order, the time of which is {@link #orderOf}. */
+    private int[] given = new int[64];
+
+    private int[] orderOf = new int[64];
+    private int order = 1;
+
+    /** Slots that have been given and left since then: without a step between, circles that come and go need no others. */
+    private int[] free = new int[64];
+
+    private int freeCount;
+
     ClCommands(Session session, ClKernels kernels, ClBuffers buffers) {
         this.session = session;
         this.buffers = buffers;
@@ -32,7 +43,7 @@ final class ClCommands {
     }
 
     /**
-     * Applies commands in call order. New circles take slots from {@code slots} on.
+     * Applies commands in call order. New circles take slots that are known to be free, then those from {@code slots} on.
      *
      * @return slots at home afterwards
      */
@@ -69,6 +80,12 @@ final class ClCommands {
         return nextSlot;
     }
 
+    /** Takes note that the slots were put in order, without gaps: by a step, or anew. */
+    void slotsInOrder() {
+        order++;
+        freeCount = 0;
+    }
+
     /** Brings circles that are outside of new bounds inside. */
     void confine(Bounds bounds, int slots) {
         confine.arg(0, buffers.get(ClBuffers.HOME_ID))
@@ -93,11 +110,14 @@ final class ClCommands {
         }
         batch++;
         int nextSlot = slots;
+        // What becomes free now is for the next batch: circles are independent of each other within one.
+        int reusable = freeCount;
+        int reused = 0;
         for (int r = 0; r < count; r++) {
+            int operation = words[r * Commands.STRIDE];
             int id = words[r * Commands.STRIDE + 1];
             if (id >= last.length) {
-                last = Arrays.copyOf(last, id + (id >> 1));
-                batchOf = Arrays.copyOf(batchOf, last.length);
+                ensureIds(id + (id >> 1));
             }
             boolean first = batchOf[id] != batch;
             if (!first) {
@@ -106,12 +126,33 @@ final class ClCommands {
             batchOf[id] = batch;
             last[id] = r;
             link[2 * r] = -1;
-            int slot = words[r * Commands.STRIDE] == Commands.ADD ? nextSlot++ : 0;
+            int slot = 0;
+            if (operation == Commands.ADD) {
+                slot = reused < reusable ? free[reused++] : nextSlot++;
+                given[id] = slot;
+                orderOf[id] = order;
+            } else if (operation == Commands.REMOVE && orderOf[id] == order) {
+                release(given[id]);
+            }
             link[2 * r + 1] = 2 * slot + (first ? 1 : 0);
         }
-        if (nextSlot > slots) {
-            buffers.ensureIds(last.length);
-        }
+        freeCount -= reused;
+        System.arraycopy(free, reused, free, 0, freeCount);
+        buffers.ensureIds(last.length);
         return nextSlot;
+    }
+
+    private void release(int slot) {
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, 2 * freeCount);
+        }
+        free[freeCount++] = slot;
+    }
+
+    private void ensureIds(int ids) {
+        last = Arrays.copyOf(last, ids);
+        batchOf = Arrays.copyOf(batchOf, ids);
+        given = Arrays.copyOf(given, ids);
+        orderOf = Arrays.copyOf(orderOf, ids);
     }
 }

@@ -33,7 +33,8 @@ final class ClKernels {
     private int boundCircles = -1;
 
     ClKernels(Session session, boolean resident) {
-        program = session.build(source(resident), options(session.device()));
+        KernelSource source = source(resident).define("PTX", ClResident.fits(session.device()));
+        program = session.build(source, options(session.device()));
     }
 
     /**

@@ -20,7 +20,6 @@ public final class ClPipeline implements Pipeline {
     private static final int FAST = 3;
     private static final int CROWDED = 4;
     private static final int TILE_PEAK = 5;
-    private static final int STATUS_HEAD = 6;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -52,7 +51,6 @@ public final class ClPipeline implements Pipeline {
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
     private final IntBuffer statusView = IntBuffer.wrap(status);
-    private final IntBuffer statusHead = IntBuffer.wrap(status, 0, STATUS_HEAD);
 
     private int slots;
     private int circles;
@@ -110,6 +108,15 @@ public final class ClPipeline implements Pipeline {
         }
     }
 
+    /**
+     * Identifies the kernels of this version.
+     *
+     * @return a fingerprint of their source
+     */
+    public static String kernels() {
+        return ClKernels.source(true).fingerprint();
+    }
+
     /** Sets the size of work-groups, which has no effect on results. */
     ClPipeline workGroupSize(int size) {
         kernels.workGroupSize(size);
@@ -139,6 +146,7 @@ public final class ClPipeline implements Pipeline {
         settle();
         if (circles == 0) {
             slots = 0;
+            commands.slotsInOrder();
             return;
         }
         // Copies: the caller may change both before these steps are known to have found room.
@@ -157,7 +165,7 @@ public final class ClPipeline implements Pipeline {
     private void enqueue() {
         parameters.setPlan(sweeping > 0, thinning > 0);
         boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
-        int atOnce = small ? ClResident.mostGroups(session.device()) : 0;
+        int atOnce = small ? resident.mostGroups() : 0;
         boolean tiled = plan != ClPlan.COLOURS && tiles.choose(levels, parameters, atOnce);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
@@ -195,6 +203,7 @@ public final class ClPipeline implements Pipeline {
             stepsSeen = status[STEPS_DONE];
             if (done > 0) {
                 slots = circles;
+                commands.slotsInOrder();
                 warmScale = 1f;
             }
             pendingSteps -= done;
@@ -230,7 +239,8 @@ public final class ClPipeline implements Pipeline {
         status[FAST] = 0;
         status[CROWDED] = 0;
         status[TILE_PEAK] = 0;
-        buffers.get(ClBuffers.STATUS).write(0, statusHead);
+        // All of it, as it was read: Oclgrind takes the rest of a buffer that is written in part for uninitialised.
+        buffers.get(ClBuffers.STATUS).write(0, statusView);
     }
 
     @Override
@@ -273,6 +283,7 @@ public final class ClPipeline implements Pipeline {
         settle();
         ClState.load(from, buffers);
         slots = from.circles;
+        commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
         stats.stepped(0, 0);

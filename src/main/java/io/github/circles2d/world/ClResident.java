@@ -23,7 +23,8 @@ final class ClResident {
 
     ClResident(ClKernels kernels, Device device) {
         steps = kernels.staged("resident_steps");
-        mostGroups = mostGroups(device);
+        // Elsewhere nothing is known of work-groups that wait for each other.
+        mostGroups = fits(device) ? GROUPS_A_UNIT * device.computeUnits() : 1;
     }
 
     /** Whether a device is known to run work-groups that wait for each other. */
@@ -32,8 +33,8 @@ final class ClResident {
     }
 
     /** How many work-groups run at once for sure. */
-    static int mostGroups(Device device) {
-        return GROUPS_A_UNIT * device.computeUnits();
+    int mostGroups() {
+        return mostGroups;
     }
 
     static boolean suits(int circles) {

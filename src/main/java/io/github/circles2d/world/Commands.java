@@ -34,6 +34,9 @@ public final class Commands {
     /** An impulse: x, y. */
     public static final int IMPULSE = 8;
 
+    /** So many records had better be applied before there are more: what waits must not grow with the number of calls. */
+    public static final int MANY = 1 << 16;
+
     private int[] records = new int[STRIDE * 64];
     private int count;
 

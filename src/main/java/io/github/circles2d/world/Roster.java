@@ -4,7 +4,8 @@ import java.util.Arrays;
 
 /**
  * Which circles there are. A handle is (generation &lt;&lt; 32 | id); ids are small, and the lowest free one is given to the
- * next circle; the generation tells it from those that had the id before.
+ * next circle; the generation tells it from those that had the id before. What of a circle changes by calls alone, the
+ * radius and the restitution, is known here without asking a pipeline.
  */
 public final class Roster {
     /** The generation that would make a handle 0 is left out. */
@@ -17,6 +18,7 @@ public final class Roster {
     private boolean livingBeforeCurrent;
     private int[] generation = new int[64];
     private float[] radius = new float[64];
+    private float[] restitution = new float[64];
     private int size;
 
     /** No id below this one is free. */
@@ -119,8 +121,10 @@ public final class Roster {
             // all or none, should memory run out
             int[] generations = Arrays.copyOf(generation, c);
             float[] radii = Arrays.copyOf(radius, c);
+            float[] restitutions = Arrays.copyOf(restitution, c);
             live = Arrays.copyOf(live, (c >> 6) + 1);
             radius = radii;
+            restitution = restitutions;
             generation = generations;
         }
         live[id >>> 6] |= 1L << id;
@@ -157,6 +161,26 @@ public final class Roster {
         leave(radius[id]);
         radius[id] = r;
         enter(r);
+    }
+
+    /**
+     * Takes a circle's restitution down.
+     *
+     * @param id its id
+     * @param e the restitution
+     */
+    public void setRestitution(int id, float e) {
+        restitution[id] = e;
+    }
+
+    /**
+     * A circle's restitution.
+     *
+     * @param id its id
+     * @return what was taken down last
+     */
+    public float restitution(int id) {
+        return restitution[id];
     }
 
     private int firstFree() {
@@ -247,7 +271,7 @@ public final class Roster {
     }
 
     /**
-     * Takes over the ids, generations and radii of a saved state instead of its own.
+     * Takes over the ids, generations, radii and restitutions of a saved state instead of its own.
      *
      * @param from the state; not kept
      */
@@ -255,15 +279,18 @@ public final class Roster {
         int length = Math.max(64, from.ids);
         int[] newGeneration = new int[length];
         float[] newRadius = new float[length];
+        float[] newRestitution = new float[length];
         long[] newLive = new long[(length >> 6) + 1];
         System.arraycopy(from.generation, 0, newGeneration, 0, from.ids);
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
             newLive[id >>> 6] |= 1L << id;
             newRadius[id] = from.circle[4 * k + 2];
+            newRestitution[id] = from.traits[4 * k + 1];
         }
         generation = newGeneration;
         radius = newRadius;
+        restitution = newRestitution;
         live = newLive;
         end = from.ids;
         size = from.circles;

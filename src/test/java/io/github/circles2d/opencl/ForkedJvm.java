@@ -51,6 +51,8 @@ public final class ForkedJvm {
     public Result run(Class<?> mainClass, String... arguments) {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        // Not the calibration of the user who runs the tests.
+        command.add("-Dcircles2d.calibration=" + System.getProperty("circles2d.calibration", "off"));
         command.addAll(options);
         command.add("-cp");
         command.add(System.getProperty("java.class.path"));

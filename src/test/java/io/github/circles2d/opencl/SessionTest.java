@@ -85,6 +85,49 @@ class SessionTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void memoryThatTheDriverDoesNotKnowIsReadAndWrittenFromItsPositionOn(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer buffer = session.allocate("b", 64);
+            ByteBuffer source = ByteBuffer.allocateDirect(80).order(ByteOrder.nativeOrder());
+            for (int i = 0; i < 80; i++) {
+                source.put(i, (byte) i);
+            }
+            buffer.writePageable(source.position(16));
+            assertThat(source.position()).isEqualTo(16);
+            ByteBuffer target = ByteBuffer.allocateDirect(40);
+            buffer.readPageable(target.position(8));
+            assertThat(target.position()).isEqualTo(8);
+            for (int i = 0; i < 40; i++) {
+                assertThat(target.get(i)).isEqualTo((byte) (i < 8 ? 0 : i + 8));
+            }
+            buffer.readPageable(target.position(40));
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void memoryThatTheDriverDoesNotKnowMustBeDirectAndFit(Device device) {
+        try (Session session = Session.open(device)) {
+            DeviceBuffer buffer = session.allocate("b", 64);
+            assertThatThrownBy(() -> buffer.readPageable(ByteBuffer.allocate(8)))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("direct");
+            assertThatThrownBy(() -> buffer.writePageable(ByteBuffer.allocateDirect(65)))
+                    .isInstanceOf(IndexOutOfBoundsException.class)
+                    .hasMessageContaining("65")
+                    .hasMessageContaining("64");
+            assertThatThrownBy(() ->
+                            buffer.readPageable(ByteBuffer.allocateDirect(8).asReadOnlyBuffer()))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContaining("read-only");
+            buffer.close();
+            assertThatThrownBy(() -> buffer.readPageable(ByteBuffer.allocateDirect(8)))
+                    .isInstanceOf(IllegalStateException.class);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void copiesBetweenBuffersAreCheckedAndExact(Device device) {
         try (Session session = Session.open(device)) {
             DeviceBuffer source = session.allocate("source", 16);

@@ -97,7 +97,9 @@ class DocumentationTest {
                 "CONTRIBUTING.md",
                 "CHANGELOG.md",
                 "bench/README.md",
-                "docs/benchmarks.md"
+                "bench/results/README.md",
+                "docs/benchmarks.md",
+                "docs/notes.md"
             })
     void everyLinkToAFileLeadsToOne(String document) throws IOException {
         Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));

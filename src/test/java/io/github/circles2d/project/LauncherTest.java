@@ -21,7 +21,7 @@ class LauncherTest {
     void helpNamesEveryCommandAndAnUnknownCommandIsAWrongCall() throws Exception {
         FakeMachine machine = new FakeMachine(folder);
         FakeMachine.Result help = machine.launch("help");
-        assertThat(help.output).contains("demo", "test", "bench", "doctor");
+        assertThat(help.output).contains("demo", "test", "bench", "doctor", "calibrate");
         assertThat(help.status).isZero();
         FakeMachine.Result unknown = machine.launch("frobnicate");
         assertThat(unknown.output).contains("unknown command: frobnicate", "usage:");
@@ -32,7 +32,7 @@ class LauncherTest {
     @Test
     void onAMachineThatHasEverythingNothingIsInstalled() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
-        for (String command : new String[] {"demo", "doctor"}) {
+        for (String command : new String[] {"demo", "doctor", "calibrate"}) {
             FakeMachine.Result result = machine.launch(command);
             assertThat(result.status).as(result.output).isZero();
         }
@@ -47,6 +47,8 @@ class LauncherTest {
                 .contains("io.github.circles2d.demo.CirclesTest --circles 12 000")
                 .contains(machine.clone + "/target/classes:");
         assertThat(demo.output).contains("java runs in " + machine.elsewhere);
+        machine.launch("calibrate", "--forget");
+        assertThat(machine.calls()).contains("io.github.circles2d.tools.Calibrate --forget");
     }
 
     @Test
@@ -54,6 +56,7 @@ class LauncherTest {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         machine.set("JAVA_STATUS", "42");
         assertThat(machine.launch("doctor").status).isEqualTo(42);
+        assertThat(machine.launch("calibrate").status).isEqualTo(42);
         assertThat(machine.launch("demo").status).isEqualTo(42);
         machine.fake("mvn", "exit 7");
         assertThat(machine.launch("test").status).isEqualTo(7);

@@ -20,7 +20,8 @@ final class Rooms {
 
     /** Each room and the rooms that it may use; "api" is the root package. */
     private static final Map<String, Set<String>> MAY_USE = Map.of(
-            "api", Set.of("thesis", "world", "opencl"),
+            "api", Set.of("thesis", "world", "opencl", "calibration"),
+            "calibration", Set.of(),
             "thesis", Set.of("opencl"),
             "world", Set.of("opencl"),
             "opencl", Set.of(),

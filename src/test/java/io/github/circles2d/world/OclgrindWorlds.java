@@ -29,14 +29,24 @@ final class OclgrindWorlds {
                 kernels.addAll(changes(device, Scenes.mixed(40, 1)));
                 break;
             case "TILES":
-                kernels.addAll(steps(device, ClPlan.TILES, Scenes.thesis(60, 1), 1 / 60f, 2));
+                kernels.addAll(steps(device, ClPlan.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
+                break;
+            case "RESIDENT":
+                // Two steps of a tile that stays in local memory; then one that is refused for fast circles at first.
+                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
+                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(20, 1), 1f, 2, 2));
+                break;
+            case "wide":
+                // As few as have two blocks of buckets to sum up; eight tiles.
+                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
                 break;
             case "fast":
-                kernels.addAll(steps(device, ClPlan.COLOURS, Scenes.gas(20, 1), 1f, 2));
+                kernels.addAll(steps(device, ClPlan.COLOURS, Scenes.gas(20, 1), 1f, 2, 4));
                 break;
             case "crowd":
                 // 780 pairs: more than there is room for at first.
-                kernels.addAll(steps(device, ClPlan.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1));
+                kernels.addAll(steps(device, ClPlan.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, 4));
+                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.onePoint(40, 1), 1 / 60f, 1, 4));
                 break;
             default:
                 throw new IllegalArgumentException(args[0]);
@@ -45,10 +55,10 @@ final class OclgrindWorlds {
         System.out.println("done");
     }
 
-    private static Set<String> steps(Device device, ClPlan plan, Scene scene, float dt, int steps) {
+    private static Set<String> steps(Device device, ClPlan plan, Scene scene, float dt, int steps, int subSteps) {
         ClPipeline pipeline = new ClPipeline(device, 0, true, plan);
         try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
-            twins.step(dt, steps);
+            twins.subSteps(subSteps).step(dt, steps);
             twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }

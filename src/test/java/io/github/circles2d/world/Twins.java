@@ -14,12 +14,19 @@ final class Twins implements AutoCloseable {
     private Bounds bounds;
     private final float gx;
     private final float gy;
+    private int subSteps = 4;
 
     Twins(Bounds bounds, float gx, float gy, Pipeline... pipelines) {
         this.bounds = bounds;
         this.gx = gx;
         this.gy = gy;
         this.pipelines = pipelines;
+    }
+
+    /** Sets the number of sub-steps a step, which is 4 otherwise. */
+    Twins subSteps(int count) {
+        subSteps = count;
+        return this;
     }
 
     void apply() {
@@ -38,7 +45,7 @@ final class Twins implements AutoCloseable {
         apply();
         for (Pipeline pipeline : pipelines) {
             StepConstants constants = new StepConstants();
-            constants.set(dt, 4, gx, gy, bounds, dt);
+            constants.set(dt, subSteps, gx, gy, bounds, dt);
             levels.layOut(bounds, roster.greatestRadius(), roster.population());
             pipeline.step(constants, levels, steps);
         }

@@ -63,7 +63,7 @@ public final class Bench {
                     ConsoleTable.print(folder(rest), System.out);
                     break;
                 case "charts":
-                    Charts.draw(folder(rest), System.out);
+                    drawCharts(rest);
                     break;
                 case "page":
                     writePage(rest);
@@ -91,6 +91,19 @@ public final class Bench {
             throw new IllegalArgumentException("one results folder is needed, not " + arguments);
         }
         return ResultsFolder.open(Path.of(arguments.get(0)));
+    }
+
+    private static void drawCharts(List<String> arguments) throws IOException {
+        if (arguments.size() == 1 && Files.exists(Path.of(arguments.get(0)).resolve(Page.MACHINES))) {
+            Path results = Path.of(arguments.get(0));
+            List<ResultsFolder> folders = Page.folders(results);
+            for (ResultsFolder folder : folders) {
+                Charts.draw(folder, System.out);
+            }
+            Charts.drawAll(results, folders, System.out);
+        } else {
+            Charts.draw(folder(arguments), System.out);
+        }
     }
 
     private static void writePage(List<String> arguments) throws IOException {

@@ -2,16 +2,19 @@ package io.github.circles2d.bench.engines;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.PairIndexing;
+import io.github.circles2d.World;
 import io.github.circles2d.bench.Devices;
-import io.github.circles2d.opencl.Device;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /** The engines by name. An engine of this library that runs on OpenCL is named {@code engine@device}. */
 public final class Engines {
-    /** Engines of other people, and the loop that a reader of the thesis would write. */
-    public static final List<String> PEERS = List.of("java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j");
+    /** A grid and contacts, as a good Java programmer would write them for one thread. */
+    public static final String JAVA_GRID = "java-grid";
+
+    /** Engines of other people, and what a reader would write. */
+    public static final List<String> PEERS = List.of("java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", JAVA_GRID);
 
     /** World on the JVM, with as many threads as the machine has processors. */
     public static final String WORLD_JVM = "world-jvm";
@@ -52,11 +55,25 @@ public final class Engines {
                 return new Jbox2dEngine();
             case "dyn4j":
                 return new Dyn4jEngine();
+            case JAVA_GRID:
+                return new GridEngine();
             case WORLD_JVM:
-                return new WorldEngine(builder -> builder.backend(Backend.JVM));
+                return new WorldEngine(() -> worldBuilder(name));
             default:
                 return createOwn(name);
         }
+    }
+
+    /** A description of a World of its own name: {@code world-jvm}, or {@code world@} and a device. */
+    public static World.Builder worldBuilder(String name) {
+        if (name.equals(WORLD_JVM)) {
+            return World.builder().backend(Backend.JVM);
+        }
+        if (!name.startsWith(WORLD + "@")) {
+            throw new IllegalArgumentException("there is no World '" + name + "'; there is " + WORLD_JVM + ", " + WORLD
+                    + "@cpu, " + WORLD + "@best");
+        }
+        return World.builder().device(Devices.find(name.substring(WORLD.length() + 1)));
     }
 
     private static Engine createOwn(String name) {
@@ -64,8 +81,7 @@ public final class Engines {
         String engine = at < 0 ? name : name.substring(0, at);
         String device = at < 0 ? "best" : name.substring(at + 1);
         if (engine.equals(WORLD)) {
-            Device found = Devices.find(device);
-            return new WorldEngine(builder -> builder.device(found));
+            return new WorldEngine(() -> worldBuilder(world(device)));
         }
         for (PairIndexing indexing : PairIndexing.values()) {
             if (engine.equals(thesis(indexing))) {
@@ -91,6 +107,9 @@ public final class Engines {
                 return "Java, double precision, one thread; its own defaults (6 velocity and 2 position iterations, continuous"
                         + " detection); rotation locked, no friction, no sleeping; no restitution below 1 m/s at a mean radius"
                         + " of 0.5 m";
+            case JAVA_GRID:
+                return "plain Java, one thread: a uniform grid, 4 sub-steps of soft contacts with warm starting, solved one after"
+                        + " the other, restitution once a step; no rotation, no friction, no sleeping";
             case WORLD_JVM:
                 return "this library's engine for games in Java, as many threads as the machine has processors; 4 sub-steps; no"
                         + " rotation, no friction, no sleeping; the same bits as world@device";

@@ -2,15 +2,15 @@ package io.github.circles2d.bench.engines;
 
 import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scene;
-import java.util.function.UnaryOperator;
+import java.util.function.Supplier;
 
 /** This library's engine for games, on one back end. Nothing is read back before {@link #read}. */
 final class WorldEngine implements Engine {
-    private final UnaryOperator<World.Builder> backend;
+    private final Supplier<World.Builder> backend;
     private World world;
     private float timeStep;
 
-    WorldEngine(UnaryOperator<World.Builder> backend) {
+    WorldEngine(Supplier<World.Builder> backend) {
         this.backend = backend;
     }
 
@@ -18,11 +18,11 @@ final class WorldEngine implements Engine {
     public void load(Scene scene) {
         close();
         timeStep = scene.timeStep();
-        world = backend.apply(World.builder()
-                        .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
-                        .gravity(scene.gravityX(), scene.gravityY())
-                        .restitution(scene.restitution())
-                        .capacity(scene.size()))
+        world = backend.get()
+                .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
+                .gravity(scene.gravityX(), scene.gravityY())
+                .restitution(scene.restitution())
+                .capacity(scene.size())
                 .build();
         for (int i = 0; i < scene.size(); i++) {
             float mass = scene.fixed(i) ? Float.POSITIVE_INFINITY : scene.mass(i);

@@ -48,20 +48,37 @@ public final class Charts {
 
     /** Draws what there are figures for. Where this JVM cannot draw (a machine without fonts) it says so and goes on. */
     public static void draw(ResultsFolder folder, PrintStream out) throws IOException {
+        tryTo(() -> draw(folder), folder.path(), out);
+    }
+
+    private static void draw(ResultsFolder folder) throws IOException {
+        for (String device : Tables.devices(folder)) {
+            if (!folder.table(Kind.STRATEGIES)
+                    .rows("device", device, "mode", "loop", "status", "ok")
+                    .isEmpty()) {
+                save(strategies(folder, device), folder.path(), strategiesFile(device));
+            }
+        }
+        for (String scene : List.of("packed", "thesis")) {
+            save(peers(folder, scene), folder.path(), peersFile(scene));
+        }
+        WorldCharts.draw(folder);
+    }
+
+    /** Draws what compares machines, into the folder of their folders; says so where it cannot, as {@link #draw} does. */
+    public static void drawAll(Path results, List<ResultsFolder> folders, PrintStream out) throws IOException {
+        tryTo(() -> save(WorldCharts.steps(folders), results, WorldCharts.FILE), results, out);
+    }
+
+    private interface Drawing {
+        void run() throws IOException;
+    }
+
+    private static void tryTo(Drawing drawing, Path where, PrintStream out) throws IOException {
         try {
-            for (String device : Tables.devices(folder)) {
-                if (!folder.table(Kind.STRATEGIES)
-                        .rows("device", device, "mode", "loop", "status", "ok")
-                        .isEmpty()) {
-                    save(strategies(folder, device), folder, strategiesFile(device));
-                }
-            }
-            for (String scene : List.of("packed", "thesis")) {
-                save(peers(folder, scene), folder, peersFile(scene));
-            }
+            drawing.run();
         } catch (LinkageError | InternalError | RuntimeException e) {
-            out.println("no charts: this JVM cannot draw here (" + e + "); draw them elsewhere with: charts "
-                    + folder.path());
+            out.println("no charts: this JVM cannot draw here (" + e + "); draw them elsewhere with: charts " + where);
         }
     }
 
@@ -77,7 +94,7 @@ public final class Charts {
 
     private static XYChart strategies(ResultsFolder folder, String device) {
         String kind = Tables.kind(folder, device);
-        XYChart chart = chart("A step of the thesis's engine on " + device);
+        XYChart chart = chart("A step of the thesis's engine on " + device, "circles", "ms a step");
         for (int strategy = 0; strategy < 4; strategy++) {
             List<Integer> sizes = new ArrayList<>();
             List<Double> millis = new ArrayList<>();
@@ -94,12 +111,15 @@ public final class Charts {
             line(chart, Tables.STRATEGIES.get(strategy), sizes, millis, strategy, false);
             String name = "thesis: " + strategy + ", " + Figure3.device(kind);
             line(chart, name, thesisSizes, thesisMillis, strategy, true);
+            if (chart.getSeriesMap().containsKey(name)) {
+                chart.getSeriesMap().get(name).setMarker(SeriesMarkers.NONE);
+            }
         }
         return chart;
     }
 
     private static XYChart peers(ResultsFolder folder, String scene) {
-        XYChart chart = chart("A step on the scene " + scene);
+        XYChart chart = chart("A step on the scene " + scene, "circles", "ms a step");
         List<Map<String, String>> rows = folder.table(Kind.PEERS).rows("scene", scene);
         List<String> engines =
                 rows.stream().map(row -> row.get("engine")).distinct().collect(Collectors.toList());
@@ -123,13 +143,13 @@ public final class Charts {
         }
     }
 
-    private static XYChart chart(String title) {
+    static XYChart chart(String title, String xTitle, String yTitle) {
         XYChart chart = new XYChartBuilder()
                 .width(900)
                 .height(600)
                 .title(title)
-                .xAxisTitle("circles")
-                .yAxisTitle("ms a step")
+                .xAxisTitle(xTitle)
+                .yAxisTitle(yTitle)
                 .build();
         Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 14);
         chart.getStyler()
@@ -145,15 +165,20 @@ public final class Charts {
         return chart;
     }
 
-    private static void line(
-            XYChart chart, String name, List<Integer> sizes, List<Double> millis, int index, boolean dashed) {
+    /** Colour and marker: no two of the first 28 series have both in common. */
+    static void mark(XYSeries series, int index) {
+        series.setLineColor(COLOURS[index % COLOURS.length]);
+        series.setMarkerColor(COLOURS[index % COLOURS.length]);
+        series.setMarker(MARKERS[index % MARKERS.length]);
+    }
+
+    /** A line of the chart; nothing where it has no points. */
+    static void line(XYChart chart, String name, List<Integer> sizes, List<Double> millis, int index, boolean dashed) {
         if (sizes.isEmpty()) {
             return;
         }
         XYSeries series = chart.addSeries(name, sizes, millis);
-        series.setLineColor(COLOURS[index % COLOURS.length]);
-        series.setMarkerColor(COLOURS[index % COLOURS.length]);
-        series.setMarker(dashed ? SeriesMarkers.NONE : MARKERS[index % MARKERS.length]);
+        mark(series, index);
         float[] dashes = {6, 6};
         series.setLineStyle(
                 dashed
@@ -161,15 +186,15 @@ public final class Charts {
                         : new BasicStroke(2));
     }
 
-    private static void save(XYChart chart, ResultsFolder folder, String name) throws IOException {
+    static void save(XYChart chart, Path folder, String name) throws IOException {
         if (chart.getSeriesMap().isEmpty()) {
             return;
         }
         toWholeDecades(chart);
-        String file = folder.path().resolve(name).toString();
+        String file = folder.resolve(name).toString();
         BitmapEncoder.saveBitmap(chart, file, BitmapEncoder.BitmapFormat.PNG);
         VectorGraphicsEncoder.saveVectorGraphic(chart, file, VectorGraphicsEncoder.VectorGraphicsFormat.SVG);
-        Path svg = folder.path().resolve(name + ".svg");
+        Path svg = folder.resolve(name + ".svg");
         Files.writeString(svg, slim(Files.readString(svg)));
     }
 

@@ -21,6 +21,14 @@ public final class ConsoleTable {
         for (String device : Tables.devices(folder)) {
             print("Kernels and the memory's roof, " + device, Tables.roof(folder, device), out);
         }
+        for (String device : Tables.devices(folder)) {
+            print("Transfers, " + device, WorldTables.transfers(folder, device), out);
+        }
+        print("World on the scene packed: mean ms a step", WorldTables.steps(folder), out);
+        print("World while circles come and go: mean ms a step", WorldTables.storms(folder), out);
+        for (String engine : WorldTables.engines(folder)) {
+            print("Stages of " + engine + " and the memory's roof", WorldTables.stages(folder, engine), out);
+        }
         for (String scene : List.of("packed", "thesis")) {
             print("Engines on the scene " + scene, Tables.peers(folder, scene), out);
         }
@@ -37,7 +45,7 @@ public final class ConsoleTable {
 
     private static void printMissing(ResultsFolder folder, PrintStream out) {
         boolean titled = false;
-        for (Kind kind : List.of(Kind.COPY, Kind.ACCURACY, Kind.STRATEGIES, Kind.PEERS)) {
+        for (Kind kind : List.of(Kind.COPY, Kind.ACCURACY, Kind.STRATEGIES, Kind.TRANSFER, Kind.WORLD, Kind.PEERS)) {
             for (Map<String, String> row : folder.table(kind).rows()) {
                 if (!row.get("status").equals("ok")) {
                     if (!titled) {

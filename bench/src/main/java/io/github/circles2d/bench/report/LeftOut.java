@@ -19,6 +19,11 @@ final class LeftOut {
         return row.get("status").startsWith("left out");
     }
 
+    /** Whether a row has no figure because a smaller size of the same did not fit into the memory. */
+    static boolean followsFromASmallerSize(Map<String, String> row) {
+        return row.get("status").equals(ResultsFolder.SMALLER_DOES_NOT_FIT);
+    }
+
     /** The strategies of a device, n by n, with the modes that are missing where not all are; empty if nothing is. */
     static String strategies(ResultsFolder folder, String device) {
         Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();
@@ -53,6 +58,25 @@ final class LeftOut {
                 missing.merge(Integer.valueOf(row.get("n")), row.get("engine"), (a, b) -> a + ", " + b);
             }
         }
+        return list(missing);
+    }
+
+    /** World's runs, n by n; empty if none is missing. */
+    static String world(ResultsFolder folder) {
+        Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();
+        for (Map<String, String> row : folder.table(Kind.WORLD).rows()) {
+            if (is(row)) {
+                modes.computeIfAbsent(Integer.valueOf(row.get("n")), n -> new LinkedHashMap<>())
+                        .computeIfAbsent(row.get("engine"), engine -> new ArrayList<>())
+                        .add(row.get("mode"));
+            }
+        }
+        Map<Integer, String> missing = new TreeMap<>();
+        modes.forEach((n, engines) -> missing.put(
+                n,
+                engines.entrySet().stream()
+                        .map(entry -> entry.getKey() + " (" + String.join(", ", entry.getValue()) + ")")
+                        .collect(Collectors.joining(", "))));
         return list(missing);
     }
 

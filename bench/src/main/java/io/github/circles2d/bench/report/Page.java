@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -31,6 +32,9 @@ public final class Page {
 
     private static final String NOTHING = "*There are no results yet.*\n";
 
+    /** The file that names the folders of the page. */
+    public static final String MACHINES = "machines.txt";
+
     private final List<ResultsFolder> folders;
 
     Page(List<ResultsFolder> folders) {
@@ -42,15 +46,20 @@ public final class Page {
      * them as {@code ../bench/results}. Other folders are someone's own and stay out of it.
      */
     public static String of(Path results) throws IOException {
+        return new Page(folders(results)).fill(template()).stripTrailing() + "\n";
+    }
+
+    /** The folders that {@code machines.txt} names. */
+    public static List<ResultsFolder> folders(Path results) throws IOException {
         List<ResultsFolder> folders = new ArrayList<>();
-        for (String name : Files.readAllLines(results.resolve("machines.txt"))) {
+        for (String name : Files.readAllLines(results.resolve(MACHINES))) {
             if (!Files.isDirectory(results.resolve(name))) {
                 throw new IllegalArgumentException(
                         "machines.txt names " + name + ", but there is no such folder in " + results);
             }
             folders.add(ResultsFolder.open(results.resolve(name)));
         }
-        return new Page(folders).fill(template());
+        return folders;
     }
 
     /** The page's prose, with places for tables and figures. */
@@ -61,6 +70,11 @@ public final class Page {
     /** What follows from the committed results, with places for figures. */
     static String conclusions() {
         return resource("conclusions.md");
+    }
+
+    /** The section on World, with places for tables. */
+    static String world() {
+        return resource("world.md");
     }
 
     private static String resource(String name) {
@@ -109,8 +123,85 @@ public final class Page {
                         .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
                         .collect(Collectors.joining());
             default:
-                return figure(place);
+                return place.startsWith("world") ? world(place) : figure(place);
         }
+    }
+
+    /** World's parts; nothing where there are no results of it. */
+    private String world(String place) {
+        switch (place) {
+            case "world":
+                boolean measured = folders.stream()
+                        .anyMatch(folder ->
+                                !folder.table(Kind.WORLD).rows("status", "ok").isEmpty());
+                return measured ? fill(world()) : "";
+            case "world chart":
+                return allMachinesChart(WorldCharts.FILE);
+            case "world targets":
+                return orNothing(grid(Targets.times(folders)));
+            case "world ratios":
+                return orNothing(grid(Targets.ratios(folders)));
+            case "world growth":
+                return orNothing(grid(Targets.growth(folders)));
+            case "world steps":
+                return orNothing(perMachine(WorldTables::steps, LeftOut::world));
+            case "world bits":
+                return orNothing(grid(WorldTables.bits(folders)));
+            case "world stages":
+                return orNothing(perDevice((folder, device) -> WorldTables.stages(folder, Engines.world(device))));
+            case "world traffic":
+                return WorldTables.traffic().markdown();
+            case "world storms":
+                return orNothing(perMachine(WorldTables::storms, folder -> ""));
+            case "world transfers":
+                return orNothing(perDevice(WorldTables::transfers));
+            case "world quality":
+                return qualityCharts();
+            default:
+                throw new IllegalArgumentException("the page has no part {{" + place + "}}");
+        }
+    }
+
+    private String allMachinesChart(String file) {
+        boolean drawn = !folders.isEmpty() && Files.exists(folders.get(0).path().resolveSibling(file + ".svg"));
+        return drawn ? "![ms a step by number of circles](../bench/results/" + file + ".svg)\n" : "";
+    }
+
+    private String qualityCharts() {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            for (int n : WorldCharts.QUALITY_SIZES) {
+                String file = WorldCharts.qualityFile(n) + ".svg";
+                if (Files.exists(folder.path().resolve(file))) {
+                    text.append("![mean depth by ms a step, n = ")
+                            .append(Numbers.whole(n))
+                            .append(", ")
+                            .append(folder.name())
+                            .append("](../bench/results/")
+                            .append(folder.name())
+                            .append("/")
+                            .append(file)
+                            .append(")\n\n");
+                }
+            }
+        }
+        return text.toString();
+    }
+
+    private String perMachine(Function<ResultsFolder, Grid> table, Function<ResultsFolder, String> below) {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            String grid = grid(table.apply(folder));
+            if (!grid.isEmpty()) {
+                text.append("### ")
+                        .append(folder.name())
+                        .append("\n\n")
+                        .append(grid)
+                        .append('\n');
+                text.append(below.apply(folder));
+            }
+        }
+        return text.toString();
     }
 
     /** The conclusions are drawn from certain machines; a page of others goes without. */
@@ -173,7 +264,7 @@ public final class Page {
         return perDevice((folder, device) -> {
             Grid grid = Grid.ofNumbers("n", "strategy", "with read-back", "device alone", "with profiling events");
             for (int n : Tables.sizes(folder, device)) {
-                for (int strategy = 0; strategy < 4 && Tables.tried(folder, device, n); strategy++) {
+                for (int strategy = 0; strategy < 4 && Tables.measured(folder, device, n); strategy++) {
                     List<String> row = new ArrayList<>(List.of(Numbers.whole(n), Integer.toString(strategy)));
                     for (String mode : List.of("loop", "deviceOnly", "profiled")) {
                         row.add(Tables.millis(Tables.run(folder, device, strategy, n, mode)));
@@ -259,10 +350,13 @@ public final class Page {
     /** What failed or did not fit. */
     private static String missing(ResultsFolder folder, Kind kind, String column, String value) {
         String list = folder.table(kind).rows(column, value).stream()
-                .filter(row -> !row.get("status").equals("ok") && !LeftOut.is(row))
+                .filter(row ->
+                        !row.get("status").equals("ok") && !LeftOut.is(row) && !LeftOut.followsFromASmallerSize(row))
                 .map(row -> "- " + String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status") + "\n")
                 .collect(Collectors.joining());
-        return list.isEmpty() ? "" : "Without a figure:\n\n" + list + "\n";
+        return list.isEmpty()
+                ? ""
+                : "Without a figure (where one size does not fit, larger ones were not tried):\n\n" + list + "\n";
     }
 
     /** One figure: folder, table, the key's values in order with _ for a space, column. */

@@ -48,6 +48,13 @@ final class Tables {
                 .anyMatch(row -> !LeftOut.is(row));
     }
 
+    /** Whether there is any figure for a device and n. */
+    static boolean measured(ResultsFolder folder, String device, int n) {
+        return !folder.table(Kind.STRATEGIES)
+                .rows("device", device, "n", Integer.toString(n), "status", "ok")
+                .isEmpty();
+    }
+
     /** One strategy run, or null where there is none. */
     static Map<String, String> run(ResultsFolder folder, String device, int strategy, int n, String mode) {
         List<Map<String, String>> rows = folder.table(Kind.STRATEGIES)

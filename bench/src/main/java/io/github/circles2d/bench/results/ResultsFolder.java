@@ -12,6 +12,9 @@ import org.openjdk.jmh.results.RunResult;
 
 /** The results of one machine: the tables and the JMH JSON of a folder. What a new run does not measure stays. */
 public final class ResultsFolder {
+    /** The status of what was not tried because less of the same did not fit into the device's memory. */
+    public static final String SMALLER_DOES_NOT_FIT = "does not fit: a smaller size does not";
+
     /** The tables of a folder. */
     public enum Kind {
         /** What the machine is, and how it was measured: a name and a value a row. */
@@ -63,7 +66,44 @@ public final class ResultsFolder {
                         "allocated_bytes",
                         "peak_rss_mib",
                         "status",
-                        "remarks"));
+                        "remarks")),
+        /** World by engine, n, and what is done beside the steps. */
+        WORLD(
+                List.of("engine", "n", "mode"),
+                List.of(
+                        "skipped",
+                        "steps",
+                        "runs",
+                        "mean_ms",
+                        "se_ms",
+                        "min_ms",
+                        "median_ms",
+                        "grid_us",
+                        "scan_us",
+                        "sweep_us",
+                        "contacts_us",
+                        "solver_us",
+                        "resident_us",
+                        "other_us",
+                        "contacts",
+                        "candidate_pairs",
+                        "mean_depth",
+                        "max_depth",
+                        "deep_pairs",
+                        "kinetic_energy",
+                        "bytes_held",
+                        "allocated_bytes",
+                        "peak_rss_mib",
+                        "state_hash",
+                        "status")),
+        /** World's stages against the time that their bytes take at the copy bandwidth. */
+        WORLD_STAGES(
+                List.of("engine", "n", "stage"),
+                List.of("time_us", "moved_bytes", "copy_gb_per_s", "roof_us", "share_of_roof")),
+        /** Transfers between host and device by the kind of the host's memory. */
+        TRANSFER(
+                List.of("device", "direction", "memory", "bytes"),
+                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status"));
 
         private final List<String> keys;
         private final List<String> values;
@@ -81,7 +121,7 @@ public final class ResultsFolder {
 
         /** The name of the file. */
         public String file() {
-            return name().toLowerCase(Locale.ROOT) + ".csv";
+            return name().toLowerCase(Locale.ROOT).replace('_', '-') + ".csv";
         }
     }
 
@@ -136,6 +176,11 @@ public final class ResultsFolder {
         table(kind).put(row);
         Files.createDirectories(path);
         table(kind).save(path.resolve(kind.file()));
+    }
+
+    /** Forgets the rows of a table that follows from others, before they are written anew; the file stays until then. */
+    public synchronized void clear(Kind derived) {
+        tables.put(derived, derived.empty());
     }
 
     /** Keeps a run for the JSON and writes it; does nothing once the folder is sealed. */

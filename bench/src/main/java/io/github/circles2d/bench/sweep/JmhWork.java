@@ -13,24 +13,35 @@ import java.util.Map;
 final class JmhWork implements Work {
     /** How long a run may take. */
     enum Effort {
-        QUICK(20, 3, 1),
-        FULL(300, 5, 10);
+        QUICK(20, 3, 3, 1),
+        BRISK(90, 5, 3, 10),
+        FULL(300, 5, 5, 10);
+
+        /** From here on an iteration is long. */
+        private static final double LONG_SECONDS = 2;
 
         final double maxSeconds;
-        final int wantedRuns;
         final int mostWarmups;
+        private final int wantedRuns;
+        private final int wantedLongRuns;
 
-        Effort(double maxSeconds, int wantedRuns, int mostWarmups) {
+        Effort(double maxSeconds, int wantedRuns, int wantedLongRuns, int mostWarmups) {
             this.maxSeconds = maxSeconds;
             this.wantedRuns = wantedRuns;
+            this.wantedLongRuns = wantedLongRuns;
             this.mostWarmups = mostWarmups;
+        }
+
+        /** How many iterations should count. */
+        int wantedRuns(double iterationSeconds) {
+            return iterationSeconds > LONG_SECONDS ? wantedLongRuns : wantedRuns;
         }
     }
 
     /** With fewer there is no standard error. */
     private static final int MIN_RUNS = 2;
 
-    /** An iteration as long as this needs no other before it to warm up. */
+    /** An iteration as long as this, its set-up not counted, needs no other before it to warm up. */
     private static final double WARM_SECONDS = 5;
 
     /** Short iterations are repeated for about so long before they count: the JVM compiles meanwhile. */
@@ -66,6 +77,16 @@ final class JmhWork implements Work {
         columns.put("overlappingPairs", "overlapping_pairs");
         columns.put("deepPairs", "deep_pairs");
         columns.put("kineticEnergy", "kinetic_energy");
+        columns.put("gridMicros", "grid_us");
+        columns.put("scanMicros", "scan_us");
+        columns.put("sweepMicros", "sweep_us");
+        columns.put("contactsMicros", "contacts_us");
+        columns.put("solverMicros", "solver_us");
+        columns.put("residentMicros", "resident_us");
+        columns.put("otherMicros", "other_us");
+        columns.put("contacts", "contacts");
+        columns.put("candidatePairs", "candidate_pairs");
+        columns.put("bytesHeld", "bytes_held");
         columns.put("allocatedBytes", "allocated_bytes");
         columns.put("peakResidentMiB", "peak_rss_mib");
         return columns;
@@ -78,7 +99,7 @@ final class JmhWork implements Work {
 
     @Override
     public double seconds(Pace pace) {
-        double wanted = pace.seconds(task, warmups(pace) + effort.wantedRuns);
+        double wanted = pace.seconds(task, warmups(pace) + effort.wantedRuns(pace.iterationSeconds(task)));
         double least = pace.seconds(task, MIN_RUNS);
         return least > effort.maxSeconds ? 0 : Math.min(wanted, effort.maxSeconds);
     }
@@ -91,7 +112,8 @@ final class JmhWork implements Work {
         double limit = Math.min(secondsLeft, effort.maxSeconds);
         double iteration = pace.iterationSeconds(task);
         int warmups = warmups(pace);
-        int affordable = (int) Math.min(effort.wantedRuns, (limit - pace.seconds(task, warmups)) / iteration);
+        int affordable =
+                (int) Math.min(effort.wantedRuns(iteration), (limit - pace.seconds(task, warmups)) / iteration);
         if (affordable < MIN_RUNS) {
             return leaveOut(pace.seconds(task, warmups + MIN_RUNS), limit);
         }
@@ -102,7 +124,7 @@ final class JmhWork implements Work {
 
     private int warmups(Pace pace) {
         double iteration = pace.iterationSeconds(task);
-        return iteration > WARM_SECONDS
+        return iteration - task.setUpSeconds() > WARM_SECONDS
                 ? 0
                 : (int) Math.max(1, Math.min(effort.mostWarmups, Math.ceil(WARM_UP_SECONDS / iteration)));
     }
@@ -128,7 +150,7 @@ final class JmhWork implements Work {
             return explain(run.failure());
         }
         Statistics millis = run.millis();
-        pace.learn(task, millis.mean(), (System.nanoTime() - before) / 1e9, warmups + runs);
+        pace.learn(task, millis.median(), (System.nanoTime() - before) / 1e9, warmups + runs);
         folder.put(run.result());
         folder.put(task.kind(), row(run, millis));
         return Numbers.brief(millis.mean()) + " ms +/- " + Numbers.brief(millis.standardError());
@@ -136,7 +158,7 @@ final class JmhWork implements Work {
 
     private String explain(String failure) throws IOException {
         if (failure.startsWith("DeviceMemoryException")) {
-            hopeless.put(task.series(), "does not fit: a smaller size does not");
+            hopeless.put(task.series(), ResultsFolder.SMALLER_DOES_NOT_FIT);
             return without("does not fit: " + failure);
         }
         if (failure.startsWith(JmhRun.GIVEN_UP)) {
@@ -158,11 +180,11 @@ final class JmhWork implements Work {
                 row.put(column, Numbers.exact(run.counter(counter)));
             }
         });
-        extra(row, millis);
+        extra(row, run, millis);
         return row;
     }
 
-    private void extra(Map<String, String> row, Statistics millis) {
+    private void extra(Map<String, String> row, JmhRun run, Statistics millis) {
         switch (task.kind()) {
             case COPY:
                 row.put("gb_per_s", Numbers.exact(2 * task.n() / millis.median() / 1e6));
@@ -178,8 +200,21 @@ final class JmhWork implements Work {
                 row.put("skipped", Integer.toString(task.skipped()));
                 row.put("remarks", Engines.remarks(row.get("engine")));
                 break;
+            case TRANSFER:
+                row.put("gb_per_s", Numbers.exact(task.n() / millis.median() / 1e6));
+                break;
+            case WORLD:
+                row.put("skipped", task.parameters().get("skipped"));
+                row.put("steps", Integer.toString(task.steps()));
+                row.put("state_hash", hash(run.counter("hashHigh"), run.counter("hashLow")));
+                break;
             default:
                 throw new AssertionError(task.kind());
         }
+    }
+
+    /** JMH's counters are doubles, which hold half a hash without loss. */
+    static String hash(double high, double low) {
+        return String.format("%08x%08x", (long) high, (long) low);
     }
 }

@@ -19,6 +19,10 @@ public final class Options {
         ACCURACY,
         /** The thesis's strategies. */
         STRATEGIES,
+        /** Transfers between host and device. */
+        TRANSFER,
+        /** World by back end, size and read-back. */
+        WORLD,
         /** The engines on the same scenes. */
         PEERS
     }
@@ -26,24 +30,25 @@ public final class Options {
     /** What {@code --help} prints. */
     public static final String HELP = String.join(
             "\n",
-            "Measures the strategies of the thesis on every OpenCL device, and other engines on the same scenes.",
+            "Measures the strategies of the thesis and World on every OpenCL device, and other engines on the same scenes.",
             "",
             "usage: benchmarks.jar [OPTIONS]            runs the sweep",
             "       benchmarks.jar jmh ARGUMENTS        runs JMH itself (jmh -h for its help)",
             "       benchmarks.jar smoke                executes every benchmark once at its smallest size",
             "       benchmarks.jar table DIR            prints the table of a results folder",
-            "       benchmarks.jar charts DIR           draws the charts of a results folder",
+            "       benchmarks.jar charts DIR           draws the charts of a results folder, or of all in DIR/machines.txt",
             "       benchmarks.jar page RESULTS PAGE    writes the results page from the folders in RESULTS",
             "",
             "  --quick              a short look, less than three minutes on two cores",
             "  --time-budget TIME   ends in about this time (90s, 9m, 2h); what does not fit is left out and named",
-            "  --only PARTS         some of copy,accuracy,strategies,peers",
+            "  --only PARTS         some of copy,accuracy,strategies,transfer,world,peers",
             "  --device NAMES       only these devices, by the names that --list prints",
-            "  --engine NAMES       only these engines of the comparison, such as world-jvm,gdx-box2d",
+            "  --engine NAMES       only these engines, such as world-jvm,gdx-box2d",
             "  --sizes NUMBERS      only these numbers of circles",
             "  --machine NAME       name of the results folder (default: processor, cores and graphics processor)",
             "  --out DIR            parent of the results folder (default: bench/results, or results)",
             "  --no-charts          writes no charts",
+            "  --missing            only what has no figure yet in the results folder",
             "  --list               prints the devices and the runs that there would be",
             "",
             "A folder that is there is added to: what is measured again replaces what was there.");
@@ -51,6 +56,7 @@ public final class Options {
     private boolean quick;
     private boolean list;
     private boolean help;
+    private boolean missing;
     private boolean charts = true;
     private double budgetSeconds = Double.POSITIVE_INFINITY;
     private Set<Part> parts = EnumSet.allOf(Part.class);
@@ -86,6 +92,9 @@ public final class Options {
                 break;
             case "--list":
                 list = true;
+                break;
+            case "--missing":
+                missing = true;
                 break;
             case "--no-charts":
                 charts = false;
@@ -171,6 +180,11 @@ public final class Options {
 
     public boolean help() {
         return help;
+    }
+
+    /** Whether what the results folder has a figure for is left alone. */
+    public boolean missing() {
+        return missing;
     }
 
     public boolean charts() {

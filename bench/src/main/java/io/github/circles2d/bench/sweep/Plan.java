@@ -11,6 +11,7 @@ import io.github.circles2d.bench.results.Table;
 import io.github.circles2d.opencl.Device;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.EnumSet;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -28,6 +29,9 @@ final class Plan {
     private static final List<Integer> LARGE_CROWDS = List.of(100_000, 1_000_000);
 
     private static final List<Integer> QUICK_SIZES = List.of(1250, 2500, 5000);
+
+    /** In a short look only engines run it whose time grows about as n does. */
+    private static final int QUICK_CROWD = 5000;
 
     private static final long MIB = 1 << 20;
 
@@ -59,6 +63,12 @@ final class Plan {
                 case STRATEGIES:
                     plan.addStrategies();
                     break;
+                case TRANSFER:
+                    WorldPlan.transfers(options, devices).forEach(plan::add);
+                    break;
+                case WORLD:
+                    plan.addWorld();
+                    break;
                 case PEERS:
                     plan.addPeers();
                     break;
@@ -80,6 +90,12 @@ final class Plan {
         for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.PEERS))) {
             pace.remember(
                     peerSeries(row.get("engine"), row.get("scene")),
+                    Long.parseLong(row.get("n")),
+                    Numbers.parse(row.get("mean_ms")));
+        }
+        for (Map<String, String> row : bySize(folder.table(ResultsFolder.Kind.WORLD))) {
+            pace.remember(
+                    WorldPlan.series(row.get("engine"), row.get("mode")),
                     Long.parseLong(row.get("n")),
                     Numbers.parse(row.get("mean_ms")));
         }
@@ -143,7 +159,7 @@ final class Plan {
         }
         for (int n : options.sizes(sizes)) {
             for (Map.Entry<String, Device> device : devices.entrySet()) {
-                for (PairIndexing indexing : PairIndexing.values()) {
+                for (PairIndexing indexing : EnumSet.complementOf(EnumSet.of(PairIndexing.AUTO))) {
                     for (String mode : modes(n)) {
                         add(strategy(n, device.getKey(), device.getValue(), indexing, mode));
                     }
@@ -187,6 +203,19 @@ final class Plan {
                 : (int) Math.max(10, Math.min(200, 2.5e9 / slots));
     }
 
+    /** Each size begins with the state that all its runs start from. */
+    private void addWorld() {
+        WorldPlan world = new WorldPlan(options, devices);
+        for (int n : world.sizes()) {
+            List<Task> tasks = world.tasks(n);
+            int before = work.size();
+            tasks.forEach(this::add);
+            if (work.size() > before) {
+                work.add(before, new StartWork(tasks.get(0)));
+            }
+        }
+    }
+
     private void addPeers() {
         List<String> engines = new ArrayList<>(Engines.PEERS);
         engines.add(Engines.WORLD_JVM);
@@ -194,9 +223,17 @@ final class Plan {
         if (!options.engines().isEmpty()) {
             engines.retainAll(options.engines());
         }
-        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250, 2500) : THESIS_SIZES).stream()
-                .filter(n -> n < LARGE_CROWDS.get(0))
+        List<Integer> sizes = options.sizes(options.quick() ? List.of(1250) : THESIS_SIZES).stream()
+                .filter(n -> n < LARGE_CROWDS.get(0) && !(options.quick() && n == QUICK_CROWD))
                 .collect(Collectors.toList());
+        if (options.quick()) {
+            // What takes longest comes last: it may have to be left out.
+            sizes.forEach(n -> engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, n))));
+            if (options.sizes(QUICK_SIZES).contains(QUICK_CROWD)) {
+                engines.stream().filter(Plan::scales).forEach(engine -> add(packed(engine, QUICK_CROWD)));
+            }
+            engines.removeIf(Plan::scales);
+        }
         for (int n : sizes) {
             engines.forEach(engine -> add(packed(engine, n)));
         }
@@ -213,13 +250,20 @@ final class Plan {
 
     /** Whether an engine's time grows about as the number of circles does. */
     private static boolean scales(String engine) {
-        return engine.startsWith("world") || engine.equals("gdx-box2d");
+        return engine.startsWith("world")
+                || List.of("gdx-box2d", Engines.JAVA_GRID).contains(engine);
     }
 
     private Task packed(String engine, int n) {
         double small = List.of("jbox2d", "dyn4j").contains(engine) ? 12 : 3;
-        int steps = options.quick() ? 100 : n < LARGE_CROWDS.get(0) ? 500 : 100;
-        return peer(engine, "packed", n, 100, steps, small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2));
+        double guess = small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2);
+        if (engine.equals("gdx-box2d") && n >= 15_000) {
+            // Its steps take from a quarter of a second to seconds.
+            int steps = n < LARGE_CROWDS.get(0) ? 100 : 10;
+            return peer(engine, "packed", n, steps, steps, guess);
+        }
+        int steps = options.quick() || n >= LARGE_CROWDS.get(0) ? 100 : 500;
+        return peer(engine, "packed", n, 100, steps, guess);
     }
 
     /** Few steps: engines that solve their contacts take a second for one of them, and it never comes to rest anyway. */
@@ -241,7 +285,7 @@ final class Plan {
                 key,
                 peerSeries(engine, scene),
                 n,
-                2,
+                scales(engine) && scene.equals("packed") ? 1.5 : 2,
                 PeerBenchmark.class.getName() + ".step",
                 parameters,
                 skipped,
@@ -250,6 +294,10 @@ final class Plan {
     }
 
     private void add(Task task) {
-        work.add(new JmhWork(task, effort, folder, hopeless));
+        if (options.missing() && folder.hasFigure(task.kind(), task.key())) {
+            return;
+        }
+        boolean many = effort == JmhWork.Effort.FULL && task.kind() == ResultsFolder.Kind.WORLD;
+        work.add(new JmhWork(task, many ? JmhWork.Effort.BRISK : effort, folder, hopeless));
     }
 }

@@ -64,6 +64,7 @@ public final class Sweep {
         }
         Runtime.getRuntime().removeShutdownHook(whenInterrupted);
         Roof.write(folder);
+        WorldRoof.write(folder);
         ConsoleTable.print(folder, out);
         if (options.charts()) {
             Charts.draw(folder, out);

@@ -30,8 +30,14 @@ record Task(
         int steps,
         double firstGuess) {
 
-    /** Seconds before the first step of an iteration: the host writes the look-up table, slot by slot. */
+    /**
+     * Seconds of an iteration beside its steps: a World is put back, and its end checked; or the host writes the look-up
+     * table, slot by slot.
+     */
     double setUpSeconds() {
+        if (kind == ResultsFolder.Kind.WORLD) {
+            return 6e-7 * n;
+        }
         return "LOOKUP_TABLE".equals(parameters.get("indexing")) ? 2.5e-9 * n * (n - 1) / 2 : 0;
     }
 

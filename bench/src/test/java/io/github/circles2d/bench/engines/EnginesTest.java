@@ -79,7 +79,7 @@ class EnginesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
+    @ValueSource(strings = {"java-all-pairs", "gdx-box2d", "jbox2d", "dyn4j", "java-grid", "world-jvm"})
     void enginesThatSaySoEndTheSameRunInTheSameStateToTheBit(String name) {
         Scene scene = Scenes.packed(300, 7);
         try (Engine engine = Engines.create(name)) {
@@ -110,7 +110,7 @@ class EnginesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
+    @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j", "java-grid", "world-jvm"})
     void fixedCirclesStay(String name) {
         Scene scene = Scenes.noCollide();
         try (Engine engine = Engines.create(name)) {
@@ -119,6 +119,68 @@ class EnginesTest {
                 assertThat(end.x[i] - scene.x(i)).isCloseTo(scene.vx(i), within(0.05f));
                 assertThat(end.y[i] - scene.y(i)).isCloseTo(scene.vy(i), within(0.05f));
             }
+        }
+    }
+
+    /** Otherwise a comparison of their speeds would say nothing. */
+    @Test
+    void thePlainGridSolvesAsWellAsWorld() {
+        Scene scene = Scenes.packed(1250, Scenes.SEED);
+        try (Engine grid = Engines.create("java-grid");
+                Engine world = Engines.create("world-jvm")) {
+            Quality plain = run(grid, scene, 600).quality(scene);
+            Quality ours = run(world, scene, 600).quality(scene);
+            assertThat(plain.meanDepth()).isBetween(0.4 * ours.meanDepth(), 2.5 * ours.meanDepth());
+            assertThat(plain.deep()).isZero();
+            assertThat(ours.deep()).isZero();
+        }
+    }
+
+    /** It has restitution once a step: a blow through a whole rack keeps its momentum, but less of its energy than in World. */
+    @Test
+    void thePlainGridKeepsTheMomentumOfABlowAndTheMassesOfTheScene() {
+        Scene scene = Scenes.billiards(1);
+        try (Engine engine = Engines.create("java-grid")) {
+            Motion end = run(engine, scene, 68);
+            double momentum = 0;
+            double energy = 0;
+            for (int i = 0; i < scene.size(); i++) {
+                momentum += scene.mass(i) * end.vx[i];
+                energy += 0.5 * scene.mass(i) * (end.vx[i] * end.vx[i] + end.vy[i] * end.vy[i]);
+            }
+            assertThat(Math.abs(end.vx[0])).as("the rack's apex moves").isGreaterThan(0.01f);
+            assertThat(momentum).isCloseTo(scene.mass(15), within(1e-3));
+            assertThat(energy).isBetween(0.15 * scene.mass(15), 0.5 * scene.mass(15));
+        }
+    }
+
+    @Test
+    void thePlainGridComesToRest() {
+        Scene scene = Scenes.packed(300, 8);
+        try (Engine grid = Engines.create("java-grid")) {
+            Quality quality = run(grid, scene, 6000).quality(scene);
+            assertThat(quality.kineticEnergyPerCircle()).isLessThan(1e-6);
+            assertThat(quality.meanDepth()).isLessThan(0.002);
+        }
+    }
+
+    @Test
+    void thePlainGridBouncesOffAWallByTheRestitution() {
+        Scene scene = Scenes.thesis(1, 3);
+        try (Engine grid = Engines.create("java-grid")) {
+            grid.load(scene);
+            Motion motion = new Motion(1);
+            float fall = 0;
+            for (int step = 0; step < 1500; step++) {
+                grid.step();
+                grid.read(motion);
+                if (motion.vy[0] > 0) {
+                    assertThat(motion.vy[0]).isCloseTo(0.5f * fall, within(0.02f * fall));
+                    return;
+                }
+                fall = -motion.vy[0];
+            }
+            throw new AssertionError("it has not bounced");
         }
     }
 

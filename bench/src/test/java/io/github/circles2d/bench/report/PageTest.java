@@ -11,6 +11,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
@@ -98,7 +99,7 @@ class PageTest {
 
     @Test
     void theProseItselfHoldsNoMeasuredFigure() {
-        String prose = (Page.template() + Page.conclusions()).replaceAll("\\{\\{[^}]*\\}\\}", "");
+        String prose = (Page.template() + Page.conclusions() + Page.world()).replaceAll("\\{\\{[^}]*\\}\\}", "");
         assertThat(Pattern.compile("[0-9][0-9.,]* ?(ms|µs|us|GB|MB|GiB|MiB|KB|%|times)\\b")
                         .matcher(prose)
                         .results()
@@ -195,6 +196,181 @@ class PageTest {
                         "ok"));
         assertThat(Page.of(temporary))
                 .contains("| on the GPU strategy 0 is fastest and 2 is slowest | box, gpu | no |");
+    }
+
+    @Test
+    void whatIsNotMeasuredOfWorldHasNoSection() throws IOException {
+        assertThat(Page.of(temporary)).doesNotContain("## World");
+    }
+
+    @Test
+    void worldHasASectionOfItsOwnWithStepsStagesTransfersAndStorms() throws IOException {
+        measureWorld();
+        assertThat(Page.of(temporary))
+                .contains("## World\n", "### box\n")
+                .contains(
+                        "| world@gpu | 15,000 | 0.09 ± 0.001 | 0.2 ± 0.001 | - | 0.5 ± 0.001 | 6 | 1.8 | 0.0037 | 12 | 300 | 89abcdef |")
+                .contains("| 15,000 | Grid | 10 | 1.7 | 1,000 | 1.7 | 17 % |")
+                .contains("| 15,000 | Scan | 3 | - | - | - | - |")
+                .contains("| Grid | 112 | 0 |")
+                .contains("| world@gpu | 15,000 | 0.2 ± 0.001 | 0.3 ± 0.001 | - |")
+                .contains("| 1,048,576 | read | 0.04 ± 0.001 | - | 0.2 ± 0.001 | 26 | - | 5.2 |")
+                .contains("- n = 1,000,000: world@gpu (steps, profiled)\n");
+    }
+
+    @Test
+    void targetsAreHeldAgainstTheLeastMedianOfTheMachineThatTheyAreFor() throws IOException {
+        measureWorld();
+        assertThat(Page.of(temporary)).doesNotContain("| NVIDIA H200 |");
+        folder.put(
+                Kind.MACHINE,
+                Map.of(
+                        "property",
+                        "device gpu",
+                        "value",
+                        "NVIDIA H200 (GPU, 132 compute units, 1.0 GiB, P, driver 1)"));
+        assertThat(Page.of(temporary))
+                .contains("| NVIDIA H200 | 15,000 | steps alone | 0.1 | 0.09 | world@gpu | yes |");
+        world("world@gpu", "1250", "steps", "0.12");
+        assertThat(Page.of(temporary))
+                .contains("| NVIDIA H200 | 1,250 | steps alone | 0.06 | 0.12 | world@gpu | no: 2 times the aim |");
+    }
+
+    @Test
+    void targetsForTwoCoresTakeTheBestOfJavaAndOpenClOnTheCpuAlone() throws IOException {
+        folder.put(Kind.MACHINE, Map.of("property", "cores", "value", "2"));
+        folder.put(Kind.MACHINE, Map.of("property", "device cpu", "value", "Some CPU (CPU, 2 compute units)"));
+        world("world@gpu", "5000", "steps", "0.1");
+        world("world@cpu", "5000", "steps", "3");
+        world("world-jvm", "5000", "steps", "1.5");
+        assertThat(Page.of(temporary))
+                .contains("| 2 cores | 5,000 | steps alone | 1 | 1.5 | world-jvm | no: 1.5 times the aim |");
+    }
+
+    @Test
+    void otherEnginesAreComparedByTheRatioOfTheMedians() throws IOException {
+        world("world-jvm", "1250", "steps", "9");
+        peer("world-jvm", "0.2", "0.001");
+        peer("gdx-box2d", "2.5", "0.01");
+        peer("java-grid", "0.1", "0.001");
+        assertThat(Page.of(temporary))
+                .contains("| box | 1,250 | 0.2 | gdx-box2d | 2.5 | 0.080 | 0.1 | yes |")
+                .contains("| box | 1,250 | 0.2 | java-grid | 0.1 | 2.000 | 1 | no |");
+    }
+
+    @Test
+    void theCostOfACircleIsComparedBetweenAHundredThousandAndTheLargestCrowd() throws IOException {
+        world("world-jvm", "100000", "steps", "10");
+        world("world-jvm", "1000000", "steps", "120");
+        assertThat(Page.of(temporary)).contains("| box, world-jvm | 100 | 1,000,000 | 120 | 1.2 | yes |");
+    }
+
+    @Test
+    void enginesThatEndInTheSameStateStandTogether() throws IOException {
+        world("world-jvm", "1250", "steps", "1");
+        world("world@gpu", "1250", "steps", "2");
+        assertThat(Page.of(temporary))
+                .contains("| 1,250 | 300 | 89abcdef12345678 | world-jvm (box), world@gpu (box) |");
+    }
+
+    @Test
+    void worldIsDrawnBesideOtherEnginesAndSpeedAgainstQuality() throws IOException {
+        world("world-jvm", "1250", "steps", "1");
+        peer("world-jvm", "0.2", "0.001");
+        peer("gdx-box2d", "2.5", "0.01");
+        ByteArrayOutputStream said = new ByteArrayOutputStream();
+        Charts.draw(folder, new PrintStream(said, true, StandardCharsets.UTF_8));
+        Charts.drawAll(temporary, Page.folders(temporary), new PrintStream(said, true, StandardCharsets.UTF_8));
+        assertThat(said.toString(StandardCharsets.UTF_8)).isEmpty();
+        assertThat(WorldCharts.steps(List.of(folder)).getSeriesMap())
+                .containsOnlyKeys("World, Java,  cores", "gdx-box2d");
+        for (String chart : List.of("box/world.svg", "box/quality-1250.png", "world.png", "world.svg")) {
+            assertThat(temporary.resolve(chart)).exists();
+        }
+        assertThat(temporary.resolve("box/quality-5000.svg")).doesNotExist();
+        assertThat(Page.of(temporary))
+                .contains("(../bench/results/world.svg)", "(../bench/results/box/quality-1250.svg)");
+    }
+
+    /** The host of a GPU is often a machine that was measured without it, too. */
+    @Test
+    void machinesThatAreAlikeShareALine() throws IOException {
+        Files.writeString(temporary.resolve("machines.txt"), "box\ntwin\n");
+        world("world-jvm", "1250", "steps", "1");
+        ResultsFolder twin = ResultsFolder.open(temporary.resolve("twin"));
+        twin.put(
+                Kind.WORLD,
+                Map.of("engine", "world-jvm", "n", "1250", "mode", "steps", "mean_ms", "3", "status", "ok"));
+        assertThat(WorldCharts.steps(List.of(folder, twin)).getSeriesMap()).hasSize(1);
+    }
+
+    private void measureWorld() throws IOException {
+        world("world@gpu", "15000", "steps", "0.09");
+        world("world@gpu", "15000", "frames", "0.2");
+        world("world@gpu", "15000", "readBuffer", "0.5");
+        world("world@gpu", "15000", "storm1", "0.3");
+        for (String mode : List.of("steps", "profiled")) {
+            folder.put(
+                    Kind.WORLD,
+                    Map.of("engine", "world@gpu", "n", "1000000", "mode", mode, "status", "left out: the time was up"));
+        }
+        for (String memory : List.of("pinned", "pageable")) {
+            folder.put(
+                    Kind.TRANSFER,
+                    Map.of(
+                            "device",
+                            "gpu",
+                            "direction",
+                            "read",
+                            "memory",
+                            memory,
+                            "bytes",
+                            "1048576",
+                            "mean_ms",
+                            memory.equals("pinned") ? "0.04" : "0.2",
+                            "se_ms",
+                            "0.001",
+                            "gb_per_s",
+                            memory.equals("pinned") ? "26.2" : "5.24",
+                            "status",
+                            "ok"));
+        }
+        folder.put(
+                Kind.WORLD_STAGES,
+                Map.of(
+                        "engine",
+                        "world@gpu",
+                        "n",
+                        "15000",
+                        "stage",
+                        "Grid",
+                        "time_us",
+                        "10",
+                        "moved_bytes",
+                        "1680000",
+                        "copy_gb_per_s",
+                        "1000",
+                        "roof_us",
+                        "1.68",
+                        "share_of_roof",
+                        "0.168"));
+        folder.put(Kind.WORLD_STAGES, Map.of("engine", "world@gpu", "n", "15000", "stage", "Scan", "time_us", "3"));
+    }
+
+    private void world(String engine, String n, String mode, String millis) throws IOException {
+        Map<String, String> row = new LinkedHashMap<>(Map.of("engine", engine, "n", n, "mode", mode, "status", "ok"));
+        row.putAll(Map.of("skipped", "100", "steps", "200", "mean_ms", millis, "se_ms", "0.001", "median_ms", millis));
+        row.putAll(Map.of("contacts", "27000", "mean_depth", "0.0037", "bytes_held", "12000000"));
+        row.put("state_hash", "89abcdef12345678");
+        folder.put(Kind.WORLD, row);
+    }
+
+    private void peer(String engine, String millis, String depth) throws IOException {
+        Map<String, String> row = new LinkedHashMap<>(Map.of("engine", engine, "scene", "packed", "n", "1250"));
+        row.putAll(Map.of("steps", "500", "skipped", "100", "mean_ms", millis, "median_ms", millis, "se_ms", "0.1"));
+        row.putAll(Map.of("mean_depth", depth, "max_depth", "0.1", "deep_pairs", "0", "kinetic_energy", "0.01"));
+        row.putAll(Map.of("allocated_bytes", "1", "peak_rss_mib", "50", "status", "ok"));
+        folder.put(Kind.PEERS, row);
     }
 
     @Test

@@ -11,9 +11,12 @@ import java.nio.channels.FileChannel;
 import java.nio.channels.FileLock;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -85,13 +88,53 @@ class SweepPartsTest {
                             "status",
                             "ok"));
         }
-        Work work = Plan.of(Options.parse(List.of("--only", "peers", "--sizes", "10000", "--quick")), Map.of(), folder)
-                .get(3);
+        List<String> arguments = List.of("--only", "peers", "--sizes", "10000", "--quick", "--engine", "dyn4j");
+        Work work = Plan.of(Options.parse(arguments), Map.of(), folder).get(0);
         Pace pace = new Pace();
         Plan.remember(folder, pace);
         // 320 ms a step at 10,000: an iteration of 201 steps is 64 s
         assertThat(work.label()).startsWith("dyn4j");
         assertThat(work.run(pace, 60)).startsWith("left out: it would take about 131 s");
+    }
+
+    /** Where the time ends, what a newcomer looks for must be there. */
+    @Test
+    void aShortLookMeasuresWhatScalesFirst() throws IOException {
+        ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
+        assertThat(Plan.of(Options.parse(List.of("--only", "peers", "--quick")), Map.of(), folder))
+                .extracting(Work::label)
+                .containsExactly(
+                        "gdx-box2d packed 1250 100",
+                        "java-grid packed 1250 100",
+                        "world-jvm packed 1250 100",
+                        "gdx-box2d packed 5000 100",
+                        "java-grid packed 5000 100",
+                        "world-jvm packed 5000 100",
+                        "java-all-pairs packed 1250 100",
+                        "jbox2d packed 1250 100",
+                        "dyn4j packed 1250 100");
+    }
+
+    @Test
+    void onlyWhatHasNoFigureIsMissing() throws IOException {
+        ResultsFolder folder = ResultsFolder.open(temporary.resolve("machine"));
+        Map<String, String> there = new LinkedHashMap<>(
+                Map.of("engine", "dyn4j", "scene", "packed", "n", "1250", "steps", "100", "status", "ok"));
+        folder.put(Kind.PEERS, there);
+        there.put("engine", "jbox2d");
+        there.put("status", "left out: the time was up");
+        folder.put(Kind.PEERS, there);
+        List<String> quick = List.of("--quick", "--only", "peers", "--sizes", "1250", "--engine", "dyn4j,jbox2d");
+        List<String> missing = new ArrayList<>(quick);
+        missing.add("--missing");
+        assertThat(labels(quick, folder)).containsExactly("jbox2d packed 1250 100", "dyn4j packed 1250 100");
+        assertThat(labels(missing, folder)).containsExactly("jbox2d packed 1250 100");
+    }
+
+    private static List<String> labels(List<String> arguments, ResultsFolder folder) {
+        return Plan.of(Options.parse(arguments), Map.of(), folder).stream()
+                .map(Work::label)
+                .collect(Collectors.toList());
     }
 
     @Test
@@ -216,6 +259,9 @@ class SweepPartsTest {
         List<Work> quick = Plan.of(Options.parse(List.of("--quick")), Map.of(), folder);
         List<Work> full = Plan.of(Options.parse(List.of()), Map.of(), folder);
         assertThat(quick).hasSizeLessThan(full.size());
-        assertThat(full).extracting(Work::label).startsWith("java-all-pairs packed 1250 500");
+        assertThat(full)
+                .extracting(Work::label)
+                .startsWith("start of packed 1250")
+                .containsSubsequence("java-all-pairs packed 1250 500", "java-all-pairs packed 15000 500");
     }
 }

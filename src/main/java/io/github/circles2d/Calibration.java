@@ -1,0 +1,251 @@
+package io.github.circles2d;
+
+import io.github.circles2d.calibration.CachePlace;
+import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.Runner;
+import io.github.circles2d.calibration.Timings;
+import io.github.circles2d.calibration.TimingsFile;
+import io.github.circles2d.calibration.Workload;
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenCl;
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.OpenClUnavailableException;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.System.Logger.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.IntToDoubleFunction;
+
+/**
+ * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
+ * called and at no other time. Without it they choose by rules.
+ *
+ * <p>The times are kept in a file, for each device with its driver, its kernels and the version of this library; those of another
+ * version are not used. The file lies in the user's folder for caches ({@code $XDG_CACHE_HOME} or {@code ~/.cache}, {@code
+ * ~/Library/Caches}, {@code %LOCALAPPDATA%}) as {@code circles2d/calibration.txt}, and may be deleted at any time. The system
+ * property {@code circles2d.calibration} names another file; {@code off} keeps no file, so that a calibration holds for the
+ * process that made it alone. A file that cannot be read or written, or is damaged, is a warning in the log and no error.
+ *
+ * <p>One crowd is timed at a few sizes: World at 250, 1,000, 10,000 and 100,000 circles, Circles2D at 1,000 and 8,000 with each
+ * exact indexing, fewer where it would take long. What lies between is interpolated; beyond, the order at the last size holds. A
+ * world unlike that crowd (radii over decades, a thousand circles in one point) may be faster elsewhere.
+ */
+public final class Calibration {
+    private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
+
+    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 10_000, 100_000);
+    static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
+
+    /** A size is left out where the one before it tells that it would take longer. */
+    private static final double MOST_MILLIS = 5_000;
+
+    /** What could not be saved holds for this process. */
+    private static volatile Timings unsaved = Timings.NONE;
+
+    private final Timings timings;
+    private final Optional<Path> file;
+
+    private Calibration(Timings timings, Optional<Path> file) {
+        this.timings = timings;
+        this.file = file;
+    }
+
+    /**
+     * Measures the JVM and every OpenCL device, and keeps the times. Takes about ten seconds a device, and as much memory as
+     * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
+     * it measures the JVM.
+     *
+     * @return the times
+     */
+    public static Calibration run() {
+        List<Device> devices;
+        try {
+            devices = OpenCl.devices();
+        } catch (OpenClUnavailableException e) {
+            LOG.log(Level.INFO, "no OpenCL device is calibrated: {0}", e.getMessage());
+            devices = List.of();
+        }
+        return run(devices);
+    }
+
+    /**
+     * Measures the JVM and some OpenCL devices, and keeps the times; those of other devices stay. A device that fails is left
+     * out, with a warning in the log.
+     *
+     * @param devices the devices; may be empty
+     * @return the times
+     */
+    public static Calibration run(Collection<Device> devices) {
+        return run(devices, new FrameMeter(), WORLD_SIZES, CIRCLES2D_SIZES);
+    }
+
+    /** By any meter and at any sizes, for tests. */
+    static synchronized Calibration run(
+            Collection<Device> devices, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
+        List<Timings.Entry> entries = new ArrayList<>();
+        Curve jvm = curve(
+                Workload.WORLD,
+                worldSizes,
+                FrameMeter.WORLD_FRAMES_IN_ALL,
+                circles -> meter.world(Optional.empty(), circles));
+        entries.add(new Timings.Entry(Workload.WORLD, "", Runners.jvm(World.Builder.defaultThreads()), jvm));
+        Set<String> names = new HashSet<>();
+        for (Device device : List.copyOf(devices)) {
+            if (!names.add(Runners.name(device))) {
+                continue; // the second of two alike
+            }
+            try {
+                entries.addAll(measure(device, meter, worldSizes, circles2dSizes));
+            } catch (OpenClException e) {
+                LOG.log(Level.WARNING, "{0} is not calibrated: {1}", device.name(), e.getMessage());
+            }
+        }
+        Timings measured = new Timings(entries);
+        return new Calibration(measured, save(measured));
+    }
+
+    private static List<Timings.Entry> measure(
+            Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
+        List<Timings.Entry> entries = new ArrayList<>();
+        if (device.correctlyRounded()) {
+            Curve frames = curve(
+                    Workload.WORLD,
+                    worldSizes,
+                    FrameMeter.WORLD_FRAMES_IN_ALL,
+                    circles -> meter.world(Optional.of(device), circles));
+            entries.add(new Timings.Entry(Workload.WORLD, "", Runners.world(device), frames));
+        }
+        for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
+            Runner runner = Runners.circles2d(device, indexing);
+            Curve loops = curve(
+                    Workload.CIRCLES2D,
+                    circles2dSizes,
+                    FrameMeter.LOOPS_IN_ALL,
+                    circles -> meter.loop(device, indexing, circles));
+            entries.add(new Timings.Entry(Workload.CIRCLES2D, indexing.name(), runner, loops));
+        }
+        return entries;
+    }
+
+    private static Curve curve(Workload workload, List<Integer> sizes, int frames, IntToDoubleFunction millis) {
+        Map<Integer, Double> measured = new TreeMap<>();
+        for (int circles : sizes) {
+            try {
+                if (!measured.isEmpty() && frames * new Curve(workload, measured).millis(circles) > MOST_MILLIS) {
+                    break;
+                }
+                measured.put(circles, millis.applyAsDouble(circles));
+            } catch (DeviceMemoryException e) {
+                if (measured.isEmpty()) {
+                    throw e;
+                }
+                break;
+            }
+        }
+        return new Curve(workload, measured);
+    }
+
+    /** Saves and returns the file; none where there is none or it cannot be written. */
+    private static Optional<Path> save(Timings measured) {
+        Timings all = timings().and(measured);
+        Optional<Path> place = CachePlace.find();
+        if (place.isPresent()) {
+            try {
+                TimingsFile.write(place.get(), all);
+                unsaved = Timings.NONE;
+                LOG.log(Level.INFO, "calibration saved in {0}", place.get());
+                return place;
+            } catch (IOException | SecurityException e) {
+                LOG.log(
+                        Level.WARNING,
+                        "the calibration holds for this process alone, because it cannot be saved in {0}: {1}",
+                        place.get(),
+                        e.toString());
+            }
+        }
+        unsaved = all;
+        return Optional.empty();
+    }
+
+    /**
+     * Forgets all times: from now on the rules hold again.
+     *
+     * @throws UncheckedIOException if the file is there and cannot be deleted
+     */
+    public static synchronized void forget() {
+        unsaved = Timings.NONE;
+        Optional<Path> place = CachePlace.find();
+        if (place.isPresent()) {
+            try {
+                if (Files.exists(place.get())) {
+                    Files.delete(place.get());
+                }
+            } catch (IOException e) {
+                throw new UncheckedIOException("cannot delete the calibration " + place.get(), e);
+            }
+        }
+    }
+
+    /** What is known; nothing where the file cannot be used. */
+    static Timings timings() {
+        Timings here = unsaved;
+        if (!here.entries().isEmpty()) {
+            return here;
+        }
+        Optional<Path> place = CachePlace.find();
+        if (place.isPresent()) {
+            try {
+                return TimingsFile.read(place.get());
+            } catch (IOException | SecurityException e) {
+                LOG.log(
+                        Notice.level(Level.WARNING, place.get() + e.getMessage()),
+                        "the calibration in {0} is not used: {1}",
+                        place.get(),
+                        e.getMessage());
+            }
+        }
+        return Timings.NONE;
+    }
+
+    /**
+     * Returns the file that keeps these times.
+     *
+     * @return the file; empty where it is turned off, or could not be written: the times hold for this process then
+     */
+    public Optional<Path> file() {
+        return file;
+    }
+
+    /**
+     * Returns the times as text for people: a line for each device and way, with milliseconds a frame by number of circles.
+     *
+     * @return some lines
+     */
+    @Override
+    public String toString() {
+        StringBuilder text = new StringBuilder("ms a frame, by number of circles");
+        for (Timings.Entry entry : timings.entries()) {
+            text.append(String.format(
+                    Locale.ROOT,
+                    "%n%-9s %-12s ",
+                    entry.workload() == Workload.WORLD ? "World" : "Circles2D",
+                    entry.variant()));
+            entry.curve()
+                    .measured()
+                    .forEach((n, millis) -> text.append(String.format(Locale.ROOT, " %,7d: %7.3f", n, millis)));
+            text.append("   ").append(entry.runner().name());
+        }
+        return text.toString();
+    }
+}

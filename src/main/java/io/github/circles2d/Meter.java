@@ -1,0 +1,26 @@
+package io.github.circles2d;
+
+import io.github.circles2d.opencl.Device;
+import java.util.Optional;
+
+/** Takes the times that a {@link Calibration} is made of. */
+interface Meter {
+    /**
+     * Times a frame of World: a step, and a read of all circles.
+     *
+     * @param device what to run on; the JVM where it is empty
+     * @param circles number of circles
+     * @return milliseconds
+     */
+    double world(Optional<Device> device, int circles);
+
+    /**
+     * Times a loop of Circles2D.
+     *
+     * @param device what to run on
+     * @param indexing one of the indexings, not {@link PairIndexing#AUTO}
+     * @param circles number of circles
+     * @return milliseconds
+     */
+    double loop(Device device, PairIndexing indexing, int circles);
+}

@@ -1,0 +1,59 @@
+package io.github.circles2d.calibration;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+
+/** Where the file lies: among what the user's programs may keep and the user may delete. */
+public final class CachePlace {
+    /** System property that names another file, or is {@code off}. */
+    public static final String PROPERTY = "circles2d.calibration";
+
+    private static final String FOLDER = "circles2d";
+    private static final String FILE = "calibration.txt";
+
+    private CachePlace() {}
+
+    /**
+     * Returns where the file lies in this process.
+     *
+     * @return the file, whether it is there or not; empty where it is turned off, or this user has no folder for such files
+     */
+    public static Optional<Path> find() {
+        return find(System::getProperty, System::getenv);
+    }
+
+    static Optional<Path> find(UnaryOperator<String> property, UnaryOperator<String> environment) {
+        String wanted = property.apply(PROPERTY);
+        if (wanted != null && !wanted.isBlank()) {
+            return wanted.equalsIgnoreCase("off") ? Optional.empty() : path(wanted);
+        }
+        return folder(property, environment)
+                .map(caches -> caches.resolve(FOLDER).resolve(FILE));
+    }
+
+    /** The folder that the system has for caches. By the XDG specification a relative path in a variable is ignored. */
+    private static Optional<Path> folder(UnaryOperator<String> property, UnaryOperator<String> environment) {
+        String system = property.apply("os.name").toLowerCase(Locale.ROOT);
+        Optional<Path> home = path(property.apply("user.home")).filter(Path::isAbsolute);
+        if (system.startsWith("windows")) {
+            return path(environment.apply("LOCALAPPDATA")).filter(Path::isAbsolute);
+        }
+        if (system.startsWith("mac")) {
+            return home.map(folder -> folder.resolve("Library").resolve("Caches"));
+        }
+        return path(environment.apply("XDG_CACHE_HOME"))
+                .filter(Path::isAbsolute)
+                .or(() -> home.map(folder -> folder.resolve(".cache")));
+    }
+
+    private static Optional<Path> path(String text) {
+        try {
+            return text == null || text.isBlank() ? Optional.empty() : Optional.of(Path.of(text));
+        } catch (InvalidPathException e) {
+            return Optional.empty();
+        }
+    }
+}

@@ -1,0 +1,115 @@
+package io.github.circles2d.calibration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+
+/**
+ * All that has been measured. Immutable.
+ *
+ * @param entries one for each workload, variant and runner
+ */
+public record Timings(List<Entry> entries) {
+    /** Nothing measured. */
+    public static final Timings NONE = new Timings(List.of());
+
+    /** By so much must a later candidate be faster than an earlier one: less is noise. */
+    private static final double CLEARLY = 1.05;
+
+    /**
+     * One curve.
+     *
+     * @param workload what was timed
+     * @param variant how it was done, where there are several ways; else empty
+     * @param runner what it ran on
+     * @param curve the times
+     */
+    public record Entry(Workload workload, String variant, Runner runner, Curve curve) {
+        private boolean replaces(Entry other) {
+            return workload == other.workload
+                    && variant.equals(other.variant)
+                    && runner.name().equals(other.runner.name());
+        }
+    }
+
+    /**
+     * Copies the list.
+     *
+     * @param entries one for each workload, variant and runner
+     */
+    public Timings {
+        entries = List.copyOf(entries);
+    }
+
+    /**
+     * Finds a curve.
+     *
+     * @param workload what was timed
+     * @param variant how it was done; empty where there is one way
+     * @param runner what it ran on, in that very version
+     * @return the curve, if it was measured
+     */
+    public Optional<Curve> find(Workload workload, String variant, Runner runner) {
+        return entries.stream()
+                .filter(entry ->
+                        entry.workload == workload && entry.variant.equals(variant) && entry.runner.equals(runner))
+                .map(Entry::curve)
+                .findFirst();
+    }
+
+    /**
+     * Adds newer timings. They replace those of the same runners, also of other versions of them.
+     *
+     * @param newer what was measured later
+     * @return both
+     */
+    public Timings and(Timings newer) {
+        List<Entry> all = new ArrayList<>(entries);
+        all.removeIf(old -> newer.entries.stream().anyMatch(entry -> entry.replaces(old)));
+        all.addAll(newer.entries);
+        return new Timings(all);
+    }
+
+    /**
+     * Picks the candidate that takes the least time; of those within 5 % of it, the first.
+     *
+     * @param candidates their curves, the preferred ones first; not empty
+     * @param circles number of circles
+     * @param <T> a candidate
+     * @return one of them
+     */
+    public static <T> T fastest(Map<T, Curve> candidates, int circles) {
+        double least = candidates.values().stream()
+                .mapToDouble(curve -> curve.millis(circles))
+                .min()
+                .orElseThrow();
+        return candidates.entrySet().stream()
+                .filter(candidate -> candidate.getValue().millis(circles) <= CLEARLY * least)
+                .findFirst()
+                .orElseThrow()
+                .getKey();
+    }
+
+    /**
+     * Says what {@link #fastest} decides by.
+     *
+     * @param candidates their curves
+     * @param circles number of circles
+     * @param name how to call a candidate
+     * @param <T> a candidate
+     * @return the times in words
+     */
+    public static <T> String words(Map<T, Curve> candidates, int circles, Function<T, String> name) {
+        return candidates.entrySet().stream()
+                .map(candidate -> String.format(
+                        Locale.ROOT,
+                        "%s %.3g",
+                        name.apply(candidate.getKey()),
+                        candidate.getValue().millis(circles)))
+                .collect(Collectors.joining(", ", "by calibration, ms a frame of " + circles + " circles: ", ""));
+    }
+}

@@ -1,0 +1,125 @@
+package io.github.circles2d.calibration;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AtomicMoveNotSupportedException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.zip.CRC32;
+
+/**
+ * The file that keeps timings: a line for each curve, with tabs between the fields, and a last line with a checksum of all before
+ * it, so that a file that was cut off is known for one. It is replaced as a whole, so a reader sees the old one or the new one.
+ */
+public final class TimingsFile {
+    private static final String FIRST_LINE = "circles2d calibration 1";
+    private static final String COMMENT =
+            "# What Backend.AUTO and PairIndexing.AUTO choose by: ms by number of circles. Delete this file to forget it.";
+    private static final String LAST_LINE = "checksum ";
+    private static final int FIELDS = 5;
+
+    /** A file of this library has some hundred bytes a device. */
+    private static final long MOST_BYTES = 1 << 20;
+
+    private TimingsFile() {}
+
+    /**
+     * Reads a file.
+     *
+     * @param file the file
+     * @return what it holds; nothing where there is no such file
+     * @throws IOException if it cannot be read, or is not what {@link #write} wrote; the message says what is wrong
+     */
+    public static Timings read(Path file) throws IOException {
+        String text;
+        try {
+            if (Files.exists(file) && !Files.isRegularFile(file)) {
+                throw new IOException("it is not a file");
+            }
+            if (Files.size(file) > MOST_BYTES) {
+                throw new IOException("it has " + Files.size(file) + " bytes, more than any calibration");
+            }
+            text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+        } catch (NoSuchFileException e) {
+            return Timings.NONE;
+        }
+        if (!text.startsWith(FIRST_LINE + "\n")) {
+            throw new IOException("it does not begin with '" + FIRST_LINE + "'");
+        }
+        int end = text.lastIndexOf(LAST_LINE);
+        if (end < 0 || !text.substring(end).equals(lastLine(text.substring(0, end)))) {
+            throw new IOException("it is cut off or damaged: its checksum is missing or wrong");
+        }
+        List<Timings.Entry> entries = new ArrayList<>();
+        for (String line : text.substring(FIRST_LINE.length() + 1, end).split("\n")) {
+            if (!line.startsWith("#")) {
+                entries.add(parse(line));
+            }
+        }
+        return new Timings(entries);
+    }
+
+    private static Timings.Entry parse(String line) throws IOException {
+        String[] fields = line.split("\t", -1);
+        if (fields.length != FIELDS) {
+            throw new IOException("a line of it has " + fields.length + " fields, not " + FIELDS);
+        }
+        try {
+            Workload workload = Workload.valueOf(fields[0]);
+            Map<Integer, Double> millis = new TreeMap<>();
+            for (String time : fields[4].split(" ")) {
+                int sign = time.indexOf('=');
+                millis.put(Integer.valueOf(time.substring(0, sign)), Double.valueOf(time.substring(sign + 1)));
+            }
+            return new Timings.Entry(
+                    workload, fields[1], new Runner(fields[2], fields[3]), new Curve(workload, millis));
+        } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+            throw new IOException("a line of it makes no sense: " + e.getMessage(), e);
+        }
+    }
+
+    /**
+     * Writes a file, in place of what it was. Makes the folder where there is none.
+     *
+     * @param file the file
+     * @param timings what it is to hold
+     * @throws IOException if it cannot be written; it is then as it was
+     */
+    public static void write(Path file, Timings timings) throws IOException {
+        StringBuilder text = new StringBuilder(FIRST_LINE + "\n" + COMMENT + "\n");
+        for (Timings.Entry entry : timings.entries()) {
+            text.append(entry.workload()).append('\t').append(entry.variant()).append('\t');
+            text.append(entry.runner().name()).append('\t');
+            text.append(entry.runner().version()).append('\t');
+            List<String> times = new ArrayList<>();
+            entry.curve().measured().forEach((n, millis) -> times.add(n + "=" + millis));
+            text.append(String.join(" ", times)).append('\n');
+        }
+        text.append(lastLine(text.toString()));
+        Path folder = file.toAbsolutePath().getParent();
+        Files.createDirectories(folder);
+        Path whole = Files.createTempFile(folder, "calibration", ".tmp");
+        try {
+            Files.writeString(whole, text);
+            try {
+                Files.move(whole, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+            } catch (AtomicMoveNotSupportedException e) {
+                Files.move(whole, file, StandardCopyOption.REPLACE_EXISTING);
+            }
+        } finally {
+            Files.deleteIfExists(whole);
+        }
+    }
+
+    private static String lastLine(String before) {
+        CRC32 sum = new CRC32();
+        sum.update(before.getBytes(StandardCharsets.UTF_8));
+        return LAST_LINE + Long.toHexString(sum.getValue()) + "\n";
+    }
+}

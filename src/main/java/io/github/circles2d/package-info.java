@@ -1,0 +1,50 @@
+/**
+ * Rigid circles in two dimensions, simulated on the JVM or by OpenCL on CPUs and GPUs: the public face of circles2d.
+ *
+ * <p>Two engines, which have nothing to do with each other:
+ *
+ * <ul>
+ *   <li>{@link io.github.circles2d.World} is <b>the engine for games; start with it.</b> Thousands to a million circles fall,
+ *       bounce, pile up and come to rest, come and go, and replay to the last bit on every back end. It needs no OpenCL.
+ *   <li>{@link io.github.circles2d.Circles2D} is the engine of a thesis on pair indexing, reproduced. It tests every pair of
+ *       circles in every step. Take it to study, to teach and to measure.
+ * </ul>
+ *
+ * <h2>A first world</h2>
+ *
+ * <pre>{@code
+ * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
+ *     long floor = world.add(40, 0, 20, Float.POSITIVE_INFINITY); // x, y, radius, mass: a fixed circle
+ *     long ball = world.add(40, 90, 1, 2);
+ *     for (int frame = 0; frame < 300; frame++) {
+ *         world.step(1 / 60f);
+ *         draw(world.x(ball), world.y(ball), world.radius(ball)); // your own
+ *     }
+ * }
+ * }</pre>
+ *
+ * <p>Lengths and masses are in units of your own, time is in seconds, y points upwards. A handle stays valid until its circle
+ * is removed. Of one circle {@link io.github.circles2d.World#x}, {@link io.github.circles2d.World#vx} and their sisters
+ * tell; whoever draws many takes them all at once:
+ *
+ * <pre>{@code
+ * float[] circles = new float[4 * world.size()];
+ * world.read(circles); // x, y, radius, mass of each
+ * }</pre>
+ *
+ * <h2>Where to go on</h2>
+ *
+ * <ul>
+ *   <li>{@link io.github.circles2d.World.Builder}: walls, gravity, restitution, sub-steps, and what to run on ({@link
+ *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells what was chosen, and why.
+ *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back,
+ *       for replays and roll-back; {@link io.github.circles2d.World#hash} compares two, across machines too.
+ *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
+ *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, where one of several is to be chosen, and the exceptions that tell
+ *       what is missing.
+ * </ul>
+ *
+ * <p>What is out of range is refused with an IllegalArgumentException that names the value and what is allowed, and changes
+ * nothing. Both engines hold memory, threads and devices that {@code close} gives back.
+ */
+package io.github.circles2d;

@@ -1,0 +1,323 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.Runner;
+import io.github.circles2d.calibration.Timings;
+import io.github.circles2d.calibration.TimingsFile;
+import io.github.circles2d.calibration.Workload;
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.TestDevices;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What AUTO takes, given times; and that a calibration takes them. */
+class CalibrationTest {
+    private static final String PROPERTY = "circles2d.calibration";
+    private static final float[] NO_GRAVITY = {0, 0};
+    private static final int THREADS = World.Builder.defaultThreads();
+
+    @TempDir
+    Path folder;
+
+    private Path file;
+    private String before;
+
+    @BeforeEach
+    void useAFileOfItsOwn() {
+        before = System.getProperty(PROPERTY);
+        file = folder.resolve("calibration.txt");
+        System.setProperty(PROPERTY, file.toString());
+    }
+
+    @AfterEach
+    void forget() {
+        Calibration.forget();
+        if (before == null) {
+            System.clearProperty(PROPERTY);
+        } else {
+            System.setProperty(PROPERTY, before);
+        }
+    }
+
+    /** Gives times instead of taking them: the JVM's grow with n, a device's do not, and the row search is the fastest. */
+    private static final class FakeMeter implements Meter {
+        final List<String> calls = new ArrayList<>();
+
+        @Override
+        public double world(Optional<Device> device, int circles) {
+            calls.add((device.isPresent() ? "device " : "JVM ") + circles);
+            return device.isPresent() ? 1 : circles / 1000.0;
+        }
+
+        @Override
+        public double loop(Device device, PairIndexing indexing, int circles) {
+            calls.add(indexing + " " + circles);
+            return indexing == PairIndexing.ROW_SEARCH ? 1 : 2;
+        }
+    }
+
+    private static Calibration calibrate(Meter meter) {
+        return Calibration.run(TestDevices.all(), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
+    }
+
+    private static WorldStats statsOf(World.Builder builder) {
+        try (World world = builder.build()) {
+            return world.stats();
+        }
+    }
+
+    private static Circles2D engine(Device device, int circles) throws IOException {
+        Circles2D engine = new Circles2D(device);
+        for (int i = 0; i < circles; i++) {
+            engine.addCircle((i + 0.5f) / circles, 0.5f, 0.2f / circles, 1);
+        }
+        engine.init(1 / 60f, PairIndexing.AUTO, 0.5f, NO_GRAVITY);
+        return engine;
+    }
+
+    @Test
+    void aWorldRunsOnWhatWasMeasuredToBeTheFastestForItsCapacityAndSaysSo() {
+        Device device = TestDevices.all().get(0);
+        Calibration calibration = calibrate(new FakeMeter());
+        assertThat(calibration.file()).contains(file);
+        assertThat(calibration.toString()).contains(device.name(), "JVM", "ROW_SEARCH");
+
+        WorldStats few = statsOf(World.builder().capacity(500));
+        assertThat(few.backend()).isEqualTo(Backend.JVM);
+        assertThat(few.reason()).contains("by calibration", "500 circles", "JVM 0.5");
+        WorldStats many = statsOf(World.builder().capacity(5_000));
+        assertThat(many.backend())
+                .isEqualTo(device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU);
+        assertThat(many.device()).isEqualTo(device.toString());
+        assertThat(many.reason()).contains("by calibration", "5000 circles", "JVM 5.", device.name() + " 1.0");
+    }
+
+    @Test
+    void theStateAfterAStepIsTheSameWhateverWasMeasured() {
+        long[] hashes = new long[2];
+        for (int k = 0; k < 2; k++) {
+            if (k == 1) {
+                calibrate(new FakeMeter());
+            }
+            try (World world = World.builder().capacity(2_000).gravity(0, -1).build()) {
+                for (int i = 0; i < 400; i++) {
+                    world.add((i % 20 + 0.5f) / 20, (i / 20 + 0.5f) / 20, 0.026f, 1 + i % 3);
+                }
+                world.step(1 / 60f, 10);
+                hashes[k] = world.hash();
+                assertThat(world.stats().backend() == Backend.JVM).isEqualTo(k == 0);
+            }
+        }
+        assertThat(hashes[1]).isEqualTo(hashes[0]);
+    }
+
+    @Test
+    void whereTheThreadsTheVersionOrTheFileAreOthersTheRuleHoldsAndSaysWhy() throws IOException {
+        assertThat(statsOf(World.builder()).reason()).contains("2048", "not calibrated");
+        calibrate(new FakeMeter());
+        assertThat(statsOf(World.builder()).reason()).contains("by calibration");
+        assertThat(statsOf(World.builder().threads(THREADS + 1)).reason())
+                .contains("2048", "not of this Java virtual machine");
+
+        Timings other = new Timings(TimingsFile.read(file).entries().stream()
+                .map(entry -> new Timings.Entry(
+                        entry.workload(),
+                        entry.variant(),
+                        new Runner(
+                                entry.runner().name(),
+                                "an older " + entry.runner().version()),
+                        entry.curve()))
+                .toList());
+        TimingsFile.write(file, other);
+        assertThat(statsOf(World.builder()).reason()).contains("2048", "not of this Java virtual machine");
+        try (Circles2D engine = engine(TestDevices.all().get(0), 20)) {
+            assertThat(engine.indexing()).isNotEqualTo(PairIndexing.ROW_SEARCH);
+        }
+
+        calibrate(new FakeMeter());
+        Calibration.forget();
+        assertThat(file).doesNotExist();
+        assertThat(statsOf(World.builder()).reason()).contains("2048", "not calibrated");
+    }
+
+    @Test
+    void aDamagedFileIsNeitherUsedNorAnErrorAndTheNextCalibrationReplacesIt() throws IOException {
+        calibrate(new FakeMeter());
+        byte[] whole = Files.readAllBytes(file);
+        Files.write(file, java.util.Arrays.copyOf(whole, whole.length / 2));
+        assertThat(statsOf(World.builder()).reason()).contains("not calibrated");
+        calibrate(new FakeMeter());
+        assertThat(Files.readAllBytes(file)).isEqualTo(whole);
+    }
+
+    @Test
+    void whatCannotBeSavedHoldsForThisProcess() throws IOException {
+        Path blocked = Files.writeString(folder.resolve("a file"), "in the way").resolve("calibration.txt");
+        for (String place : new String[] {blocked.toString(), "off"}) {
+            System.setProperty(PROPERTY, place);
+            assertThat(calibrate(new FakeMeter()).file()).isEmpty();
+            assertThat(statsOf(World.builder()).reason()).contains("by calibration");
+            Calibration.forget();
+            assertThat(statsOf(World.builder()).reason()).contains("not calibrated");
+        }
+        assertThat(folder.resolve("a file")).hasContent("in the way");
+    }
+
+    @Test
+    void theSizesAreThoseOfTheContractAndALargeOneIsLeftOutWhereItWouldTakeLong() {
+        FakeMeter meter = new FakeMeter();
+        Calibration.run(List.of(), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
+        // 100,000 circles would take 100 ms a frame, 8 s in all.
+        assertThat(meter.calls).containsExactly("JVM 250", "JVM 1000", "JVM 10000");
+        meter.calls.clear();
+        Device device = TestDevices.all().get(0);
+        Calibration.run(List.of(device, device), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
+        List<String> expected = new ArrayList<>(List.of("JVM 250", "JVM 1000", "JVM 10000"));
+        if (device.correctlyRounded()) {
+            expected.addAll(List.of("device 250", "device 1000", "device 10000", "device 100000"));
+        }
+        for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
+            expected.addAll(List.of(indexing + " 1000", indexing + " 8000"));
+        }
+        assertThat(meter.calls).isEqualTo(expected).doesNotContain("COMPUTED 1000");
+    }
+
+    @Test
+    void aDeviceThatFailsOrIsTooSmallForASizeSpoilsNothingElse() {
+        List<Device> devices = TestDevices.all();
+        Calibration failed = calibrate(new Meter() {
+            @Override
+            public double world(Optional<Device> device, int circles) {
+                return 1;
+            }
+
+            @Override
+            public double loop(Device device, PairIndexing indexing, int circles) {
+                throw new OpenClException("the driver refuses");
+            }
+        });
+        assertThat(failed.toString())
+                .contains("JVM")
+                .doesNotContain(devices.get(0).name());
+        Calibration small = calibrate(new Meter() {
+            @Override
+            public double world(Optional<Device> device, int circles) {
+                return 1;
+            }
+
+            @Override
+            public double loop(Device device, PairIndexing indexing, int circles) {
+                if (circles > 1000) {
+                    throw new DeviceMemoryException("too large", 2, 1);
+                }
+                return 1;
+            }
+        });
+        assertThat(small.toString()).contains(devices.get(0).name(), "1,000: ").doesNotContain("8,000: ");
+    }
+
+    @Test
+    void circles2DTakesTheIndexingThatWasMeasuredToBeTheFastestAndNeverTheOneThatMayBeWrong() throws IOException {
+        calibrate(new FakeMeter());
+        for (Device device : TestDevices.all()) {
+            // Not even where a file says that it is.
+            Timings computed = new Timings(List.of(new Timings.Entry(
+                    Workload.CIRCLES2D,
+                    "COMPUTED",
+                    Runners.circles2d(device, PairIndexing.COMPUTED),
+                    new Curve(Workload.CIRCLES2D, Map.of(1000, 0.001)))));
+            TimingsFile.write(file, TimingsFile.read(file).and(computed));
+            try (Circles2D engine = engine(device, 2_100)) {
+                assertThat(engine.indexing()).isEqualTo(PairIndexing.ROW_SEARCH);
+                assertThat(engine.wrongSlots()).isZero();
+                assertThat(engine.loop()[0]).hasSize(2_100);
+            }
+        }
+    }
+
+    @Test
+    void anIndexingThatDoesNotFitIsNotTakenHoweverFastItIs() {
+        Curve fast = new Curve(Workload.CIRCLES2D, Map.of(1000, 1.0));
+        Curve slow = new Curve(Workload.CIRCLES2D, Map.of(1000, 2.0));
+        Map<PairIndexing, Curve> measured =
+                Map.of(PairIndexing.LOOKUP_TABLE, fast, PairIndexing.EXACT, slow, PairIndexing.ROW_SEARCH, slow);
+        for (Device.Kind kind : Device.Kind.values()) {
+            assertThat(IndexingChoice.of(measured, kind, 1000, indexing -> true).indexing())
+                    .isEqualTo(PairIndexing.LOOKUP_TABLE);
+            for (Map<PairIndexing, Curve> known : List.of(measured, Map.<PairIndexing, Curve>of())) {
+                IndexingChoice choice =
+                        IndexingChoice.of(known, kind, 1000, indexing -> indexing != PairIndexing.LOOKUP_TABLE);
+                assertThat(choice.indexing()).isEqualTo(PairIndexing.EXACT);
+                assertThat(IndexingChoice.of(known, kind, 1000, indexing -> false)
+                                .indexing())
+                        .as("the one whose refusal says how many circles would fit")
+                        .isEqualTo(PairIndexing.EXACT);
+            }
+        }
+    }
+
+    @Test
+    void aRealCalibrationTimesEveryDeviceAndIsFollowed() throws IOException {
+        List<Device> devices = TestDevices.all();
+        Calibration.run(devices, new FrameMeter(), List.of(100, 400), List.of(100, 300));
+        Timings timings = Calibration.timings();
+        Curve jvm = timings.find(Workload.WORLD, "", Runners.jvm(THREADS)).orElseThrow();
+        assertThat(jvm.measured().keySet()).containsExactly(100, 400);
+        for (Device device : devices) {
+            if (device.correctlyRounded()) {
+                assertThat(timings.find(Workload.WORLD, "", Runners.world(device)))
+                        .isPresent();
+            }
+            for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
+                Curve loops = timings.find(Workload.CIRCLES2D, indexing.name(), Runners.circles2d(device, indexing))
+                        .orElseThrow();
+                assertThat(loops.measured().keySet()).containsExactly(100, 300);
+            }
+        }
+        WorldStats stats = statsOf(World.builder().capacity(400));
+        assertThat(stats.reason()).contains("by calibration", "400 circles");
+        try (Circles2D engine = engine(devices.get(0), 100)) {
+            assertThat(engine.indexing()).isIn(IndexingChoice.CANDIDATES);
+        }
+    }
+
+    /** Makes the same choices twice. */
+    static final class TwiceTheSame {
+        public static void main(String[] args) throws IOException {
+            for (int k = 0; k < 2; k++) {
+                World.builder().build().close();
+                World.builder().capacity(k).build().close();
+                engine(TestDevices.all().get(0), 3).close();
+            }
+        }
+    }
+
+    @Test
+    void aChoiceAndABadFileAreLoggedOnceWithTheReason() throws IOException {
+        TestDevices.all();
+        Files.writeString(file, "something else");
+        String log = new ForkedJvm()
+                .option("-D" + PROPERTY + "=" + file)
+                .run(TwiceTheSame.class)
+                .output();
+        assertThat(log).containsOnlyOnce("World on JVM").contains("no GPU is looked for below a capacity of 2048");
+        assertThat(log).containsOnlyOnce("Circles2D with pair indexing ").contains("not calibrated");
+        assertThat(log).containsOnlyOnce("is not used: it does not begin with");
+        assertThat(Pattern.compile("WARNING").matcher(log).results().count()).isEqualTo(1);
+    }
+}

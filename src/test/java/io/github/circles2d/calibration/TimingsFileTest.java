@@ -1,0 +1,101 @@
+package io.github.circles2d.calibration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class TimingsFileTest {
+    private static final Runner DEVICE = new Runner("a device\twith\na strange name ", "driver 1, kernels 0123");
+    private static final Timings SOME = new Timings(List.of(
+            entry(Workload.WORLD, "", new Runner("JVM", "17"), Map.of(250, 0.125, 1_000, 1 / 3.0)),
+            entry(Workload.CIRCLES2D, "EXACT", DEVICE, Map.of(1_000, 1e-9, 8_000, 12_345.678))));
+
+    @TempDir
+    Path folder;
+
+    private static Timings.Entry entry(Workload workload, String variant, Runner runner, Map<Integer, Double> millis) {
+        return new Timings.Entry(workload, variant, runner, new Curve(workload, millis));
+    }
+
+    @Test
+    void whatIsWrittenIsReadAgainToTheBitAndNothingElseIsLeftInTheFolder() throws IOException {
+        Path file = folder.resolve("new/folders/calibration.txt");
+        TimingsFile.write(file, Timings.NONE);
+        assertThat(TimingsFile.read(file)).isEqualTo(Timings.NONE);
+        TimingsFile.write(file, SOME);
+        Timings read = TimingsFile.read(file);
+        assertThat(read.entries()).hasSize(2);
+        for (int k = 0; k < 2; k++) {
+            Timings.Entry expected = SOME.entries().get(k);
+            Timings.Entry actual = read.entries().get(k);
+            assertThat(actual.workload()).isEqualTo(expected.workload());
+            assertThat(actual.variant()).isEqualTo(expected.variant());
+            assertThat(actual.runner()).isEqualTo(expected.runner());
+            assertThat(actual.curve().measured()).isEqualTo(expected.curve().measured());
+        }
+        try (Stream<Path> files = Files.list(file.getParent())) {
+            assertThat(files).containsExactly(file);
+        }
+    }
+
+    @Test
+    void aMissingFileHoldsNothing() throws IOException {
+        assertThat(TimingsFile.read(folder.resolve("none/there"))).isEqualTo(Timings.NONE);
+    }
+
+    @Test
+    void aFileCutOffAnywhereOrWithAnyByteChangedIsKnownForOne() throws IOException {
+        Path file = folder.resolve("file");
+        TimingsFile.write(file, SOME);
+        byte[] whole = Files.readAllBytes(file);
+        for (int length = 0; length < whole.length; length++) {
+            Files.write(file, Arrays.copyOf(whole, length));
+            assertThatThrownBy(() -> TimingsFile.read(file)).isInstanceOf(IOException.class);
+        }
+        for (int k = 0; k < whole.length; k++) {
+            byte[] changed = whole.clone();
+            changed[k] ^= 1;
+            Files.write(file, changed);
+            assertThatThrownBy(() -> TimingsFile.read(file)).isInstanceOf(IOException.class);
+        }
+    }
+
+    @Test
+    void aFileOfAnotherKindOrSizeIsRefusedWithTheReason() throws IOException {
+        Path file = folder.resolve("file");
+        Files.writeString(file, "#!/bin/sh\n");
+        assertThatThrownBy(() -> TimingsFile.read(file)).hasMessageContaining("does not begin with");
+        Files.write(file, new byte[2 << 20]);
+        assertThatThrownBy(() -> TimingsFile.read(file)).hasMessageContaining("2097152 bytes");
+        assertThatThrownBy(() -> TimingsFile.read(folder)).hasMessageContaining("not a file");
+    }
+
+    @Test
+    void whereItCannotBeWrittenTheOldFileStaysAsItWas() throws IOException {
+        Path file = folder.resolve("file");
+        TimingsFile.write(file, SOME);
+        assertThatThrownBy(() -> TimingsFile.write(file.resolve("below a file"), Timings.NONE))
+                .isInstanceOf(IOException.class);
+        assertThat(TimingsFile.read(file).entries()).hasSize(2);
+    }
+
+    @Test
+    void newerTimingsReplaceThoseOfTheSameRunnerInAnyVersionAndNoOthers() {
+        Runner newer = new Runner(DEVICE.name(), "driver 2");
+        Timings both = SOME.and(new Timings(List.of(entry(Workload.CIRCLES2D, "EXACT", newer, Map.of(1_000, 2.0)))));
+        assertThat(both.entries()).hasSize(2);
+        assertThat(both.find(Workload.CIRCLES2D, "EXACT", newer)).isPresent();
+        assertThat(both.find(Workload.CIRCLES2D, "EXACT", DEVICE)).isEmpty();
+        assertThat(both.find(Workload.CIRCLES2D, "ROW_SEARCH", newer)).isEmpty();
+        assertThat(both.find(Workload.WORLD, "", new Runner("JVM", "17"))).isPresent();
+    }
+}
