@@ -24,7 +24,7 @@ void linkContact(const World *w, int listed) {
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
         if (w->k.thinning) {
-            refuseTile(w, NO_TILE);
+            atomic_max(&w->status[TILE_PEAK], NO_TILE); // whoever comes to arrange tiles refuses the step
         } else {
             w->status[CROWDED] = 1;
         }

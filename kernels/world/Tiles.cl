@@ -18,7 +18,7 @@
 
 // From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
-#define TILE_CELLS 700
+#define TILE_CELLS 400
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
@@ -415,7 +415,10 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
     local Arrangement arrangement;
     local int no;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
-    if (get_local_id(0) == 0) no = refusedMeanwhile(&w);
+    if (get_local_id(0) == 0) {
+        if (atomic_max(&status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE);
+        no = refusedMeanwhile(&w);
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     arrangeTile(&w, &arrangement, (int) get_group_id(0), no);
 }

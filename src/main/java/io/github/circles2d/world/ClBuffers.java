@@ -147,8 +147,7 @@ final class ClBuffers {
         SHARE,
         NEAR
     };
-    private static final int[] BY_SLOT_TILED = {
-        DRIVE, BURDEN, START_DISPLACEMENT, PUSHED_VELOCITY, PUSHED_DISPLACEMENT
+    private static final int[] BY_SLOT_TILED = {DRIVE, BURDEN, START_DISPLACEMENT, PUSHED_VELOCITY, PUSHED_DISPLACEMENT
     };
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD};
@@ -281,9 +280,9 @@ final class ClBuffers {
     /** Makes room for records of tiles; they do not outlive a step. */
     void ensureTiles(int tiles) {
         if (tiles > tileRoom) {
-            int room = grown(tileRoom, tiles);
-            grow(room, 0, NO_BUFFERS, BY_TILE);
-            tileRoom = room;
+            // No more than needed: there are few numbers of tiles, and each takes much.
+            grow(tiles, 0, NO_BUFFERS, BY_TILE);
+            tileRoom = tiles;
         }
     }
 

@@ -9,14 +9,14 @@ import java.util.Locale;
  * barrier over resident work-groups one or two; a large world has other costs, and is better off with launches.
  */
 final class ClResident {
-    /** Worlds of more circles use a launch a pass. */
-    private static final int MOST_CIRCLES = Integer.getInteger("resident.most", 80_000);
+    /** Worlds of more circles use a launch a pass: a work-group would have several tiles. */
+    private static final int MOST_CIRCLES = 32_767;
 
     /** Work-items of a work-group. */
-    static final int GROUP = Integer.getInteger("resident.group", 256);
+    static final int GROUP = 256;
 
     /** Work-groups that surely run at once on a compute unit: one fits, or the kernel would not start. */
-    private static final int GROUPS_A_UNIT = Integer.getInteger("resident.unit", 1);
+    private static final int GROUPS_A_UNIT = 1;
 
     private final Kernel steps;
     private final int mostGroups;

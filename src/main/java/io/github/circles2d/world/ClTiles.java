@@ -10,16 +10,16 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = Integer.getInteger("tile.circles", 1280);
+    static final int CIRCLES = 1280;
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = Integer.getInteger("tile.contacts", 4096);
+    static final int CONTACTS = 4096;
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
 
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
-    static final int GROUP = Integer.getInteger("tile.group", 128);
+    static final int GROUP = 128;
 
     /** Parts of rounds that there is room for. */
     static final int PARTS = ROUNDS + CONTACTS / GROUP;
@@ -35,6 +35,9 @@ final class ClTiles {
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
+
+    /** The largest buffer that tiles may ask for: what lies beyond has not been seen to work. */
+    private static final long MOST_BYTES = 1L << 32;
 
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
@@ -84,7 +87,7 @@ final class ClTiles {
      * Chooses the size of a tile for the next steps.
      *
      * @param atOnce how many work-groups run at once, where each had better have one tile; 0 where they come and go
-     * @return false where no tile would do
+     * @return false where no tile would do, or there is no room for so many
      */
     boolean choose(Levels levels, ClParameters parameters, int atOnce) {
         if (levels.usedCount != 1 || largestSize == SIZES.length) {
@@ -96,8 +99,12 @@ final class ClTiles {
         while (size < SMALLEST && enough(tiles(size, columns, rows), tiles(size + 1, columns, rows), atOnce)) {
             size++;
         }
+        int needed = tiles(size, columns, rows);
+        if (16L * CONTACTS * needed > Math.min(MOST_BYTES, device.maxBufferBytes())) {
+            return false;
+        }
+        tiles = needed;
         parameters.setTile(Math.min(SIZES[size][0], columns), Math.min(SIZES[size][1], rows));
-        tiles = tiles(size, columns, rows);
         buffers.ensureTiles(tiles);
         return true;
     }
