@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 
@@ -91,15 +92,12 @@ class CalibrationFiguresTest {
         return new Curve(workload, taken);
     }
 
+    /** The sizes at which every candidate was measured: what was left out cannot be compared. */
     private static List<Integer> sizesToCompare(Map<String, NavigableMap<Integer, Double>> candidates) {
-        return candidates.values().stream()
-                .flatMap(figures -> figures.keySet().stream())
-                .collect(Collectors.groupingBy(n -> n, TreeMap::new, Collectors.counting()))
-                .entrySet()
-                .stream()
-                .filter(size -> size.getValue() > 1)
-                .map(Map.Entry::getKey)
-                .toList();
+        TreeSet<Integer> sizes = new TreeSet<>();
+        candidates.values().forEach(figures -> sizes.addAll(figures.keySet()));
+        candidates.values().forEach(figures -> sizes.retainAll(figures.keySet()));
+        return List.copyOf(sizes);
     }
 
     private static void requireNearBest(

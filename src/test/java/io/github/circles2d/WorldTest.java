@@ -376,7 +376,7 @@ class WorldTest {
             CountDownLatch started = new CountDownLatch(1);
             Thread stepping = new Thread(() -> {
                 started.countDown();
-                world.step(scene.timeStep(), 300);
+                stepAsSoonAsNobodyIsInside(world, scene.timeStep(), 300);
             });
             stepping.start();
             started.await();
@@ -393,6 +393,18 @@ class WorldTest {
             stepping.join();
             assertThat(refusals).isPositive();
             assertThat(world.size()).isEqualTo(5000); // and it is usable again, from any thread
+        }
+    }
+
+    /** A thread that only asks for the size is inside, too, for a moment. */
+    private static void stepAsSoonAsNobodyIsInside(World world, float timeStep, int steps) {
+        for (; ; ) {
+            try {
+                world.step(timeStep, steps);
+                return;
+            } catch (ConcurrentModificationException e) {
+                Thread.onSpinWait();
+            }
         }
     }
 

@@ -21,6 +21,16 @@ final class Branchless {
         return -Float.floatToRawIntBits(a) >> 31;
     }
 
+    /** All bits set where a is neither 0 nor -0, else none. */
+    static int isNotZero(float a) {
+        return -(Float.floatToRawIntBits(a) & ~SIGN) >> 31;
+    }
+
+    /** All bits set where a is less than 0, else none; all bits for -0; a must not be NaN. */
+    static int isNegative(float a) {
+        return Float.floatToRawIntBits(a) >> 31;
+    }
+
     /** a where the mask has all bits set, b where it has none. */
     static float choose(int mask, float a, float b) {
         int other = Float.floatToRawIntBits(b);

@@ -1,16 +1,16 @@
 package io.github.circles2d.world;
 
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
-import java.util.Arrays;
-
 /**
- * Stage Contacts: lists the pairs of circles that may meet within the step, and puts them in the one order that every sum
- * follows: by level of the larger circle, colour, group, lower id, higher id.
+ * Stage Contacts: lists the pairs of circles that may meet within the step, so that every sum can follow one order: by level of
+ * the larger circle, colour, group, lower id, higher id.
  *
  * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
  * contact's level. It touches circles of the 2 x 2 cells from there on, so groups whose columns and rows have the same
  * parities share no circle: such a colour can be solved in parallel, a group at a time, with no further colouring.
+ *
+ * <p>In memory, contacts lie in rows of groups, as the circles that they touch lie in rows of cells: within a row first the
+ * groups of even columns, then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd
+ * rows 2 and 3.
  */
 final class JvmContacts {
     /** Floats a contact. */
@@ -55,12 +55,6 @@ final class JvmContacts {
     /** Square of the bounce threshold. */
     static final int THRESHOLD = 13;
 
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-    private static final int SHORT = 48;
-
-    /** Groups whose contacts are laid out together. */
-    static final int TOGETHER = 16;
-
     /** Pairs a circle for which a list has room, before it is given up. */
     private static final int ROOM_PER_CIRCLE = 24;
 
@@ -74,7 +68,12 @@ final class JvmContacts {
     private final Levels levels;
     private final Team team;
     private final JvmMemory memory;
-    private final JvmSums sums;
+    private final JvmCandidates candidates;
+    private final JvmPairs pairs;
+    private final JvmMixedPairs mixedPairs;
+
+    /** The rows whose contacts each worker lists. */
+    private final JvmBands bands;
 
     /** By worker: the pairs that it has found. */
     private final FoundPairs[] found;
@@ -85,11 +84,8 @@ final class JvmContacts {
     /** Number of circles when they were listed. */
     private int circles;
 
-    /** By group: its first contact; one more element for the end. */
-    int[] start = new int[1];
-
-    /** By slot: number of pairs with circles of its own level and of coarser ones. */
-    private int[] candidates = new int[0];
+    /** By row of groups, of all levels: its first contact; one more element for the end. */
+    int[] rowStart = new int[1];
 
     /** By contact: slot of the circle of lower id times 4, slot of the other times 4. */
     int[] pair = new int[0];
@@ -97,19 +93,16 @@ final class JvmContacts {
     /** By contact: {@link #STRIDE} floats. */
     float[] contact = new float[0];
 
-    /** By contact, while the list is built: ids, lower above higher. */
-    private long[] key = new long[0];
-
-    /** By contact, while the list is built: slots, in the same order as the ids. */
-    private long[] slots = new long[0];
-
     JvmContacts(JvmState state, JvmGrid grid, Levels levels, Team team) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.team = team;
         memory = new JvmMemory(state);
-        sums = new JvmSums(team);
+        candidates = new JvmCandidates(state, grid, levels);
+        pairs = new JvmPairs(state, grid, levels, candidates);
+        mixedPairs = new JvmMixedPairs(state, grid, levels, candidates, team);
+        bands = new JvmBands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
             found[worker] = new FoundPairs();
@@ -117,129 +110,19 @@ final class JvmContacts {
     }
 
     void ensure() {
-        if (candidates.length < state.capacity()) {
-            candidates = new int[state.capacity()];
+        candidates.ensure();
+        mixedPairs.ensure();
+        if (rowStart.length <= levels.rows) {
+            rowStart = new int[levels.rows + 1 + (levels.rows >> 2)];
         }
-        if (start.length <= levels.buckets()) {
-            start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
-        }
-    }
-
-    /**
-     * Lists the contacts and puts them in order. Where circles crowd, so that a list of all pairs would take too much memory,
-     * it stops half-way: {@link #overflowed} then says so.
-     *
-     * @param thinned whether to keep only a share of the pairs of a crowd, whose candidates have been counted before
-     */
-    void list(int worker, boolean thinned) {
-        int groups = levels.buckets();
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
-        FoundPairs f = found[worker];
-        Arrays.fill(start, team.part(groups, worker), team.part(groups, worker + 1), 0);
-        if (!thinned) {
-            Arrays.fill(candidates, from, to, 0);
-        }
-        team.sync(worker);
-        f.reset(thinned, thinned ? Integer.MAX_VALUE : LEAST_ROOM + ROOM_PER_CIRCLE * (to - from));
-        find(f, from, to);
-        team.sync(worker);
-        if (overflowed()) {
-            return;
-        }
-        if (worker == 0) {
-            long sum = 0;
-            for (int w = 0; w < team.size(); w++) {
-                sum += found[w].count;
-            }
-            ensureContacts(sum);
-            count = (int) sum;
-            circles = state.n;
-        }
-        sums.sumUp(worker, start, groups);
-        scatter(found[worker]);
-        team.sync(worker);
-    }
-
-    /** Whether the list was given up because there are too many pairs. */
-    boolean overflowed() {
-        for (int w = 0; w < team.size(); w++) {
-            if (found[w].count > found[w].room) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Counts the candidates of each circle, without a list: every circle looks at all cells around it. */
-    void countCandidates(int worker) {
-        int to = team.part(state.n, worker + 1);
-        for (int slot = team.part(state.n, worker); slot < to; slot++) {
-            int level = grid.level[slot];
-            int sum = 0;
-            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
-                sum += countInLevel(slot, levels.used[k]);
-            }
-            candidates[slot] = sum;
-        }
-        team.sync(worker);
-    }
-
-    private int countInLevel(int slot, int level) {
-        int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[4 * slot], level);
-        int row = grid.row(state.circle[4 * slot + 1], level);
-        int w = levels.columnsLog[level];
-        int mask = (1 << w) - 1;
-        int rowMask = (1 << levels.rowsLog[level]) - 1;
-        int sum = 0;
-        for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.first[level] + (((row + v) & rowMask) << w);
-            for (int u = -1; u <= 1; u++) {
-                int b = rowStart + ((column + u) & mask);
-                sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
-            }
-        }
-        return sum;
-    }
-
-    private int countIn(int slot, int from, int to) {
-        float[] circle = state.circle;
-        float[] reach = grid.reach;
-        float x = circle[4 * slot];
-        float y = circle[4 * slot + 1];
-        float own = reach[slot];
-        boolean fixed = state.traits[4 * slot] == 0f;
-        int sum = 0;
-        for (int other = from; other < to; other++) {
-            float dx = circle[4 * other] - x;
-            float dy = circle[4 * other + 1] - y;
-            float limit = own + reach[other];
-            if (dx * dx + dy * dy < limit * limit && other != slot && !(fixed && state.traits[4 * other] == 0f)) {
-                sum++;
-            }
-        }
-        return sum;
-    }
-
-    /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all groups are filled. */
-    boolean crowded() {
-        for (int w = 0; w < team.size(); w++) {
-            if (found[w].most > Tuning.CROWD) {
-                return true;
-            }
-        }
-        return false;
     }
 
     private void ensureContacts(long contacts) {
         if (contacts > MOST_CONTACTS) {
             throw new IllegalStateException(contacts + " contacts are more than the JVM back end can hold");
         }
-        if (contacts > key.length) {
+        if (2 * contacts > pair.length) {
             int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
-            key = new long[c];
-            slots = new long[c];
             pair = new int[2 * c];
             contact = new float[STRIDE * c];
             memory.ensure(c);
@@ -249,212 +132,137 @@ final class JvmContacts {
     // ---- finding
     // -----------------------------------------------------------------------------------------------------
 
-    private void find(FoundPairs f, int from, int to) {
-        for (int slot = from; slot < to && f.count <= f.room; slot++) {
-            int level = grid.level[slot];
-            findInOwnLevel(f, slot, level);
-            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
-                findInCoarserLevel(f, slot, levels.used[k]);
-            }
-        }
+    /**
+     * Finds the pairs and makes room for their contacts. Where circles crowd, so that a list of all pairs would take too much
+     * memory, it stops half-way: {@link #overflowed} then says so.
+     */
+    void find(int worker) {
+        candidates.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        find(worker, false);
     }
 
-    /** Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above. */
-    private void findInOwnLevel(FoundPairs f, int slot, int level) {
-        int[] bucketStart = grid.start;
-        int w = levels.columnsLog[level];
-        int mask = (1 << w) - 1;
-        int bucket = grid.bucketOf[slot] - levels.first[level];
-        int column = bucket & mask;
-        int row = bucket >> w;
-        int rowStart = levels.first[level] + (row << w);
-        int aboveRow = (row + 1) & ((1 << levels.rowsLog[level]) - 1);
-        int aboveStart = levels.first[level] + (aboveRow << w);
-        if (column > 0 && column < mask) {
-            scan(f, slot, level, column, row, slot + 1, bucketStart[rowStart + column + 2]);
-            scan(
-                    f,
-                    slot,
-                    level,
-                    column,
-                    row,
-                    bucketStart[aboveStart + column - 1],
-                    bucketStart[aboveStart + column + 2]);
-        } else {
-            int next = (column + 1) & mask;
-            scan(f, slot, level, column, row, slot + 1, bucketStart[rowStart + column + 1]);
-            scan(f, slot, level, column, row, bucketStart[rowStart + next], bucketStart[rowStart + next + 1]);
-            for (int d = -1; d <= 1; d++) {
-                int b = aboveStart + ((column + d) & mask);
-                scan(f, slot, level, column, row, bucketStart[b], bucketStart[b + 1]);
-            }
+    /** Finds the pairs again, but only a share of those in a crowd. */
+    void findShare(int worker) {
+        if (overflowed()) {
+            candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
+        team.sync(worker);
+        if (worker == 0) {
+            candidates.thinOut();
+        }
+        find(worker, true);
     }
 
-    private void findInCoarserLevel(FoundPairs f, int slot, int level) {
-        int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[4 * slot], level);
-        int row = grid.row(state.circle[4 * slot + 1], level);
-        int w = levels.columnsLog[level];
-        int mask = (1 << w) - 1;
-        int rowMask = (1 << levels.rowsLog[level]) - 1;
-        for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.first[level] + (((row + v) & rowMask) << w);
-            if (column > 0 && column < mask) {
-                scan(
-                        f,
-                        slot,
-                        level,
-                        column,
-                        row,
-                        bucketStart[rowStart + column - 1],
-                        bucketStart[rowStart + column + 2]);
-            } else {
-                for (int u = -1; u <= 1; u++) {
-                    int b = rowStart + ((column + u) & mask);
-                    scan(f, slot, level, column, row, bucketStart[b], bucketStart[b + 1]);
+    private void find(int worker, boolean all) {
+        if (worker == 0) {
+            bands.divide(null, 0);
+        }
+        team.sync(worker);
+        mixedPairs.find(
+                worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
+        FoundPairs f = found[worker];
+        f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
+        for (int l = 0; l < levels.usedCount && !mixedPairs.overflowed(); l++) {
+            findInBand(worker, levels.used[l]);
+            f.ofLevel[l + 1] = f.count;
+        }
+        team.sync(worker);
+        if (worker == 0 && !overflowed()) {
+            layOut();
+        }
+        team.sync(worker);
+    }
+
+    private static int room(int circles) {
+        return (int) Math.min(Integer.MAX_VALUE, LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles);
+    }
+
+    private void findInBand(int worker, int level) {
+        FoundPairs f = found[worker];
+        int columns = 1 << levels.columnsLog[level];
+        int end = bands.first(level, worker + 1);
+        for (int row = bands.first(level, worker); row < end && !f.overflowed; row++) {
+            rowStart[levels.firstRow[level] + row] = f.count;
+            for (int odd = 0; odd < 2; odd++) {
+                for (int column = odd; column < columns; column += 2) {
+                    pairs.find(f, level, column, row);
+                    if (levels.usedCount > 1) {
+                        mixedPairs.gather(f, levels.rowStart(level, row) + column);
+                    }
+                    f.endGroup();
                 }
+                f.flush();
             }
         }
     }
 
-    /** Tests one circle, which lies in cell (column, row) of a level, against slots [from, to) of that level. */
-    private void scan(FoundPairs f, int slot, int level, int column, int row, int from, int to) {
-        float[] circle = state.circle;
-        float[] reach = grid.reach;
-        float x = circle[4 * slot];
-        float y = circle[4 * slot + 1];
-        float own = reach[slot];
-        f.tested += Math.max(0, to - from);
-        int[] hits = f.hits;
-        for (int start = from; start < to; start += hits.length) {
-            int end = Math.min(to, start + hits.length);
-            int count = 0;
-            for (int other = start; other < end; other++) {
-                float dx = circle[4 * other] - x;
-                float dy = circle[4 * other + 1] - y;
-                float limit = own + reach[other];
-                hits[count] = other;
-                // one more where the difference is negative; no branch, which would be taken as if by chance
-                count -= Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) >> 31;
-            }
-            for (int k = 0; k < count; k++) {
-                add(f, slot, hits[k], level, column, row);
-            }
+    /** Whether the list was given up because there are too many pairs. */
+    boolean overflowed() {
+        boolean some = mixedPairs.overflowed();
+        for (int w = 0; w < team.size(); w++) {
+            some |= found[w].overflowed;
         }
+        return some;
     }
 
-    private void add(FoundPairs f, int slot, int other, int level, int column, int row) {
-        if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
-            return;
-        }
-        f.count++;
-        if (f.count > f.room) {
-            return;
-        }
-        boolean lower = state.id[slot] < state.id[other];
-        if (f.thinned) {
-            int hash = CircleMath.pairHash(state.id[lower ? slot : other], state.id[lower ? other : slot]);
-            if (!CircleMath.keeps(hash, Math.min(candidates[slot], candidates[other]))) {
-                f.count--;
-                return;
+    /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all contacts are filled. */
+    boolean crowded() {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].most > Tuning.CROWD) {
+                return true;
             }
         }
-        int w = levels.columnsLog[level];
-        int bucket = grid.bucketOf[other] - levels.first[level];
-        int ox = CircleMath.ringFirst(column, bucket & ((1 << w) - 1), (1 << w) - 1);
-        int oy = CircleMath.ringFirst(row, bucket >> w, (1 << levels.rowsLog[level]) - 1);
-        int group = levels.group(level, ox, oy);
-        int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
-        f.add(lower ? slot : other, lower ? other : slot, group, rank);
+        return false;
     }
 
-    private void scatter(FoundPairs f) {
-        int[] id = state.id;
-        int[] records = f.records;
-        for (int k = 0; k < 4 * f.count; k += 4) {
-            int lo = records[k];
-            int hi = records[k + 1];
-            int c = start[records[k + 2]] + records[k + 3];
-            key[c] = (long) id[lo] << 32 | id[hi];
-            slots[c] = (long) lo << 32 | hi;
+    /** Numbers the contacts: level after level, row after row. */
+    private void layOut() {
+        long sum = 0;
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            for (int w = 0; w < team.size(); w++) {
+                FoundPairs f = found[w];
+                int to = levels.firstRow[level] + bands.first(level, w + 1);
+                for (int row = levels.firstRow[level] + bands.first(level, w); row < to; row++) {
+                    rowStart[row] += (int) sum - f.ofLevel[l];
+                }
+                sum += f.ofLevel[l + 1] - f.ofLevel[l];
+            }
         }
+        ensureContacts(sum);
+        rowStart[levels.rows] = (int) sum;
+        count = (int) sum;
+        circles = state.n;
     }
 
     // ---- filling
     // -----------------------------------------------------------------------------------------------------
 
-    /**
-     * Orders the contacts of some groups of one colour, and fills them: the first contact of each group, then the second of each.
-     * Groups of one colour share no circle, so a processor can work on neighbours in this order at the same time.
-     */
-    void fillGroups(int worker, int fromGroup, int toGroup, StepConstants constants) {
+    /** First row whose contacts a worker has found, and fills; of the number of workers: the end. */
+    int firstRow(int level, int worker) {
+        return bands.first(level, worker);
+    }
+
+    /** Fills the contacts of a row that this worker has found. No other thread has any of the same circles. */
+    void fillRow(int worker, int l, int row, StepConstants constants) {
         FoundPairs f = found[worker];
-        int open = 0;
-        for (int group = fromGroup; group < toGroup; group++) {
-            if (start[group] < start[group + 1]) {
-                sort(start[group], start[group + 1]);
-                f.next[open] = start[group];
-                f.end[open++] = start[group + 1];
-            }
-        }
-        int to = start[fromGroup];
-        while (open > 0) {
-            int left = 0;
-            for (int k = 0; k < open; k++) {
-                int from = f.next[k];
-                fill(from, to++, constants);
-                if (from + 1 < f.end[k]) {
-                    f.next[left] = from + 1;
-                    f.end[left++] = f.end[k];
-                }
-            }
-            open = left;
-        }
-        if (!f.thinned) {
-            f.most = Math.max(f.most, countCandidates(start[fromGroup], start[toGroup]));
-        }
-    }
-
-    /** Counts the candidates that circles have among some contacts, where no other thread has any of the same circles. */
-    private int countCandidates(int from, int to) {
-        int most = 0;
+        int level = levels.used[l];
+        int from = rowStart[levels.firstRow[level] + row];
+        int to = rowStart[levels.firstRow[level] + row + 1];
+        int shift = f.ofLevel[l] - rowStart[levels.firstRow[level] + bands.first(level, worker)];
         for (int c = from; c < to; c++) {
-            int lo = pair[2 * c] >> 2;
-            int hi = pair[2 * c + 1] >> 2;
-            // a circle counts those of its own level and of coarser ones, which have lower numbers
-            if (grid.level[lo] >= grid.level[hi]) {
-                most = Math.max(most, ++candidates[lo]);
-            }
-            if (grid.level[hi] >= grid.level[lo]) {
-                most = Math.max(most, ++candidates[hi]);
-            }
+            fill(c, f.ids[c + shift], f.slots[c + shift], constants);
         }
-        return most;
-    }
-
-    private void sort(int from, int to) {
-        if (to - from > SHORT) {
-            HeapSort.longs(key, slots, from, to);
-            return;
-        }
-        for (int k = from + 1; k < to; k++) {
-            long key1 = key[k];
-            long slots1 = slots[k];
-            int p = k;
-            while (p > from && key[p - 1] > key1) {
-                key[p] = key[p - 1];
-                slots[p] = slots[p - 1];
-                p--;
+        if (!candidates.thinned()) {
+            for (int c = from; c < to; c++) {
+                f.most = Math.max(f.most, candidates.countContact(pair[2 * c] >> 2, pair[2 * c + 1] >> 2));
             }
-            key[p] = key1;
-            slots[p] = slots1;
         }
     }
 
-    private void fill(int from, int c, StepConstants constants) {
-        int lo = (int) (slots[from] >>> 32);
-        int hi = (int) slots[from];
+    private void fill(int c, long ids, long slots, StepConstants constants) {
+        int lo = (int) (slots >>> 32);
+        int hi = (int) slots;
         int i = 4 * lo;
         int j = 4 * hi;
         float[] circle = state.circle;
@@ -476,9 +284,9 @@ final class JvmContacts {
         contact[k + MASS] = 1f / (traits[i] + traits[j]);
         contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
         if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
-            part(k, CircleMath.pairHash((int) (key[from] >>> 32), (int) key[from]));
+            part(k, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }
-        contact[k + LAMBDA] = memory.recall(lo, hi, (int) key[from]) * constants.warmScale;
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) ids) * constants.warmScale;
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */
@@ -510,7 +318,7 @@ final class JvmContacts {
 
     /** Pairs whose distance was tested. */
     long candidatePairs() {
-        long sum = 0;
+        long sum = mixedPairs.tested();
         for (int w = 0; w < team.size(); w++) {
             sum += found[w].tested;
         }
@@ -519,12 +327,12 @@ final class JvmContacts {
 
     /** Ids of the two circles of a contact, the lower one above the higher. */
     long ids(int c) {
-        return key[c];
+        return (long) state.id[pair[2 * c] >> 2] << 32 | state.id[pair[2 * c + 1] >> 2];
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (candidates.length + start.length) + (8 + 8 + 8 + 4L * STRIDE) * key.length;
+        long sum = 4L * (rowStart.length + pair.length + contact.length) + candidates.bytes() + mixedPairs.bytes();
         for (FoundPairs f : found) {
             sum += f.bytes();
         }

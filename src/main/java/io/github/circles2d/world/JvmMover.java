@@ -23,6 +23,10 @@ final class JvmMover {
         float[] m = state.motion;
         float[] traits = state.traits;
         float[] load = state.load;
+        float[] circle = state.circle;
+        float[] bounce = state.wallBounce;
+        float h = k.h;
+        float inverseH = k.inverseH;
         for (int slot = from; slot < to; slot++) {
             int s = 4 * slot;
             float w = traits[s];
@@ -32,40 +36,48 @@ final class JvmMover {
                 load[s + 2] = 0f;
                 continue;
             }
-            boolean loaded = load[s + 3] > 0f || traits[s + 2] != 0f || traits[s + 3] != 0f;
+            float wallX = traits[s + 2];
+            float wallY = traits[s + 3];
             float vx = m[s + 2] + k.gravityStepX;
             float vy = m[s + 3] + k.gravityStepY;
-            m[s + 2] = CircleMath.limitSpeed(vx + w * load[s]);
-            m[s + 3] = CircleMath.limitSpeed(vy + w * load[s + 1]);
+            float nextX = CircleMath.limitSpeed(vx + w * load[s]);
+            float nextY = CircleMath.limitSpeed(vy + w * load[s + 1]);
+            m[s + 2] = nextX;
+            m[s + 3] = nextY;
             load[s] = vx;
             load[s + 1] = vy;
-            load[s + 2] = loaded ? 1f : 0f;
-            if (!isClear(s, 0, vx, minX, maxX, k.h, k.inverseH)) {
-                pushWall(s, 0, minX, maxX, loaded, k);
-            }
-            if (!isClear(s, 1, vy, minY, maxY, k.h, k.inverseH)) {
-                pushWall(s, 1, minY, maxY, loaded, k);
+            float loaded =
+                    Branchless.choose(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + 3]);
+            load[s + 2] = loaded;
+
+            float r = circle[s + 2];
+            float sideX = side(circle[s], minX, maxX);
+            float sideY = side(circle[s + 1], minY, maxY);
+            float gapX = gap(circle[s], r, m[s], minX, maxX);
+            float gapY = gap(circle[s + 1], r, m[s + 1], minY, maxY);
+            int clear = isClear(gapX, sideX * nextX, sideX * vx, h, inverseH)
+                    & isClear(gapY, sideY * nextY, sideY * vy, h, inverseH)
+                    & ~(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY));
+            if (clear != 0) {
+                // adding zeros, as the long way does: the sign of a zero is part of the state
+                m[s + 2] = nextX + sideX * 0f;
+                m[s + 3] = nextY + sideY * 0f;
+                traits[s + 2] = sideX * 0f;
+                traits[s + 3] = sideY * 0f;
+                bounce[s >> 1] = 0f;
+                bounce[(s >> 1) + 1] = 0f;
+            } else {
+                pushWall(s, 0, minX, maxX, loaded > 0f, k);
+                pushWall(s, 1, minY, maxY, loaded > 0f, k);
             }
         }
     }
 
-    /** Whether a circle is out of reach of its nearer wall in the biased pass; then what little there is to do is done. */
-    private boolean isClear(int s, int axis, float before, float min, float max, float h, float inverseH) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float fromMin = state.circle[s + axis] - min;
-        float fromMax = max - state.circle[s + axis];
-        float side = Branchless.signOf(fromMax - fromMin);
-        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * m[s + axis];
-        float v = m[s + 2 + axis];
-        if (traits[s + 2 + axis] == 0f & gap > 0f & gap * inverseH + side * v >= 0f & gap + side * before * h >= 0f) {
-            // adding zeros, as the long way does: the sign of a zero is part of the state
-            m[s + 2 + axis] = v + side * 0f;
-            traits[s + 2 + axis] = side * 0f;
-            state.wallBounce[(s >> 1) + axis] = 0f;
-            return true;
-        }
-        return false;
+    /** All bits set where a circle is out of reach of its nearer wall in the biased pass, and stays so. */
+    private static int isClear(float gap, float v, float before, float h, float inverseH) {
+        return Branchless.isPositive(gap)
+                & ~Branchless.isNegative(gap * inverseH + v)
+                & ~Branchless.isNegative(gap + before * h);
     }
 
     /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */
@@ -114,6 +126,7 @@ final class JvmMover {
         float[] circle = state.circle;
         float[] load = state.load;
         float[] leash = state.leash;
+        float[] bounce = state.wallBounce;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -156,24 +169,27 @@ final class JvmMover {
                 state.memory[slot] = -1;
                 state.fresh[slot] = false;
             }
-            if (w != 0f) {
-                if (touches(s, 0, minX, maxX)) {
-                    relaxWall(s, 0, minX, maxX, loaded, k);
-                }
-                if (touches(s, 1, minY, maxY)) {
-                    relaxWall(s, 1, minY, maxY, loaded, k);
-                }
+            int clear = Branchless.isPositive(gap(circle[s], r, m[s], minX, maxX))
+                    & Branchless.isPositive(gap(circle[s + 1], r, m[s + 1], minY, maxY));
+            int pressed = Branchless.isNotZero(traits[s + 2])
+                    | Branchless.isNotZero(traits[s + 3])
+                    | Branchless.isNotZero(bounce[s >> 1])
+                    | Branchless.isNotZero(bounce[(s >> 1) + 1]);
+            if ((clear & ~pressed) == 0 && w != 0f) {
+                relaxWall(s, 0, minX, maxX, loaded, k);
+                relaxWall(s, 1, minY, maxY, loaded, k);
             }
         }
     }
 
-    /** Whether a circle has anything to do with its nearer wall in the relaxing pass. */
-    private boolean touches(int s, int axis, float min, float max) {
-        float fromMin = state.circle[s + axis] - min;
-        float fromMax = max - state.circle[s + axis];
-        float side = Branchless.signOf(fromMax - fromMin);
-        float gap = (Math.min(fromMin, fromMax) - state.circle[s + 2]) + side * state.motion[s + axis];
-        return !(gap > 0f & state.traits[s + 2 + axis] == 0f & state.wallBounce[(s >> 1) + axis] == 0f);
+    /** {@link CircleMath#wallSide} of the nearer wall of an axis. */
+    private static float side(float base, float min, float max) {
+        return Branchless.signOf((max - base) - (base - min));
+    }
+
+    /** {@link CircleMath#wallGap} of the nearer wall of an axis. */
+    private static float gap(float base, float r, float displacement, float min, float max) {
+        return (Math.min(base - min, max - base) - r) + side(base, min, max) * displacement;
     }
 
     /** The relaxing pass over the nearer wall of an axis. */

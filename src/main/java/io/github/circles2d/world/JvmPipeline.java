@@ -44,7 +44,7 @@ public final class JvmPipeline implements Pipeline {
         grid = new JvmGrid(state, levels, team);
         contacts = new JvmContacts(state, grid, levels, team);
         sweep = new JvmSweep(state, grid, levels, team);
-        solver = new JvmSolver(state, contacts, levels, team);
+        solver = new JvmSolver(state, grid, contacts, levels, team);
         state.ensure(capacity);
     }
 
@@ -92,15 +92,13 @@ public final class JvmPipeline implements Pipeline {
         end(worker, GRID);
         sweep.sweep(worker);
         end(worker, SWEEP);
-        contacts.list(worker, false);
+        contacts.find(worker);
         boolean overflowed = contacts.overflowed();
-        if (overflowed) {
-            contacts.countCandidates(worker);
-        } else {
+        if (!overflowed) {
             solver.prepare(worker, constants);
         }
         if (overflowed || contacts.crowded()) {
-            contacts.list(worker, true);
+            contacts.findShare(worker);
             solver.prepare(worker, constants);
         }
         end(worker, CONTACTS);

@@ -11,7 +11,7 @@ package io.github.circles2d.world;
  * costs time and nothing else, because the distance of two circles decides. So memory is bounded by the number of circles,
  * however small they are and however large the arena is.
  *
- * <p>Groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
+ * <p>For OpenCL, groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
  * (ox mod 2) + 2 (oy mod 2) and is number (oy / 2)(W / 2) + ox / 2 within its colour.
  */
 public final class Levels {
@@ -38,6 +38,9 @@ public final class Levels {
     /** Number of the first bucket, and of the first group, of each level. */
     final int[] first = new int[COUNT];
 
+    /** Number of the first row of buckets of each level, where the rows of all levels are counted as their buckets are. */
+    final int[] firstRow = new int[COUNT];
+
     /** Numbers of the levels that have circles, finest first: the order in which their buckets are numbered. */
     final int[] used = new int[COUNT];
 
@@ -46,6 +49,7 @@ public final class Levels {
 
     int usedCount;
     int buckets;
+    int rows;
     float minX;
     float minY;
     float rmax;
@@ -71,12 +75,15 @@ public final class Levels {
             top[level] = top[level - 1] * 0.5f;
         }
         buckets = 0;
+        rows = 0;
         for (int level = COUNT - 1; level >= 0; level--) {
             first[level] = buckets;
+            firstRow[level] = rows;
             if (population[level] > 0) {
                 used[usedCount++] = level;
                 layOutLevel(level, bounds);
                 buckets += 1 << (columnsLog[level] + rowsLog[level]);
+                rows += 1 << rowsLog[level];
             }
         }
     }
@@ -132,10 +139,12 @@ public final class Levels {
         System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
         System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
         System.arraycopy(other.first, 0, first, 0, COUNT);
+        System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
         System.arraycopy(other.used, 0, used, 0, COUNT);
         System.arraycopy(other.top, 0, top, 0, COUNT);
         usedCount = other.usedCount;
         buckets = other.buckets;
+        rows = other.rows;
         minX = other.minX;
         minY = other.minY;
         rmax = other.rmax;
@@ -150,11 +159,9 @@ public final class Levels {
         return levelOf[CircleMath.sizeClass(r, rmax)];
     }
 
-    /** Number of a group. */
-    int group(int level, int ox, int oy) {
-        int w = columnsLog[level];
-        int colour = (ox & 1) + 2 * (oy & 1);
-        return first[level] + (colour << (w + rowsLog[level] - 2)) + ((oy >> 1) << (w - 1)) + (ox >> 1);
+    /** Number of the bucket before which a row of buckets begins. */
+    int rowStart(int level, int row) {
+        return first[level] + (row << columnsLog[level]);
     }
 
     /** Number of the first group of a colour (0 to 4: colour 4 is the end). */

@@ -38,12 +38,13 @@
  * </ol>
  *
  * <p>Groups of one level and colour share no circle, so they may run at the same time. Within a group contacts run in
- * order, one after the other.
+ * order, one after the other. More than that no circle can tell: a group may run as soon as those have that come before it and
+ * touch one of its circles.
  *
  * <h2>Threads</h2>
  *
- * <p>On the JVM the workers of a {@code Team} run the same method, each on its share of circles, buckets or groups, with a
- * barrier after each stage, colour or pass. What a share is depends on the number of workers, the state does not: shares are
+ * <p>On the JVM the workers of a {@code Team} run the same method, each on its share of circles, buckets or rows of groups, with
+ * a barrier after each stage. What a share is depends on the number of workers, the state does not: shares are
  * disjoint, and where workers count into the same place, what they have counted is put in order of the ids afterwards.
  *
  * <h2>Snapshots</h2>
