@@ -29,7 +29,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     /**
      * Where nothing has been calibrated, worlds with room for fewer circles run on the JVM, which needs no read-back and starts at
      * once. On an NVIDIA H200 a step of packed circles and a look at its status take 0.2 ms for 1,250 circles and 0.25 ms for
-     * 15,000; on 16 threads of its host's JVM 0.7 and 1.4 ms, on one thread 0.2 ms for 300. OpenCL on a CPU is never taken by this
+     * 15,000; on 16 threads of its host's JVM 0.3 and 1.2 ms, on one thread 0.2 ms for 300. OpenCL on a CPU is never taken by this
      * rule: on two cores it takes two to three times as long as two threads of the JVM.
      */
     private static final int LEAST_FOR_GPU = 2048;

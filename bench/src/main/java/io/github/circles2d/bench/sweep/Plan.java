@@ -258,7 +258,7 @@ final class Plan {
         double small = List.of("jbox2d", "dyn4j").contains(engine) ? 12 : 3;
         double guess = small * Math.pow(n / 1250.0, scales(engine) ? 1.2 : 2);
         if (engine.equals("gdx-box2d") && n >= 15_000) {
-            // Its steps take from a quarter of a second to seconds.
+            // A step takes it a tenth of a second and more.
             int steps = n < LARGE_CROWDS.get(0) ? 100 : 10;
             return peer(engine, "packed", n, steps, steps, guess);
         }

@@ -92,21 +92,7 @@ class EnginesTest {
     @ParameterizedTest
     @ValueSource(strings = {"gdx-box2d", "jbox2d", "dyn4j", "world-jvm"})
     void massesAndRestitutionAreTheScenes(String name) {
-        // The cue ball has hit the rack, no ball has reached a wall.
-        Scene scene = Scenes.billiards(1);
-        try (Engine engine = Engines.create(name)) {
-            Motion end = run(engine, scene, 68);
-            double momentum = 0;
-            double energy = 0;
-            for (int i = 0; i < scene.size(); i++) {
-                momentum += scene.mass(i) * end.vx[i];
-                energy += 0.5 * scene.mass(i) * (end.vx[i] * end.vx[i] + end.vy[i] * end.vy[i]);
-            }
-            // forwards, or back from the two balls behind it
-            assertThat(Math.abs(end.vx[0])).as("the rack's apex moves").isGreaterThan(0.01f);
-            assertThat(momentum).isCloseTo(scene.mass(15), within(1e-3));
-            assertThat(energy).isBetween(0.25 * scene.mass(15), 0.5 * scene.mass(15));
-        }
+        requireTheBlowOfTheCueBall(name, 0.25);
     }
 
     @ParameterizedTest
@@ -139,8 +125,14 @@ class EnginesTest {
     /** It has restitution once a step: a blow through a whole rack keeps its momentum, but less of its energy than in World. */
     @Test
     void thePlainGridKeepsTheMomentumOfABlowAndTheMassesOfTheScene() {
+        requireTheBlowOfTheCueBall("java-grid", 0.15);
+    }
+
+    /** Of the blow's energy, 0.5 a unit of mass, some is left. */
+    private static void requireTheBlowOfTheCueBall(String name, double leastEnergy) {
+        // The cue ball has hit the rack, no ball has reached a wall.
         Scene scene = Scenes.billiards(1);
-        try (Engine engine = Engines.create("java-grid")) {
+        try (Engine engine = Engines.create(name)) {
             Motion end = run(engine, scene, 68);
             double momentum = 0;
             double energy = 0;
@@ -148,9 +140,10 @@ class EnginesTest {
                 momentum += scene.mass(i) * end.vx[i];
                 energy += 0.5 * scene.mass(i) * (end.vx[i] * end.vx[i] + end.vy[i] * end.vy[i]);
             }
+            // forwards, or back from the two balls behind it
             assertThat(Math.abs(end.vx[0])).as("the rack's apex moves").isGreaterThan(0.01f);
             assertThat(momentum).isCloseTo(scene.mass(15), within(1e-3));
-            assertThat(energy).isBetween(0.15 * scene.mass(15), 0.5 * scene.mass(15));
+            assertThat(energy).isBetween(leastEnergy * scene.mass(15), 0.5 * scene.mass(15));
         }
     }
 
