@@ -6,6 +6,12 @@ kernel void readback_circles(global const int *homeId, global const float4 *home
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot];
 }
 
+kernel void readback_positions(global const int *homeId, global const float4 *homeCircle, int slots,
+                               global float2 *byId) {
+    int slot = (int) get_global_id(0);
+    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot].xy;
+}
+
 kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
                                 global float2 *byId) {
     int slot = (int) get_global_id(0);

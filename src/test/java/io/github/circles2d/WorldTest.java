@@ -289,6 +289,33 @@ class WorldTest {
     }
 
     @Test
+    void positionsAreInTheOrderOfIdsAndStayAsTheyAreUntilTheNextLook() {
+        FloatBuffer positions;
+        try (World world = builder().build()) {
+            assertThat(world.positions().remaining()).isZero();
+            world.add(1, 2, 0.1f, 1);
+            long gone = world.add(3, 4, 0.1f, 1);
+            world.add(5, 6, 0.1f, 1);
+            world.remove(gone);
+            positions = world.positions();
+            assertThat(positions.isReadOnly()).isTrue();
+            assertThat(floats(positions)).containsExactly(1, 2, 5, 6);
+            world.add(7, 8, 0.1f, 1);
+            assertThat(circles(world)).hasSize(12);
+            assertThat(floats(positions.rewind())).containsExactly(1, 2, 5, 6);
+            positions = world.positions();
+            assertThat(floats(positions)).containsExactly(1, 2, 7, 8, 5, 6);
+        }
+        assertThat(floats(positions.rewind())).containsExactly(1, 2, 7, 8, 5, 6);
+    }
+
+    private static float[] floats(FloatBuffer buffer) {
+        float[] floats = new float[buffer.remaining()];
+        buffer.get(floats);
+        return floats;
+    }
+
+    @Test
     void circlesThatNewBoundsLeaveOutsideAreBroughtInside() {
         try (World world = builder().build()) {
             world.add(9, 9, 0.5f, 1);

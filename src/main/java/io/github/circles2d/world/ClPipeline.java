@@ -2,6 +2,7 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Session;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Map;
 import java.util.TreeMap;
@@ -247,6 +248,12 @@ public final class ClPipeline implements Pipeline {
     public void readCircles(Roster roster, float[] to) {
         settle();
         readback.circles(roster, slots, to);
+    }
+
+    @Override
+    public FloatBuffer positions(Roster roster) {
+        settle();
+        return readback.positions(roster, slots);
     }
 
     @Override

@@ -13,31 +13,41 @@ final class ClReadback {
     private final ClBuffers buffers;
     private final Kernel circles;
     private final Kernel velocities;
+    private final Kernel positions;
     private DeviceBuffer byId;
     private HostBuffer host;
+
+    /** What callers look into; no other read may touch it. */
+    private HostBuffer shared;
+
+    private FloatBuffer sharedView;
 
     ClReadback(Session session, ClKernels kernels, ClBuffers buffers) {
         this.session = session;
         this.buffers = buffers;
         circles = kernels.plain("readback_circles");
         velocities = kernels.plain("readback_velocities");
+        positions = kernels.plain("readback_positions");
         byId = session.allocate("read-back", 1024);
         host = session.hostBuffer(1024);
+        shared = session.hostBuffer(1024);
+        sharedView = shared.floats().asReadOnlyBuffer();
     }
 
     void circles(Roster roster, int slots, float[] to) {
-        ensure(16L * roster.end());
+        ensureHost(16L * roster.end());
         circles.arg(0, buffers.get(ClBuffers.HOME_ID))
                 .arg(1, buffers.get(ClBuffers.HOME_CIRCLE))
                 .arg(2, slots)
                 .arg(3, byId)
                 .run(slots);
         byId.read(0, host, 0, 16L * roster.end());
-        compact(roster, 4, to);
+        FloatBuffer read = host.floats();
+        compact(roster, 4, (at, written, length) -> read.get(at, to, written, length));
     }
 
     void velocities(Roster roster, int slots, float[] to) {
-        ensure(8L * roster.end());
+        ensureHost(8L * roster.end());
         velocities
                 .arg(0, buffers.get(ClBuffers.HOME_ID))
                 .arg(1, buffers.get(ClBuffers.HOME_MOTION))
@@ -45,12 +55,28 @@ final class ClReadback {
                 .arg(3, byId)
                 .run(slots);
         byId.read(0, host, 0, 8L * roster.end());
-        compact(roster, 2, to);
+        FloatBuffer read = host.floats();
+        compact(roster, 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
-    /** Copies runs of living ids; while nothing was removed, that is one copy. */
-    private void compact(Roster roster, int floats, float[] to) {
-        FloatBuffer from = host.floats();
+    FloatBuffer positions(Roster roster, int slots) {
+        ensureShared(8L * roster.end());
+        positions
+                .arg(0, buffers.get(ClBuffers.HOME_ID))
+                .arg(1, buffers.get(ClBuffers.HOME_CIRCLE))
+                .arg(2, slots)
+                .arg(3, byId)
+                .run(slots);
+        byId.read(0, shared, 0, 8L * roster.end());
+        if (roster.size() < roster.end()) {
+            FloatBuffer floats = shared.floats();
+            compact(roster, 2, (from, to, length) -> floats.put(to, floats, from, length));
+        }
+        return sharedView.clear().limit(2 * roster.size());
+    }
+
+    /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
+    private static void compact(Roster roster, int floats, Copy copy) {
         int written = 0;
         for (int id = 0; id < roster.end(); ) {
             if (!roster.lives(id)) {
@@ -62,22 +88,45 @@ final class ClReadback {
                 id++;
             }
             int length = (id - first) * floats;
-            from.get(first * floats, to, written, length);
+            copy.copy(first * floats, written, length);
             written += length;
         }
     }
 
-    private void ensure(long bytes) {
+    /** Copies floats of living ids that follow each other. */
+    private interface Copy {
+        void copy(int from, int to, int length);
+    }
+
+    private void ensureHost(long bytes) {
+        ensureDevice(bytes);
+        if (host.size() < bytes) {
+            HostBuffer larger = session.hostBuffer(roomier(bytes));
+            host.close();
+            host = larger;
+        }
+    }
+
+    private void ensureShared(long bytes) {
+        ensureDevice(bytes);
+        if (shared.size() < bytes) {
+            HostBuffer larger = session.hostBuffer(roomier(bytes));
+            shared.close();
+            shared = larger;
+            sharedView = shared.floats().asReadOnlyBuffer();
+        }
+    }
+
+    private void ensureDevice(long bytes) {
         if (byId.bytes() < bytes) {
             DeviceBuffer larger = session.allocate("read-back", bytes + (bytes >> 1));
             byId.close();
             byId = larger;
         }
-        if (host.size() < bytes) {
-            HostBuffer larger = session.hostBuffer(Math.min(bytes + (bytes >> 1), Integer.MAX_VALUE - 4096));
-            host.close();
-            host = larger;
-        }
+    }
+
+    private static long roomier(long bytes) {
+        return Math.min(bytes + (bytes >> 1), Integer.MAX_VALUE - 4096);
     }
 
     /** Reads ints of a buffer; for what is needed seldom. */

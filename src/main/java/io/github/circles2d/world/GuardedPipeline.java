@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import java.nio.FloatBuffer;
 import java.util.Map;
 
 /**
@@ -87,6 +88,15 @@ public final class GuardedPipeline implements Pipeline {
     public void readCircles(Roster roster, float[] to) {
         try {
             pipeline.readCircles(roster, to);
+        } catch (RuntimeException | Error e) {
+            throw failed(e);
+        }
+    }
+
+    @Override
+    public FloatBuffer positions(Roster roster) {
+        try {
+            return pipeline.positions(roster);
         } catch (RuntimeException | Error e) {
             throw failed(e);
         }

@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import java.nio.FloatBuffer;
 import java.util.Map;
 
 /** The World engine in plain Java: the oracle that every other pipeline is compared with. */
@@ -28,6 +29,11 @@ public final class JvmPipeline implements Pipeline {
 
     private int steps;
     private boolean failed;
+
+    /** What callers look into. */
+    private FloatBuffer positions = FloatBuffer.allocate(0);
+
+    private FloatBuffer positionsView = positions.asReadOnlyBuffer();
 
     /**
      * An empty world.
@@ -139,6 +145,23 @@ public final class JvmPipeline implements Pipeline {
                 System.arraycopy(state.circle, 4 * state.slotOf[id], to, 4 * k++, 4);
             }
         }
+    }
+
+    @Override
+    public FloatBuffer positions(Roster roster) {
+        if (positions.capacity() < 2 * roster.size()) {
+            positions = FloatBuffer.allocate(3 * roster.size());
+            positionsView = positions.asReadOnlyBuffer();
+        }
+        int k = 0;
+        for (int id = 0; id < roster.end(); id++) {
+            if (roster.lives(id)) {
+                int s = 4 * state.slotOf[id];
+                positions.put(k++, state.circle[s]);
+                positions.put(k++, state.circle[s + 1]);
+            }
+        }
+        return positionsView.clear().limit(k);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import java.nio.FloatBuffer;
 import java.util.Map;
 
 /**
@@ -47,6 +48,14 @@ public interface Pipeline extends AutoCloseable {
      * @param to 4 floats a circle, in ascending order of ids
      */
     void readCircles(Roster roster, float[] to);
+
+    /**
+     * Reads x and y of every circle into memory of the pipeline's own.
+     *
+     * @param roster which ids live
+     * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the next call
+     */
+    FloatBuffer positions(Roster roster);
 
     /**
      * Reads velocities.

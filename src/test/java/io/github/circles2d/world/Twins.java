@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
+import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
 
 /** A world's host side, with as many pipelines as are to be compared. */
@@ -74,6 +75,15 @@ final class Twins implements AutoCloseable {
             pipelines[k].readVelocities(roster, velocities[k]);
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
+            assertPositions(pipelines[k].positions(roster), circles[0]);
+        }
+    }
+
+    private static void assertPositions(FloatBuffer positions, float[] circles) {
+        assertThat(positions.remaining()).isEqualTo(circles.length / 2);
+        for (int i = 0; i < circles.length / 4; i++) {
+            assertThat(positions.get()).isEqualTo(circles[4 * i]);
+            assertThat(positions.get()).isEqualTo(circles[4 * i + 1]);
         }
     }
 

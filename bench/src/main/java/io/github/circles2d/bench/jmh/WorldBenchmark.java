@@ -62,6 +62,15 @@ public class WorldBenchmark {
         }
     }
 
+    /** Looks at the positions of all circles, in the memory that World lends, after every step. */
+    @Benchmark
+    public void readPositions(LookRun run) {
+        for (int step = 0; step < run.steps; step++) {
+            run.world.step(run.timeStep);
+            run.positions = run.world.positions();
+        }
+    }
+
     /** As {@link #steps}, with an event for every kernel. */
     @Benchmark
     public void profiled(ProfiledRun run) {
@@ -102,6 +111,24 @@ public class WorldBenchmark {
             if (!FloatBuffer.wrap(now).equals(FloatBuffer.wrap(array))
                     && !FloatBuffer.wrap(now).equals(buffer.rewind())) {
                 throw new IllegalStateException("what was read after the last step is not what is there");
+            }
+        }
+    }
+
+    /** A {@link WorldRun} whose positions are looked at. */
+    @State(Scope.Thread)
+    public static class LookRun extends WorldRun {
+        FloatBuffer positions;
+
+        /** Checks that what was seen last is what the world reads now. */
+        @TearDown(Level.Iteration)
+        public void compare() {
+            float[] now = new float[4 * n];
+            world.read(now);
+            for (int i = 0; i < n; i++) {
+                if (positions.get(2 * i) != now[4 * i] || positions.get(2 * i + 1) != now[4 * i + 1]) {
+                    throw new IllegalStateException("the positions seen after the last step are not what is there");
+                }
             }
         }
     }
