@@ -145,6 +145,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
     global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
     int circles = t->circles;
+    findNumbers(w, recordOf(w, tile), subStep == 0 ? t->partStart[t->parts] : 0);
 #pragma unroll 1
     TILE_EACH(i, circles) {
         int slot = slots[i] & ~NOT_OWN;

@@ -8,6 +8,9 @@
 // reaches 3 columns and 1 row beyond its tile. What lies there is computed by several work-groups, to the same bits. So a
 // pass reads one copy of the state and writes another. A tile that spans the torus has no border on that axis.
 //
+// The first tiles begin at column and row -1, and there are as many as it takes to reach the last column and row that a circle
+// can be in, or once around the torus where the arena does.
+//
 // Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
 // others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
 // dependent steps as the longest groups of the colours would take, and all work-items have work. A round is made in parts of no
@@ -18,7 +21,7 @@
 
 // From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
-#define TILE_CELLS 400
+#define TILE_CELLS 684
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
@@ -26,6 +29,9 @@
 
 // A tile's record: circles, parts, by part its first contact and the end, slots, contacts. A contact: its number, its
 // circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
+//
+// Contacts are numbered twice. As they are listed, group by group, they are in the order of all sums. What passes read of them is
+// numbered in the order in which the tile that owns them reads it, so that work-items side by side read side by side.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
 #define RECORD_STARTS 2
@@ -44,6 +50,9 @@ global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile
 
 global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
 
+// By contact as it is listed: its number for the passes. Where its key has been, which nobody needs any more.
+global int *numbersOf(const World *w) { return (global int *) w->key; }
+
 // Flags of a circle.
 #define LOADED 1
 #define CARRIED 2
@@ -58,10 +67,7 @@ typedef struct {
     bool ringX, ringY;                   // whether it spans the torus
 } Region;
 
-int tileCount(const World *w) {
-    int l = w->levels->used[0];
-    return 1 << (w->levels->columnsLog[l] - w->levels->tileColumnsLog + w->levels->rowsLog[l] - w->levels->tileRowsLog);
-}
+int tileCount(const World *w) { return w->levels->tilesAcross * w->levels->tilesDown; }
 
 Region regionOf(const World *w, int tile) {
     int l = w->levels->used[0];
@@ -81,10 +87,10 @@ Region regionOf(const World *w, int tile) {
     r.bottom = r.ringY ? 0 : HALO_ROWS;
     r.columns = r.width + 2 * r.left;
     r.rows = r.height + 2 * r.bottom;
-    int tx = tile & ((1 << (cl - wl)) - 1);
-    int ty = tile >> (cl - wl);
-    r.firstColumn = r.ringX ? 0 : ((tx << wl) + 1 - HALO_COLUMNS) & r.columnMask;
-    r.firstRow = r.ringY ? 0 : ((ty << hl) + 1 - HALO_ROWS) & r.rowMask;
+    int ty = tile / w->levels->tilesAcross;
+    int tx = tile - ty * w->levels->tilesAcross;
+    r.firstColumn = r.ringX ? 0 : ((tx << wl) - 1 - HALO_COLUMNS) & r.columnMask;
+    r.firstRow = r.ringY ? 0 : ((ty << hl) - 1 - HALO_ROWS) & r.rowMask;
     return r;
 }
 
@@ -96,15 +102,18 @@ bool owns(const Region *r, int column, int row) {
 typedef struct {
     ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
-    int rowCount[TILE_ROWS];          // by row: its circles
+    int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
     float2 load[TILE_CIRCLES];        // sums of impulses, in order
     uchar flags[TILE_CIRCLES];
-    uchar round[TILE_CIRCLES];  // the first round in which the circle is free
-    uchar degree[TILE_CIRCLES]; // contacts so far
-    int2 contact[TILE_CONTACTS];
-    uchar contactRound[TILE_CONTACTS];
-    int roundCount[TILE_ROUNDS + 1];
-    int roundStart[TILE_ROUNDS + 1];
+    uchar round[TILE_CIRCLES];         // the first round in which the circle is free
+    uchar degree[TILE_CIRCLES];        // contacts so far
+    uint met[TILE_CONTACTS];           // contacts as they are met: see meeting
+    int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
+    uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
+    int ownPlace[TILE_ROUNDS + 1];     // by round: the place in the record of its next own contact
+    int otherPlace[TILE_ROUNDS + 1];   // and of its next other one
+    int ownNumber[TILE_ROUNDS + 1];    // by round: what makes of the place of an own contact its number
+    int firstNumber; // of the tile's own contacts
     int contacts;
     int overfull; // 1 where there are too many contacts or rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
@@ -129,15 +138,15 @@ int4 slotsInRow(const World *w, const Region *r, int row) {
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (item < r->rows) {
-        int4 slots = slotsInRow(w, r, item);
-        a->rowCount[item] = slots.y - slots.x + slots.w - slots.z;
-    }
+    if (item < r->rows) a->rowSlots[item] = slotsInRow(w, r, item);
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item <= r->rows) {
         int sum = 0;
-#pragma unroll 1
-        for (int before = 0; before < item; before++) sum += a->rowCount[before];
+#pragma unroll 4
+        for (int before = 0; before < item; before++) {
+            int4 slots = a->rowSlots[before];
+            sum += slots.y - slots.x + slots.w - slots.z;
+        }
         a->rowStart[item] = sum;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -148,7 +157,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         int row = cell / r->columns;
         int inRow = cell - row * r->columns;
         int column = (r->firstColumn + inRow) & r->columnMask;
-        int4 slots = slotsInRow(w, r, row);
+        int4 slots = a->rowSlots[row];
         int bucket = bucketOfRow(w, r, row) + column;
         int from = w->bucketStart[bucket];
         int to = w->bucketStart[bucket + 1];
@@ -193,38 +202,54 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
+// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (9 bits),
+// its round.
+uint meeting(int column, int row, int inGroup, int round) {
+    return (uint) (column | row << 6 | inGroup << 11 | round << 20);
+}
+
+// The number of the group that begins at a cell of a region.
+int groupAt(const World *w, const Region *r, int column, int row) {
+    return groupOf(w, w->levels->used[0], (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
+}
+
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
-void takeContact(const Region *r, local Arrangement *a, int column, int row, int c, uint link, float4 n) {
+void takeContact(const Region *r, local Arrangement *a, int column, int row, int inGroup, uint link, float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     float2 loadLo = a->load[lo];
     float2 loadHi = a->load[hi];
-    a->load[lo] = (float2)(loadLo.x - n.x * n.w, loadLo.y - n.y * n.w);
-    a->load[hi] = (float2)(loadHi.x + n.x * n.w, loadHi.y + n.y * n.w);
+    int roundLo = a->round[lo];
+    int roundHi = a->round[hi];
+    int degreeLo = a->degree[lo] + 1;
+    int degreeHi = a->degree[hi] + 1;
+    a->load[lo] = loadLo - impulse;
+    a->load[hi] = loadHi + impulse;
     if (link & LINK_CARRYING) {
         a->flags[lo] = CARRIED;
         a->flags[hi] = CARRIED;
     }
-    int round = max(a->round[lo], a->round[hi]);
+    int round = max(roundLo, roundHi);
     int k = atomic_inc(&a->contacts);
     if (round >= TILE_ROUNDS || k >= TILE_CONTACTS) {
         a->overfull = 1;
         return;
     }
     // No more than there have been rounds, so it fits.
-    a->degree[lo]++;
-    a->degree[hi]++;
-    if (max(a->degree[lo], a->degree[hi]) > CROWD) a->crowded = 1;
+    a->degree[lo] = (uchar) degreeLo;
+    a->degree[hi] = (uchar) degreeHi;
+    if (max(degreeLo, degreeHi) > CROWD) a->crowded = 1;
     a->round[lo] = (uchar) (round + 1);
     a->round[hi] = (uchar) (round + 1);
-    a->contact[k] = (int2)(owns(r, column, row) ? c : c | NOT_OWN, lo | hi << 16);
-    a->contactRound[k] = (uchar) round;
-    atomic_inc(&a->roundCount[round]);
+    a->met[k] = meeting(column, row, inGroup, round);
+    atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
+
+// How many contacts of a group are read at a time.
+#define GROUP_TOGETHER 6
 
 // Takes all contacts that a tile depends on, or none.
 void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
-    int l = w->levels->used[0];
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         barrier(CLK_LOCAL_MEM_FENCE);
@@ -238,54 +263,120 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int line = g / across;
             int column = (r->ringX ? px : colour) + 2 * (g - line * across);
             int row = py + 2 * line;
-            int group = groupOf(w, l, (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
-            int to = w->groupStart[group + 1];
-            int c = w->groupStart[group];
-            // Read ahead by one.
-            uint nextLink = c < to ? w->link[c] : 0;
-            float4 next = c < to ? w->contact[c] : (float4)(0.0f);
-            for (; c < to; c++) {
-                uint link = nextLink;
-                float4 n = next;
-                if (c + 1 < to) {
-                    nextLink = w->link[c + 1];
-                    next = w->contact[c + 1];
+            int group = groupAt(w, r, column, row);
+            int first = w->groupStart[group];
+            int size = w->groupStart[group + 1] - first;
+#pragma unroll 1
+            for (int from = 0; from < size; from += GROUP_TOGETHER) {
+                uint link[GROUP_TOGETHER];
+                float2 impulse[GROUP_TOGETHER];
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    int c = first + min(from + k, size - 1);
+                    link[k] = w->link[c];
+                    impulse[k] = w->impulse[c];
                 }
-                takeContact(r, a, column, row, c, link, n);
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    if (from + k < size) takeContact(r, a, column, row, from + k, link[k], impulse[k]);
+                }
             }
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The number of parts that a round of so many contacts is made in.
-int partsOf(int contacts) { return (contacts + (int) get_local_size(0) - 1) / (int) get_local_size(0); }
+int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 
-// Puts the contacts of a region in the order of rounds, and writes the tile's record. circles: 0 where there is nothing to do.
-void recordContacts(local Arrangement *a, global int *record, int circles) {
-    int starts = circles > 0 ? TILE_ROUNDS + 1 : 0;
-    TILE_EACH(round, starts) {
-        int sum = 0;
+// Finds where the contacts of each round begin, in the record and in the numbers of all contacts. rounds: as many as there is
+// room for and one more, or 0 where there is nothing to do.
+void placeRounds(const World *w, local Arrangement *a, global int *record, int rounds) {
+    int size = (int) get_local_size(0);
+    TILE_EACH(round, rounds) a->roundParts[round] = (uchar) ((contactsOfRound(a->roundCount[round]) + size - 1) / size);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    TILE_EACH(round, rounds) {
+        // No round is empty but those behind the last one.
+        if (round > 0 && a->roundCount[round - 1] == 0) continue;
+        int sums = 0;
         int part = 0;
-#pragma unroll 1
+#pragma unroll 4
         for (int before = 0; before < round; before++) {
-            sum += a->roundCount[before];
-            part += partsOf(a->roundCount[before]);
+            sums += a->roundCount[before];
+            part += a->roundParts[before];
         }
+        int start = contactsOfRound(sums);
+        int own = sums & 0xffff;
         int count = a->roundCount[round];
-        a->roundStart[round] = sum;
-        for (int first = 0; first < count; first += (int) get_local_size(0)) record[RECORD_STARTS + part++] = sum + first;
-        if (round == TILE_ROUNDS) {
-            record[RECORD_STARTS + part] = sum;
-            record[RECORD_PARTS] = part;
-        }
+        a->ownPlace[round] = start;
+        a->otherPlace[round] = start + (count & 0xffff);
+        a->ownNumber[round] = own - start;
+        for (int first = 0; first < contactsOfRound(count); first += size) record[RECORD_STARTS + part++] = start + first;
+        if (count > 0) continue;
+        record[RECORD_STARTS + part] = start;
+        record[RECORD_PARTS] = part;
+        a->firstNumber = atomic_add(&w->status[TILE_NUMBERS], own);
     }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// A contact's circles and round on their way through the record.
+#define PLACED_CIRCLE 0x7ff
+#define PLACED_HIGH 11
+#define PLACED_ROUND 22
+
+// Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
+// ones their numbers, and copies there what passes read of them. circles: 0 where there is nothing to do.
+void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
+    global int2 *placed = contactsOf(record);
+    global int *numberOf = numbersOf(w);
+    placeRounds(w, a, record, circles > 0 ? TILE_ROUNDS + 1 : 0);
     if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
-    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     int contacts = circles > 0 ? a->contacts : 0;
+#pragma unroll 4
     TILE_EACH(k, contacts) {
-        contactsOf(record)[atomic_inc(&a->roundStart[a->contactRound[k]])] = a->contact[k];
+        uint met = a->met[k];
+        int column = (int) (met & 0x3f);
+        int row = (int) (met >> 6 & 0x1f);
+        int round = (int) (met >> 20);
+        int c = w->groupStart[groupAt(w, r, column, row)] + (int) (met >> 11 & 0x1ff);
+        uint link = w->link[c];
+        int lo = circleOfLink(r, a, column, row, link);
+        int hi = circleOfLink(r, a, column, row, link >> 16);
+        bool own = owns(r, column, row);
+        int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
+        placed[place] = (int2)(own ? c : c | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
     }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+#pragma unroll 4
+    TILE_EACH(place, contacts) {
+        int2 contact = placed[place];
+        int lo = contact.y & PLACED_CIRCLE;
+        int hi = contact.y >> PLACED_HIGH & PLACED_CIRCLE;
+        int c = contact.x;
+        if (c >= 0) {
+            int number = a->firstNumber + a->ownNumber[contact.y >> PLACED_ROUND] + place;
+            float4 n = w->base[c];
+            w->contact[number] = n;
+            w->shape[number] = w->masses[c];
+            w->held[number] = n.w;
+            w->ordered[number] = (uint2)((uint) record[RECORD_SLOTS + lo] & ~NOT_OWN, (uint) record[RECORD_SLOTS + hi] & ~NOT_OWN);
+            numberOf[c] = number;
+            contact.x = number;
+        }
+        placed[place] = (int2)(contact.x, lo | hi << 16);
+    }
+}
+
+// Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
+// tiles have given theirs. contacts: of the tile's record.
+void findNumbers(const World *w, global int *record, int contacts) {
+    global const int *numberOf = numbersOf(w);
+    global int2 *placed = contactsOf(record);
+    TILE_EACH(place, contacts) {
+        int c = placed[place].x;
+        if (c < 0) placed[place].x = numberOf[c & ~NOT_OWN] | NOT_OWN;
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
 }
 
 // Whether the step has been refused, asked while others may refuse it.
@@ -309,7 +400,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     int contacts = a->contacts;
     bool fits = any && !a->overfull && !a->crowded;
     int circles = fits ? found : 0;
-    recordContacts(a, record, circles);
+    recordContacts(w, &r, a, record, circles);
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
         float2 sum = a->load[i];

@@ -24,6 +24,7 @@ typedef struct {
     int levelOf[LEVELS], columnsLog[LEVELS], rowsLog[LEVELS], used[LEVELS];
     int first[LEVELS + 1];
     int tileColumnsLog, tileRowsLog; // cells of a tile (Tiles.cl)
+    int tilesAcross, tilesDown;      // tiles that may hold circles
 } Levels;
 
 // status
@@ -33,6 +34,7 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
+#define TILE_NUMBERS 6 // contacts that tiles have numbered
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 

@@ -10,10 +10,10 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 768;
+    static final int CIRCLES = 1664;
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = 2048;
+    static final int CONTACTS = 4096;
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
@@ -31,16 +31,16 @@ final class ClTiles {
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 33 << 10;
+    private static final int LOCAL_BYTES = 40 << 10;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
-    private static final int SMALLEST = 2;
+    private static final int SMALLEST = 3;
 
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
 
     /** Sizes of a tile, largest first: log2 of its columns and rows. */
-    private static final int[][] SIZES = {{4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
+    private static final int[][] SIZES = {{5, 4}, {4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
 
     private final ClBuffers buffers;
     private final ClScan scan;
@@ -92,25 +92,46 @@ final class ClTiles {
         if (levels.usedCount != 1 || largestSize == SIZES.length) {
             return false;
         }
-        int columns = levels.columnsLog[levels.used[0]];
-        int rows = levels.rowsLog[levels.used[0]];
         size = largestSize;
-        while (size < SMALLEST && enough(tiles(size, columns, rows), tiles(size + 1, columns, rows), atOnce)) {
+        while (size < SMALLEST && tooFew(tiles(size, levels), tiles(size + 1, levels), atOnce)) {
             size++;
         }
-        parameters.setTile(Math.min(SIZES[size][0], columns), Math.min(SIZES[size][1], rows));
-        tiles = tiles(size, columns, rows);
+        int level = levels.used[0];
+        parameters.setTile(
+                Math.min(SIZES[size][0], levels.columnsLog[level]),
+                Math.min(SIZES[size][1], levels.rowsLog[level]),
+                across(size, levels),
+                down(size, levels));
+        tiles = tiles(size, levels);
         buffers.ensureTiles(tiles);
         return true;
     }
 
     /** Whether a smaller size is better: a tile for each work-group that waits, or several for each compute unit. */
-    private boolean enough(int tilesOfThis, int tilesOfNext, int atOnce) {
+    private boolean tooFew(int tilesOfThis, int tilesOfNext, int atOnce) {
         return atOnce > 0 ? tilesOfNext <= atOnce : tilesOfThis < 3 * device.computeUnits();
     }
 
-    private static int tiles(int size, int columns, int rows) {
-        return 1 << (columns + rows - Math.min(SIZES[size][0], columns) - Math.min(SIZES[size][1], rows));
+    private static int tiles(int size, Levels levels) {
+        return across(size, levels) * down(size, levels);
+    }
+
+    /** Tiles side by side. */
+    private static int across(int size, Levels levels) {
+        int level = levels.used[0];
+        return along(SIZES[size][0], levels.columnsUsed[level], levels.columnsLog[level]);
+    }
+
+    /** Tiles in a column. */
+    private static int down(int size, Levels levels) {
+        int level = levels.used[0];
+        return along(SIZES[size][1], levels.rowsUsed[level], levels.rowsLog[level]);
+    }
+
+    /** Tiles from cell -1 to the last one used, or around the torus where those are fewer. */
+    private static int along(int tileLog, int cellsUsed, int torusLog) {
+        int log = Math.min(tileLog, torusLog);
+        return Math.min((cellsUsed >> log) + 1, 1 << (torusLog - log));
     }
 
     int tiles() {
