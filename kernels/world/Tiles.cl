@@ -104,9 +104,7 @@ typedef struct {
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
     float2 load[TILE_CIRCLES];        // sums of impulses, in order
-    uchar flags[TILE_CIRCLES];
-    uchar round[TILE_CIRCLES];         // the first round in which the circle is free
-    uchar degree[TILE_CIRCLES];        // contacts so far
+    ushort progress[TILE_CIRCLES];     // by circle: see below
     uint met[TILE_CONTACTS];           // contacts as they are met: see meeting
     int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
     uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
@@ -118,6 +116,13 @@ typedef struct {
     int overfull; // 1 where there are too many contacts or rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
 } Arrangement;
+
+// A circle's progress: the first round in which it is free, its contacts so far, of which there are no more than rounds, and
+// whether one carries.
+#define FREE_ROUND 0x7f
+#define MET_ONE 0x80
+#define MET_SHIFT 7
+#define HAS_CARRIED 0x4000
 
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
@@ -168,9 +173,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     }
     TILE_EACH(i, min(circles, TILE_CIRCLES)) {
         a->load[i] = (float2)(0.0f);
-        a->flags[i] = 0;
-        a->round[i] = 0;
-        a->degree[i] = 0;
+        a->progress[i] = 0;
     }
     TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
     if (item == 0) {
@@ -213,34 +216,28 @@ int groupAt(const World *w, const Region *r, int column, int row) {
     return groupOf(w, w->levels->used[0], (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
 }
 
-// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles.
-void takeContact(const Region *r, local Arrangement *a, int column, int row, int inGroup, uint link, float2 impulse) {
+// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
+// among those met.
+void takeContact(const Region *r, local Arrangement *a, int k, int column, int row, int inGroup, uint link, float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
+    int progressLo = a->progress[lo];
+    int progressHi = a->progress[hi];
     float2 loadLo = a->load[lo];
     float2 loadHi = a->load[hi];
-    int roundLo = a->round[lo];
-    int roundHi = a->round[hi];
-    int degreeLo = a->degree[lo] + 1;
-    int degreeHi = a->degree[hi] + 1;
     a->load[lo] = loadLo - impulse;
     a->load[hi] = loadHi + impulse;
-    if (link & LINK_CARRYING) {
-        a->flags[lo] = CARRIED;
-        a->flags[hi] = CARRIED;
-    }
-    int round = max(roundLo, roundHi);
-    int k = atomic_inc(&a->contacts);
-    if (round >= TILE_ROUNDS || k >= TILE_CONTACTS) {
+    int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
+    if (round >= TILE_ROUNDS) {
         a->overfull = 1;
         return;
     }
-    // No more than there have been rounds, so it fits.
-    a->degree[lo] = (uchar) degreeLo;
-    a->degree[hi] = (uchar) degreeHi;
-    if (max(degreeLo, degreeHi) > CROWD) a->crowded = 1;
-    a->round[lo] = (uchar) (round + 1);
-    a->round[hi] = (uchar) (round + 1);
+    int carried = link & LINK_CARRYING ? HAS_CARRIED : 0;
+    progressLo = ((progressLo & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
+    progressHi = ((progressHi & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
+    a->progress[lo] = (ushort) progressLo;
+    a->progress[hi] = (ushort) progressHi;
+    if ((max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT) > CROWD) a->crowded = 1;
     a->met[k] = meeting(column, row, inGroup, round);
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
@@ -266,6 +263,11 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
             int group = groupAt(w, r, column, row);
             int first = w->groupStart[group];
             int size = w->groupStart[group + 1] - first;
+            int k0 = size > 0 ? atomic_add(&a->contacts, size) : 0;
+            if (k0 + size > TILE_CONTACTS) {
+                a->overfull = 1;
+                size = 0;
+            }
 #pragma unroll 1
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];
@@ -278,7 +280,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
-                    if (from + k < size) takeContact(r, a, column, row, from + k, link[k], impulse[k]);
+                    if (from + k < size) takeContact(r, a, k0 + from + k, column, row, from + k, link[k], impulse[k]);
                 }
             }
         }
@@ -344,6 +346,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         int hi = circleOfLink(r, a, column, row, link >> 16);
         bool own = owns(r, column, row);
         int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
+        if (own) numberOf[c] = a->firstNumber + a->ownNumber[round] + place;
         placed[place] = (int2)(own ? c : c | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
@@ -360,7 +363,6 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             w->shape[number] = w->masses[c];
             w->held[number] = n.w;
             w->ordered[number] = (uint2)((uint) record[RECORD_SLOTS + lo] & ~NOT_OWN, (uint) record[RECORD_SLOTS + hi] & ~NOT_OWN);
-            numberOf[c] = number;
             contact.x = number;
         }
         placed[place] = (int2)(contact.x, lo | hi << 16);
@@ -404,7 +406,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
         float2 sum = a->load[i];
-        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->progress[i] & HAS_CARRIED ? 1.0f : 0.0f);
     }
     if (get_local_id(0) != 0 || idle) return;
     if (fits) {

@@ -21,8 +21,8 @@ final class ClTiles {
     /** Work-items of a work-group: as many groups as a colour may have around a tile. */
     static final int GROUP = 128;
 
-    /** Parts of rounds that there is room for. */
-    static final int PARTS = ROUNDS + CONTACTS / GROUP;
+    /** Parts of rounds that there is room for; even, as {@link #CIRCLES}, so that the pairs behind them in a record are aligned. */
+    static final int PARTS = (ROUNDS + CONTACTS / GROUP + 1) & ~1;
 
     /** Ints of a tile's record; see {@code Tiles.cl}. */
     static final int RECORD = 2 + PARTS + 2 + CIRCLES + 2 * CONTACTS;
