@@ -36,35 +36,67 @@ void applyTo(local Tile *t, int2 p, float2 vi, float2 vj, float nx, float ny, fl
     t->velocity[p.y] = vj;
 }
 
-// The biased pass over one contact; returns its new impulse and the target speed of its bounce.
+// The biased pass over one contact; returns its new impulse and the target speed of its bounce. The same as pushImpulse of
+// Solver.cl, to the bit, without its branches: they would be most of the time.
 float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape) {
+    const StepConstants *k = &w->k;
+    float e = shape.x;
+    float thr2 = shape.y;
+    float s = n.z;
+    float lambda = n.w;
+    float mass = shape.w;
     float2 bi = t->load[p.x];
     float2 bj = t->load[p.y];
     float wi = t->inverseMass[p.x];
     float wj = t->inverseMass[p.y];
-    bool loaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) != 0;
     float2 vi = t->velocity[p.x];
     float2 vj = t->velocity[p.y];
-    float next, bounce, impulse;
-    bool moves = pushImpulse(w, n, shape.x, shape.y, shape.w, shape.z, along(n.x, n.y, vj.x - vi.x, vj.y - vi.y),
-                             along(n.x, n.y, bj.x - bi.x, bj.y - bi.y), loaded, &next, &bounce, &impulse);
-    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    bool loaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) != 0;
+    float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
+    float before = along(n.x, n.y, bj.x - bi.x, bj.y - bi.y);
+    float speculative = s * k->inverseH;
+    float bounce = bounceSpeed(e, before, s, k->h, thr2);
+    bounce = e > 0.0f && loaded ? bounce : 0.0f;
+    bool flies = e > 0.0f && !loaded && lambda == 0.0f && vn * vn > thr2;
+    bool leaves = flies && vn > 0.0f;
+    bool bounces = flies && !leaves && speculative + vn < 0.0f;
+    // A rigid contact is a soft one with these numbers.
+    bool rigidly = bounce > 0.0f || s > 0.0f;
+    float massScale = rigidly ? 1.0f : k->massScale;
+    float softer = rigidly ? 0.0f : k->impulseScale * lambda;
+    float bias = k->massScale * greatest(k->biasRate * s, -shape.z);
+    bias = bounce > 0.0f ? -bounce : s > 0.0f ? speculative : bias;
+    float next = greatest((lambda - mass * (massScale * vn + bias)) - softer, 0.0f);
+    next = leaves || bounces ? lambda : next;
+    float impulse = bounces ? freeBounce(e, vn, mass) : next - lambda;
+    if (!leaves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
     return (float2)(next, bounce);
 }
 
-// The relaxing pass over one contact: returns its new impulse.
+// The relaxing pass over one contact: returns its new impulse. The same as relaxImpulse of Solver.cl, to the bit.
 float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape, float bounce, bool last) {
+    float e = shape.x;
+    float thr2 = shape.y;
+    float s = n.z;
+    float lambda = n.w;
+    float mass = shape.w;
     float wi = t->inverseMass[p.x];
     float wj = t->inverseMass[p.y];
     bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
     float2 vi = t->velocity[p.x];
     float2 vj = t->velocity[p.y];
     float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
-    float next, impulse;
-    bool solved;
-    bool moves = relaxImpulse(w, n, shape.x, shape.y, shape.w, vn, bounce, unloaded, &next, &impulse, &solved);
-    if (moves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
-    if (solved && !last && carries(next, n.z, vn + impulse * (wi + wj), shape.y)) {
+    bool idle = lambda == 0.0f && bounce == 0.0f;
+    bool flies = idle && e > 0.0f && unloaded && vn * vn > thr2;
+    bool leaves = idle && (s > 0.0f || (flies && vn > 0.0f));
+    bool bounces = flies && !leaves;
+    float bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
+    float next = rigid(lambda, mass, vn, bias);
+    float impulse = bounces ? freeBounce(e, vn, mass) : next - lambda;
+    next = leaves || bounces ? lambda : bounce > 0.0f ? 0.0f : next;
+    if (leaves) return next;
+    applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    if (!bounces && !last && carries(next, s, vn + impulse * (wi + wj), thr2)) {
         float2 lo = t->load[p.x];
         float2 hi = t->load[p.y];
         t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
