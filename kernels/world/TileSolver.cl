@@ -1,14 +1,13 @@
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has three launches. Push reads motion, traits,
-// load and held and writes pushedVelocity, pushedDisplacement and impulse; it ends with what is a circle's own business, its
-// move and the walls. Measure, a contact a work-item, takes what is costly about a contact out of the chain of dependent
-// contacts. Relax goes back to motion, load and held. Traits change between traits and pushedTraits every sub-step.
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has three launches. Push reads drive, burden and
+// held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Measure, a contact a work-item, takes what is
+// costly about a contact out of the chain of dependent contacts. Relax goes back to held, and starts the next sub-step.
 
 // A tile in local memory, by the numbers of its record.
 typedef struct {
     float2 velocity[TILE_CIRCLES];
     float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
-    float inverseMass[TILE_CIRCLES];
-    uchar flags[TILE_CIRCLES];
+    float burden[TILE_CIRCLES];
+    uchar carried[TILE_CIRCLES];   // in the relaxing pass: 1 where a contact carries
     int partStart[TILE_PARTS + 2]; // by part of a round
     int circles, parts;
 } Tile;
@@ -47,11 +46,11 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
     float mass = shape.w;
     float2 bi = t->load[p.x];
     float2 bj = t->load[p.y];
-    float wi = t->inverseMass[p.x];
-    float wj = t->inverseMass[p.y];
+    float wi = t->burden[p.x];
+    float wj = t->burden[p.y];
     float2 vi = t->velocity[p.x];
     float2 vj = t->velocity[p.y];
-    bool loaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) != 0;
+    bool loaded = isLoaded(wi) || isLoaded(wj);
     float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
     float before = along(n.x, n.y, bj.x - bi.x, bj.y - bi.y);
     float speculative = s * k->inverseH;
@@ -69,7 +68,7 @@ float2 pushInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape)
     float next = greatest((lambda - mass * (massScale * vn + bias)) - softer, 0.0f);
     next = leaves || bounces ? lambda : next;
     float impulse = bounces ? freeBounce(e, vn, mass) : next - lambda;
-    if (!leaves) applyTo(t, p, vi, vj, n.x, n.y, wi, wj, impulse);
+    if (!leaves) applyTo(t, p, vi, vj, n.x, n.y, fabs(wi), fabs(wj), impulse);
     return (float2)(next, bounce);
 }
 
@@ -80,9 +79,11 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
     float s = n.z;
     float lambda = n.w;
     float mass = shape.w;
-    float wi = t->inverseMass[p.x];
-    float wj = t->inverseMass[p.y];
-    bool unloaded = ((t->flags[p.x] | t->flags[p.y]) & LOADED) == 0;
+    float wi = t->burden[p.x];
+    float wj = t->burden[p.y];
+    bool unloaded = !(isLoaded(wi) || isLoaded(wj));
+    wi = fabs(wi);
+    wj = fabs(wj);
     float2 vi = t->velocity[p.x];
     float2 vj = t->velocity[p.y];
     float vn = along(n.x, n.y, vj.x - vi.x, vj.y - vi.y);
@@ -101,8 +102,8 @@ float relaxInTile(const World *w, local Tile *t, int2 p, float4 n, float4 shape,
         float2 hi = t->load[p.y];
         t->load[p.x] = (float2)(lo.x - n.x * next, lo.y - n.y * next);
         t->load[p.y] = (float2)(hi.x + n.x * next, hi.y + n.y * next);
-        t->flags[p.x] |= CARRIED;
-        t->flags[p.y] |= CARRIED;
+        t->carried[p.x] = 1;
+        t->carried[p.y] = 1;
     }
     return next;
 }
@@ -171,45 +172,48 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The biased pass of a tile: gravity and the walls, the contacts, the circles' move.
+// The biased pass of a tile.
 void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
-    global const float4 *oldTraits = subStep & 1 ? w->pushedTraits : w->traits;
-    global float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
     int circles = t->circles;
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int slot = slots[i] & ~NOT_OWN;
-        float4 m = w->motion[slot];
-        float4 traits = oldTraits[slot];
-        float2 before, bounce;
-        bool loaded;
-        accelerate(w, w->circle[slot], &m, &traits, w->load[slot], &before, &bounce, &loaded);
-        t->velocity[i] = m.zw;
-        t->load[i] = before;
-        t->inverseMass[i] = traits.x;
-        t->flags[i] = loaded ? LOADED : 0;
-        if (slots[i] >= 0) {
-            newTraits[slot] = traits;
-            w->wallBounce[slot] = bounce;
-            w->pushedDisplacement[slot] = m.xy;
-            if (subStep == 0) w->homeMemory[slot] = NONE;
+    TILE_TOGETHER(first, circles) {
+        int slot[TOGETHER];
+        float4 drive[TOGETHER];
+        float burden[TOGETHER];
+        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)] & ~NOT_OWN;
+        TOGETHER_EACH(n) {
+            drive[n] = w->drive[slot[n]];
+            burden[n] = w->burden[slot[n]];
+        }
+        TOGETHER_EACH(n) {
+            int i = togetherItem(first, n);
+            if (i >= circles) continue;
+            t->velocity[i] = drive[n].xy;
+            t->load[i] = drive[n].zw;
+            t->burden[i] = burden[n];
         }
     }
     solveParts(w, t, contactsOf(recordOf(w, tile)), false, false);
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        float4 m;
-        m.xy = w->pushedDisplacement[slot];
-        m.zw = t->velocity[i];
-        float4 traits = newTraits[slot];
-        bool loaded = t->flags[i] & LOADED;
-        moveCircle(w, slot, w->circle[slot], &m, &traits, w->wallBounce[slot], loaded);
-        newTraits[slot] = traits;
-        w->pushedVelocity[slot] = (float4)(m.z, m.w, traits.x, loaded ? 1.0f : 0.0f);
-        w->pushedDisplacement[slot] = m.xy;
+    TILE_TOGETHER(first, circles) {
+        int slot[TOGETHER];
+        float4 c[TOGETHER];
+        float2 d[TOGETHER];
+        float4 traits[TOGETHER];
+        float2 bounce[TOGETHER];
+        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)];
+        TOGETHER_EACH(n) {
+            if (slot[n] < 0) continue;
+            c[n] = w->circle[slot[n]];
+            d[n] = w->motion[slot[n]].xy;
+            traits[n] = w->traits[slot[n]];
+            bounce[n] = w->wallBounce[slot[n]];
+        }
+        TOGETHER_EACH(n) {
+            int i = togetherItem(first, n);
+            if (i >= circles || slot[n] < 0) continue;
+            endPush(w, slot[n], c[n], d[n], t->velocity[i], traits[n], bounce[n], t->burden[i]);
+            if (subStep == 0) w->homeMemory[slot[n]] = NONE;
+        }
     }
 }
 
@@ -219,7 +223,7 @@ void measureContact(const World *w, int c) {
     float4 ci = w->circle[p.x];
     float4 cj = w->circle[p.y];
     float4 n;
-    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, w->pushedDisplacement[p.x], w->pushedDisplacement[p.y])) {
+    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, w->pushedMotion[p.x].xy, w->pushedMotion[p.y].xy)) {
         n.xy = w->contact[c].xy;
     }
     n.w = 0.0f;
@@ -234,33 +238,51 @@ kernel void solver_measure(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
 }
 
-// The relaxing pass of a tile: the contacts; in the last sub-step the circles go home.
-void relaxTile(const World *w, local Tile *t, int tile, int subStep, bool last) {
+// The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
+// home.
+void relaxTile(const World *w, local Tile *t, int tile, bool last) {
     global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
-    global const float4 *newTraits = subStep & 1 ? w->traits : w->pushedTraits;
     int circles = t->circles;
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        float4 v = w->pushedVelocity[slots[i] & ~NOT_OWN];
-        t->velocity[i] = v.xy;
-        t->load[i] = (float2)(0.0f);
-        t->inverseMass[i] = v.z;
-        t->flags[i] = v.w > 0.0f ? LOADED : 0;
+    TILE_TOGETHER(first, circles) {
+        int slot[TOGETHER];
+        float2 v[TOGETHER];
+        float burden[TOGETHER];
+        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)] & ~NOT_OWN;
+        TOGETHER_EACH(n) {
+            v[n] = w->pushedMotion[slot[n]].zw;
+            burden[n] = w->pushedBurden[slot[n]];
+        }
+        TOGETHER_EACH(n) {
+            int i = togetherItem(first, n);
+            if (i >= circles) continue;
+            t->velocity[i] = v[n];
+            t->load[i] = (float2)(0.0f);
+            t->burden[i] = burden[n];
+            t->carried[i] = 0;
+        }
     }
     solveParts(w, t, contactsOf(recordOf(w, tile)), true, last);
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        float2 d = w->pushedDisplacement[slot];
-        float2 v = t->velocity[i];
-        float4 m = (float4)(d.x, d.y, v.x, v.y);
-        if (last) {
-            goHome(w, slot, w->circle[slot], m, newTraits[slot]);
-        } else {
-            float2 load = t->load[i];
-            w->motion[slot] = m;
-            w->load[slot] = (float4)(load.x, load.y, 0.0f, t->flags[i] & CARRIED ? 1.0f : 0.0f);
+    TILE_TOGETHER(first, circles) {
+        int slot[TOGETHER];
+        float4 c[TOGETHER];
+        float4 m[TOGETHER];
+        float4 traits[TOGETHER];
+        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)];
+        TOGETHER_EACH(n) {
+            if (slot[n] < 0) continue;
+            c[n] = w->circle[slot[n]];
+            m[n] = w->pushedMotion[slot[n]];
+            traits[n] = w->traits[slot[n]];
+        }
+        TOGETHER_EACH(n) {
+            int i = togetherItem(first, n);
+            if (i >= circles || slot[n] < 0) continue;
+            m[n].zw = t->velocity[i];
+            if (last) {
+                goHome(w, slot[n], c[n], m[n], traits[n]);
+            } else {
+                startCircle(w, slot[n], c[n], m[n], traits[n], t->load[i], t->carried[i]);
+            }
         }
     }
 }
@@ -293,12 +315,12 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     pushTile(&w, &t, tile, subStep);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep, int last) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
     World w = WORLD;
     local Tile t;
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
     takeTile(&w, &t, tile, idle);
-    relaxTile(&w, &t, tile, subStep, last);
+    relaxTile(&w, &t, tile, last);
 }

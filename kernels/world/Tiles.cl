@@ -44,9 +44,8 @@ global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile
 
 global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
 
-// Flags of a circle.
-#define LOADED 1
-#define CARRIED 2
+// Flag of a circle.
+#define CARRIED 1
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
@@ -299,7 +298,7 @@ void refuseTile(const World *w, int peak) {
     atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
-// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit. idle: do nothing.
+// Writes the tile's record, and starts its own circles. Refuses the step where they do not fit. idle: do nothing.
 void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     Region r = regionOf(w, tile);
     global int *record = recordOf(w, tile);
@@ -312,8 +311,9 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     recordContacts(a, record, circles);
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
-        float2 sum = a->load[i];
-        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->flags[i] & CARRIED ? 1.0f : 0.0f);
+        if (slot >= 0) {
+            startCircle(w, slot, w->circle[slot], w->motion[slot], w->traits[slot], a->load[i], a->flags[i] & CARRIED);
+        }
     }
     if (get_local_id(0) != 0 || idle) return;
     if (fits) {
