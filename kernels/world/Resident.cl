@@ -145,7 +145,7 @@ void solveAll(const World *w, local Tile *t, int contacts) {
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+                relaxTile(w, t, tile, subStep == w->k.subSteps - 1);
             } else {
                 pushTile(w, t, tile, subStep);
             }

@@ -53,10 +53,6 @@ global int2 *contactsOf(global int *record) { return (global int2 *) (record + R
 // By contact as it is listed: its number for the passes. Where its key has been, which nobody needs any more.
 global int *numbersOf(const World *w) { return (global int *) w->key; }
 
-// Flags of a circle.
-#define LOADED 1
-#define CARRIED 2
-
 // A tile and the region around it, in cells of the torus.
 typedef struct {
     int columnsLog, columnMask, rowMask; // of the torus
@@ -392,7 +388,7 @@ void refuseTile(const World *w, int peak) {
     atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
-// Writes the tile's record, and the sums of its own circles. Refuses the step where they do not fit. idle: do nothing.
+// Writes the tile's record, and starts its own circles. Refuses the step where they do not fit. idle: do nothing.
 void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     Region r = regionOf(w, tile);
     global int *record = recordOf(w, tile);
@@ -405,8 +401,10 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     recordContacts(w, &r, a, record, circles);
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
-        float2 sum = a->load[i];
-        if (slot >= 0) w->load[slot] = (float4)(sum.x, sum.y, 0.0f, a->progress[i] & HAS_CARRIED ? 1.0f : 0.0f);
+        if (slot >= 0) {
+            startCircle(w, slot, w->circle[slot], w->motion[slot], w->traits[slot], a->load[i],
+                        a->progress[i] & HAS_CARRIED);
+        }
     }
     if (get_local_id(0) != 0 || idle) return;
     if (fits) {

@@ -45,8 +45,8 @@ typedef struct {
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
-        global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
-        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,           \
+        global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
+        global float *pushedBurden, global int *groupStart, global int *groupFill, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
         global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
@@ -86,9 +86,10 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *pushedTraits;       // every other sub-step's traits
-    global float4 *pushedVelocity;     // between the passes: velocity x, y, inverse mass, 1 where loaded
-    global float2 *pushedDisplacement; // between the passes
+    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse
+    global float4 *pushedMotion; // between the passes
+    global float *burden;        // as the biased pass begins: inverse mass, negative where loaded
+    global float *pushedBurden;  // between the passes
 
     // stage Contacts: by group, then by contact
     global int *groupStart, *groupFill;
@@ -116,7 +117,7 @@ typedef struct {
     {                                                                                                                  \
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
-            load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
+            load, wallBounce, leash, share, near, blockRange, drive, pushedMotion, burden, pushedBurden,               \
             groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }

@@ -19,6 +19,7 @@ final class ClKernels {
         "Sweep",
         "Contacts",
         "Solver",
+        "TileCircles",
         "Tiles",
         "TileContacts",
         "TileSolver",

@@ -170,9 +170,7 @@ final class ClTiles {
         for (int sub = 0; sub < subSteps; sub++) {
             push.arg(ClBuffers.COUNT, sub).run(items, GROUP);
             measure.run(2L * circles);
-            relax.arg(ClBuffers.COUNT, sub)
-                    .arg(ClBuffers.COUNT + 1, sub == subSteps - 1 ? 1 : 0)
-                    .run(items, GROUP);
+            relax.arg(ClBuffers.COUNT, sub == subSteps - 1 ? 1 : 0).run(items, GROUP);
         }
         remember.run(2L * circles);
     }

@@ -1,0 +1,46 @@
+// Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
+// work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
+// drive and burden after the start, pushedMotion and pushedBurden after the move; motion, traits and wallBounce are the owner's.
+
+// How many circles a work-item takes at a time: what it reads of all of them is on its way before it needs the first.
+#define TOGETHER 4
+#define TOGETHER_EACH(n) _Pragma("unroll") for (int n = 0; n < TOGETHER; n++)
+#define TILE_TOGETHER(first, count)                                                                                    \
+    _Pragma("unroll 1") for (int first = 0; first < (count); first += TOGETHER * (int) get_local_size(0))
+
+// The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
+int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
+
+// A circle's inverse mass, negative where it is loaded: of a fixed one it is 0, and that is never loaded.
+float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
+
+bool isLoaded(float burden) { return as_int(burden) < 0; }
+
+// Writes a circle's wall impulses, where they have changed.
+void storeWalls(const World *w, int slot, float2 old, float4 t) {
+    if (as_int(old.x) != as_int(t.z) || as_int(old.y) != as_int(t.w)) w->traits[slot] = t;
+}
+
+// Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. c, m, t: circle, motion, traits;
+// sum: of the impulses of its contacts; carried: whether one of them carries.
+void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+    float2 walls = t.zw;
+    float2 before, bounce;
+    bool loaded;
+    accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    storeWalls(w, slot, walls, t);
+    w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
+    w->burden[slot] = burdenOf(t.x, loaded);
+    w->motion[slot] = m;
+    w->wallBounce[slot] = bounce;
+}
+
+// Ends the biased pass for a circle: its move. d: displacement; v: velocity.
+void endPush(const World *w, int slot, float4 c, float2 d, float2 v, float4 t, float2 bounce, float burden) {
+    float4 m = (float4)(d.x, d.y, v.x, v.y);
+    float2 walls = t.zw;
+    moveCircle(w, slot, c, &m, &t, bounce, isLoaded(burden));
+    storeWalls(w, slot, walls, t);
+    w->pushedMotion[slot] = m;
+    w->pushedBurden[slot] = burden;
+}
