@@ -21,13 +21,34 @@ void storeWalls(const World *w, int slot, float2 old, float4 t) {
     if (as_int(old.x) != as_int(t.z) || as_int(old.y) != as_int(t.w)) w->traits[slot] = t;
 }
 
+// Whether a wall without an impulse leaves a circle alone in the biased pass: pushFromWall would change no more than the sign
+// of a zero. before: velocity along the axis before any impulse; v: after those of its contacts.
+bool wallIsFar(const World *w, float x, float dx, float before, float v, float r, float min, float max) {
+    float side = wallSide(x, min, max);
+    float gap = wallGap(x, dx, r, side, min, max);
+    return gap > 0.0f && !(gap * w->k.inverseH + side * v < 0.0f) && !(gap + side * before * w->k.h < 0.0f);
+}
+
 // Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. c, m, t: circle, motion, traits;
 // sum: of the impulses of its contacts; carried: whether one of them carries.
 void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+    const StepConstants *k = &w->k;
     float2 walls = t.zw;
-    float2 before, bounce;
-    bool loaded;
-    accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    float2 before = (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
+    float2 next = (float2)(limitSpeed(before.x + t.x * sum.x), limitSpeed(before.y + t.x * sum.y));
+    float2 bounce = (float2)(0.0f);
+    bool loaded = carried;
+    if (t.x != 0.0f && t.z == 0.0f && t.w == 0.0f &&
+        wallIsFar(w, c.x, m.x, before.x, next.x, c.z, k->minX, k->maxX) &&
+        wallIsFar(w, c.y, m.y, before.y, next.y, c.z, k->minY, k->maxY)) {
+        // As accelerate would leave it, down to the signs of zeros.
+        t.z = wallSide(c.x, k->minX, k->maxX) * 0.0f;
+        t.w = wallSide(c.y, k->minY, k->maxY) * 0.0f;
+        m.z = next.x + t.z;
+        m.w = next.y + t.w;
+    } else {
+        accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    }
     storeWalls(w, slot, walls, t);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);

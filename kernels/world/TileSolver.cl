@@ -10,6 +10,7 @@ typedef struct {
     uchar carried[TILE_CIRCLES];   // in the relaxing pass: 1 where a contact carries
     int partStart[TILE_PARTS + 2]; // by part of a round
     int circles, parts;
+    int firstCopy;
 } Tile;
 
 // Takes a tile from its record. idle: as one without circles.
@@ -21,6 +22,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     if (get_local_id(0) == 0) {
         t->circles = circles;
         t->parts = parts;
+        t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
     }
     TILE_EACH(part, parts + 1) t->partStart[part] = circles > 0 ? record[RECORD_STARTS + part] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -29,7 +31,9 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
 // What a pass reads of a contact.
 typedef struct {
     int2 contact; // as in the record, or NO_CONTACT
-    float4 normal, shape;
+    int copy;     // where the tile has its copy
+    float4 normal; // in the relaxing pass the base: it is measured anew
+    float4 shape;
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
@@ -51,22 +55,31 @@ void setCursor(local const Tile *t, Cursor *cursor, int part) {
     cursor->to = t->partStart[min(part + 1, t->parts)];
 }
 
+// A contact that is to be read.
+typedef struct {
+    int2 contact;
+    int copy;
+} Entry;
+
 // The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
-int2 nextContact(local const Tile *t, global const int2 *contacts, Cursor *cursor) {
+Entry nextContact(local const Tile *t, global const int2 *contacts, Cursor *cursor) {
     int k = cursor->from + (int) get_local_id(0);
-    int2 contact = k < cursor->to ? contacts[k] : NO_CONTACT;
+    Entry entry;
+    entry.contact = k < cursor->to ? contacts[k] : NO_CONTACT;
+    entry.copy = t->firstCopy + k;
     cursor->part++;
     cursor->from = cursor->to;
     cursor->to = t->partStart[min(cursor->part + 1, t->parts)];
-    return contact;
+    return entry;
 }
 
-void readContact(const World *w, int2 contact, bool relaxing, Reading *reading) {
-    reading->contact = contact;
-    if (contact.y < 0) return;
-    int c = contact.x & ~NOT_OWN;
-    reading->normal = w->contact[c];
-    reading->shape = w->shape[c];
+void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
+    reading->contact = entry.contact;
+    reading->copy = entry.copy;
+    if (entry.contact.y < 0) return;
+    int c = entry.contact.x & ~NOT_OWN;
+    reading->normal = relaxing ? w->base[entry.copy] : w->contact[entry.copy];
+    reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
@@ -124,22 +137,35 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     v->still = false;
 }
 
-// Makes a contact ready for the relaxing pass.
-void readyToRelax(const World *w, local const Tile *t, const Reading *r, Visit *v) {
+// Measures a contact after the circles have moved. displacement: of the circles of the tile.
+float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, bool last) {
+    float4 b = r->normal;
+    float4 n = (float4)(0.0f);
+    if (r->contact.y < 0) return n;
+    if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
+        n.xy = w->contact[r->copy].xy;
+    }
+    n.w = 0.0f;
+    if (!last) w->contact[r->copy] = n;
+    return n;
+}
+
+// Makes a contact ready for the relaxing pass. n: as measured.
+void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 n, Visit *v) {
     int i = lowerOf(r->contact);
     int j = higherOf(r->contact);
     float wi = t->burden[i];
     float wj = t->burden[j];
     bool loaded = isLoaded(wi) || isLoaded(wj);
-    float s = r->normal.z;
+    float s = n.z;
     float e = r->shape.x;
     float thr2 = r->shape.y;
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
     v->contact = r->contact;
-    v->nx = r->normal.x;
-    v->ny = r->normal.y;
+    v->nx = n.x;
+    v->ny = n.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
     v->mass = r->shape.w;
@@ -192,9 +218,10 @@ void visitContact(const World *w, local Tile *t, const Visit *v, float2 vi, floa
     }
 }
 
-void readyContact(const World *w, local const Tile *t, const Reading *reading, bool relaxing, Visit *visit) {
+void readyContact(const World *w, local const Tile *t, local const float2 *displacement, const Reading *reading,
+                  bool relaxing, bool last, Visit *visit) {
     if (relaxing) {
-        readyToRelax(w, t, reading, visit);
+        readyToRelax(w, t, reading, measureInTile(w, displacement, reading, last), visit);
     } else {
         readyToPush(w, t, reading, visit);
     }
@@ -202,8 +229,8 @@ void readyContact(const World *w, local const Tile *t, const Reading *reading, b
 
 // Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of two parts later, and
 // looks up those of two more.
-void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit,
-               Reading *reading, int2 *next, Cursor *cursor) {
+void solvePart(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
+               bool relaxing, bool last, Visit *visit, Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
     Visit v = *visit;
     int i = lowerOf(v.contact);
@@ -212,14 +239,15 @@ void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool 
     float2 vj = t->velocity[j];
     float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
     float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
-    readyContact(w, t, reading, relaxing, visit);
     visitContact(w, t, &v, vi, vj, loadI, loadJ, relaxing, last);
+    readyContact(w, t, displacement, reading, relaxing, last, visit);
     readContact(w, *next, relaxing, reading);
     *next = nextContact(t, contacts, cursor);
 }
 
 // Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
-void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
+void solveParts(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
+                bool relaxing, bool last) {
     int parts = t->parts;
     Cursor cursor;
     setCursor(t, &cursor, 0);
@@ -228,17 +256,17 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     even.impulse = odd.impulse = (float2)(0.0f);
     readContact(w, nextContact(t, contacts, &cursor), relaxing, &even);
     readContact(w, nextContact(t, contacts, &cursor), relaxing, &odd);
-    int2 nextEven = nextContact(t, contacts, &cursor);
-    int2 nextOdd = nextContact(t, contacts, &cursor);
+    Entry nextEven = nextContact(t, contacts, &cursor);
+    Entry nextOdd = nextContact(t, contacts, &cursor);
     barrier(CLK_LOCAL_MEM_FENCE);
     Visit visit;
-    readyContact(w, t, &even, relaxing, &visit);
+    readyContact(w, t, displacement, &even, relaxing, last, &visit);
     readContact(w, nextEven, relaxing, &even);
     nextEven = nextContact(t, contacts, &cursor);
 #pragma unroll 1
     for (int part = 0; part < parts; part += 2) {
-        solvePart(w, t, contacts, relaxing, last, &visit, &odd, &nextOdd, &cursor);
-        solvePart(w, t, contacts, relaxing, last, &visit, &even, &nextEven, &cursor);
+        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &odd, &nextOdd, &cursor);
+        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &even, &nextEven, &cursor);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
@@ -247,6 +275,7 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
 void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
+    findNumbers(w, recordOf(w, tile), subStep == 0 ? t->partStart[t->parts] : 0);
     TILE_TOGETHER(first, circles) {
         int slot[TOGETHER];
         float4 drive[TOGETHER];
@@ -264,7 +293,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
             t->burden[i] = burden[n];
         }
     }
-    solveParts(w, t, contactsOf(recordOf(w, tile)), false, false);
+    solveParts(w, t, 0, contactsOf(recordOf(w, tile)), false, false);
     TILE_TOGETHER(first, circles) {
         int slot[TOGETHER];
         float4 c[TOGETHER];
@@ -288,71 +317,51 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     }
 }
 
-// Measures a contact after the circles have moved.
-void measureContact(const World *w, int c) {
-    uint2 p = w->ordered[c];
-    float4 ci = w->circle[p.x];
-    float4 cj = w->circle[p.y];
-    float4 n;
-    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, w->pushedMotion[p.x].xy, w->pushedMotion[p.y].xy)) {
-        n.xy = w->contact[c].xy;
-    }
-    n.w = 0.0f;
-    w->contact[c] = n;
-}
-
-// Index space: any number of work-items, which take the contacts in turn.
-kernel void solver_measure(WORLD_PARAMETERS) {
-    World w = WORLD;
-    if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
-    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) measureContact(&w, c);
-}
-
 // The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
 // home.
-void relaxTile(const World *w, local Tile *t, int tile, bool last) {
+void relaxTile(const World *w, local Tile *t, local float2 *displacement, int tile, bool last) {
     global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
     TILE_TOGETHER(first, circles) {
         int slot[TOGETHER];
-        float2 v[TOGETHER];
+        float4 m[TOGETHER];
         float burden[TOGETHER];
         TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)] & ~NOT_OWN;
         TOGETHER_EACH(n) {
-            v[n] = w->pushedMotion[slot[n]].zw;
+            m[n] = w->pushedMotion[slot[n]];
             burden[n] = w->pushedBurden[slot[n]];
         }
         TOGETHER_EACH(n) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->velocity[i] = v[n];
+            displacement[i] = m[n].xy;
+            t->velocity[i] = m[n].zw;
             t->load[i] = (float2)(0.0f);
             t->burden[i] = burden[n];
             t->carried[i] = 0;
         }
     }
-    solveParts(w, t, contactsOf(recordOf(w, tile)), true, last);
+    solveParts(w, t, displacement, contactsOf(recordOf(w, tile)), true, last);
     TILE_TOGETHER(first, circles) {
         int slot[TOGETHER];
         float4 c[TOGETHER];
-        float4 m[TOGETHER];
         float4 traits[TOGETHER];
         TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)];
         TOGETHER_EACH(n) {
             if (slot[n] < 0) continue;
             c[n] = w->circle[slot[n]];
-            m[n] = w->pushedMotion[slot[n]];
             traits[n] = w->traits[slot[n]];
         }
         TOGETHER_EACH(n) {
             int i = togetherItem(first, n);
             if (i >= circles || slot[n] < 0) continue;
-            m[n].zw = t->velocity[i];
+            float2 d = displacement[i];
+            float2 v = t->velocity[i];
+            float4 m = (float4)(d.x, d.y, v.x, v.y);
             if (last) {
-                goHome(w, slot[n], c[n], m[n], traits[n]);
+                goHome(w, slot[n], c[n], m, traits[n]);
             } else {
-                startCircle(w, slot[n], c[n], m[n], traits[n], t->load[i], t->carried[i]);
+                startCircle(w, slot[n], c[n], m, traits[n], t->load[i], t->carried[i]);
             }
         }
     }
@@ -389,9 +398,10 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
     World w = WORLD;
     local Tile t;
+    local float2 displacement[TILE_CIRCLES];
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
     takeTile(&w, &t, tile, idle);
-    relaxTile(&w, &t, tile, last);
+    relaxTile(&w, &t, displacement, tile, last);
 }

@@ -27,14 +27,18 @@
 #define HALO_ROWS 1
 #define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
 
-// A tile's record: circles, parts, by part its first contact and the end, slots, contacts. A contact: its number, its
-// circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own: NOT_OWN too.
+// A tile's record: circles, parts, its first copy of a contact, by part its first contact and the end, slots, contacts. A contact:
+// its number, its circles in 16 bits each, the lower id in the lower half. Slots and contacts that are not the tile's own:
+// NOT_OWN too.
 //
-// Contacts are numbered twice. As they are listed, group by group, they are in the order of all sums. What passes read of them is
-// numbered in the order in which the tile that owns them reads it, so that work-items side by side read side by side.
+// As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered
+// reads would be most of a pass. So each tile has its own copies, in its order, of what only changes in a way that each can
+// follow: base, shape, contact. What a contact's owner alone finds out has a place for each contact: held, impulse. Contacts
+// are numbered anew for it, those of a tile in its order.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
-#define RECORD_STARTS 2
+#define RECORD_COPIES 2
+#define RECORD_STARTS 4
 #define RECORD_SLOTS (RECORD_STARTS + TILE_PARTS + 2)
 #define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES)
 #define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
@@ -108,6 +112,7 @@ typedef struct {
     int otherPlace[TILE_ROUNDS + 1];   // and of its next other one
     int ownNumber[TILE_ROUNDS + 1];    // by round: what makes of the place of an own contact its number
     int firstNumber; // of the tile's own contacts
+    int firstCopy;
     int contacts;
     int overfull; // 1 where there are too many contacts or rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
@@ -284,6 +289,9 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
+// Copies in a cache line: each tile's begin with one.
+#define LINE_COPIES 8
+
 int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 
 // Finds where the contacts of each round begin, in the record and in the numbers of all contacts. rounds: as many as there is
@@ -313,17 +321,68 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
         record[RECORD_STARTS + part] = start;
         record[RECORD_PARTS] = part;
         a->firstNumber = atomic_add(&w->status[TILE_NUMBERS], own);
+        a->firstCopy = atomic_add(&w->status[TILE_COPIES], (start + LINE_COPIES - 1) & ~(LINE_COPIES - 1));
+        record[RECORD_COPIES] = a->firstCopy;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
+
+// How many copies there is room for.
+int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
 
 // A contact's circles and round on their way through the record.
 #define PLACED_CIRCLE 0x7ff
 #define PLACED_HIGH 11
 #define PLACED_ROUND 22
 
+// Copies what passes read of the contacts of a region, in the order of the record.
+void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
+    global int2 *placed = contactsOf(record);
+    int room = copyRoom(w);
+    TILE_TOGETHER(first, contacts) {
+        int2 contact[TOGETHER];
+        int i[TOGETHER], j[TOGETHER];
+        float4 ci[TOGETHER], cj[TOGETHER], n[TOGETHER];
+        float2 ti[TOGETHER], tj[TOGETHER];
+        TOGETHER_EACH(k) {
+            int place = togetherItem(first, k);
+            contact[k] = place < contacts ? placed[place] : (int2)(0);
+        }
+        TOGETHER_EACH(k) {
+            i[k] = record[RECORD_SLOTS + (contact[k].y & PLACED_CIRCLE)] & ~NOT_OWN;
+            j[k] = record[RECORD_SLOTS + (contact[k].y >> PLACED_HIGH & PLACED_CIRCLE)] & ~NOT_OWN;
+            n[k] = w->masses[contact[k].x & ~NOT_OWN];
+        }
+        TOGETHER_EACH(k) {
+            ci[k] = w->circle[i[k]];
+            cj[k] = w->circle[j[k]];
+            ti[k] = w->traits[i[k]].xy;
+            tj[k] = w->traits[j[k]].xy;
+        }
+        TOGETHER_EACH(k) {
+            int place = togetherItem(first, k);
+            int copy = a->firstCopy + place;
+            if (place >= contacts || copy >= room) continue;
+            float sum = ci[k].z + cj[k].z;
+            float e = greatest(ti[k].y, tj[k].y);
+            w->base[copy] = (float4)(cj[k].x - ci[k].x, cj[k].y - ci[k].y, sum, 0.0f);
+            w->shape[copy] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
+                                      1.0f / (ti[k].x + tj[k].x));
+            w->contact[copy] = n[k];
+            if (contact[k].x >= 0) {
+                contact[k].x = a->firstNumber + a->ownNumber[contact[k].y >> PLACED_ROUND] + place;
+                w->held[contact[k].x] = n[k].w;
+                w->ordered[contact[k].x] = (uint2)((uint) i[k], (uint) j[k]);
+            }
+            placed[place] = (int2)(contact[k].x, (contact[k].y & PLACED_CIRCLE) |
+                                                     (contact[k].y >> PLACED_HIGH & PLACED_CIRCLE) << 16);
+        }
+    }
+    if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
+}
+
 // Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
-// ones their numbers, and copies there what passes read of them. circles: 0 where there is nothing to do.
+// ones their numbers. circles: 0 where there is nothing to do.
 void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
     global int2 *placed = contactsOf(record);
     global int *numberOf = numbersOf(w);
@@ -346,23 +405,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         placed[place] = (int2)(own ? c : c | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-#pragma unroll 4
-    TILE_EACH(place, contacts) {
-        int2 contact = placed[place];
-        int lo = contact.y & PLACED_CIRCLE;
-        int hi = contact.y >> PLACED_HIGH & PLACED_CIRCLE;
-        int c = contact.x;
-        if (c >= 0) {
-            int number = a->firstNumber + a->ownNumber[contact.y >> PLACED_ROUND] + place;
-            float4 n = w->base[c];
-            w->contact[number] = n;
-            w->shape[number] = w->masses[c];
-            w->held[number] = n.w;
-            w->ordered[number] = (uint2)((uint) record[RECORD_SLOTS + lo] & ~NOT_OWN, (uint) record[RECORD_SLOTS + hi] & ~NOT_OWN);
-            contact.x = number;
-        }
-        placed[place] = (int2)(contact.x, lo | hi << 16);
-    }
+    copyContacts(w, a, record, contacts);
 }
 
 // Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all

@@ -35,6 +35,7 @@ typedef struct {
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
 #define TILE_NUMBERS 6 // contacts that tiles have numbered
+#define TILE_COPIES 7  // copies of contacts that tiles have made
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 

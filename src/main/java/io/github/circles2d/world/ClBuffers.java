@@ -118,6 +118,9 @@ final class ClBuffers {
         "tiles"
     };
 
+    /** Copies that tiles make of two contacts, as far as there is room for them from the start: 1.5 of each with usual tiles. */
+    static final int COPIES_IN_TWO = 3;
+
     /** Ints of the status. */
     static final int STATUS_INTS = 64;
 
@@ -142,8 +145,10 @@ final class ClBuffers {
     private static final int[] BY_SLOT_TILED = {DRIVE, PUSHED_MOTION, BURDEN, PUSHED_BURDEN};
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
     private static final int[] BY_CONTACT_KEPT = {OLD};
-    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
-    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, SHAPE, HELD, IMPULSE};
+    private static final int[] BY_CONTACT = {KEY, PAIR, MASSES};
+    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, HELD, IMPULSE};
+    private static final int[] BY_COPY = {BASE, CONTACT};
+    private static final int[] BY_COPY_TILED = {SHAPE};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -176,6 +181,7 @@ final class ClBuffers {
         if (!tiled) {
             grow(1, 0, NO_BUFFERS, BY_SLOT_TILED);
             grow(1, 0, NO_BUFFERS, BY_CONTACT_TILED);
+            grow(1, 0, NO_BUFFERS, BY_COPY_TILED);
         }
         ensureContacts(4 * Math.max(capacity, 64));
     }
@@ -276,11 +282,25 @@ final class ClBuffers {
         if (contacts > contactRoom) {
             int room = grown(contactRoom, contacts);
             grow(room, contactRoom, BY_CONTACT_KEPT, BY_CONTACT);
+            grow(tiled ? copyRoom(room) : room, 0, NO_BUFFERS, BY_COPY);
             if (tiled) {
                 grow(room, 0, NO_BUFFERS, BY_CONTACT_TILED);
+                grow(copyRoom(room), 0, NO_BUFFERS, BY_COPY_TILED);
             }
             contactRoom = room;
         }
+    }
+
+    /** Makes room for copies that tiles make of contacts. */
+    void ensureCopies(int copies) {
+        if (copies > copyRoom(contactRoom)) {
+            ensureContacts((int) (2L * copies / COPIES_IN_TWO) + 2);
+        }
+    }
+
+    /** Room for copies where there is room for so many contacts; the same in {@code Tiles.cl}. */
+    private static int copyRoom(int contacts) {
+        return (contacts >> 1) * COPIES_IN_TWO;
     }
 
     private static int grown(int room, int needed) {

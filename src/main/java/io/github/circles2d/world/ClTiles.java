@@ -10,10 +10,10 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 1664;
+    static final int CIRCLES = 768;
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = 4096;
+    static final int CONTACTS = 2048;
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
@@ -25,7 +25,7 @@ final class ClTiles {
     static final int PARTS = (ROUNDS + CONTACTS / GROUP + 1) & ~1;
 
     /** Ints of a tile's record; see {@code Tiles.cl}. */
-    static final int RECORD = 2 + PARTS + 2 + CIRCLES + 2 * CONTACTS;
+    static final int RECORD = 4 + PARTS + 2 + CIRCLES + 2 * CONTACTS;
 
     /** A peak that says that no tile would do. */
     private static final int NO_TILE = Integer.MAX_VALUE;
@@ -50,7 +50,6 @@ final class ClTiles {
     private final Kernel link;
     private final Kernel arrange;
     private final Kernel push;
-    private final Kernel measure;
     private final Kernel remember;
     private final Kernel relax;
 
@@ -72,7 +71,6 @@ final class ClTiles {
         arrange = kernels.staged("contacts_arrange");
         link = kernels.staged("contacts_link");
         remember = kernels.staged("solver_remember");
-        measure = kernels.staged("solver_measure");
         push = kernels.staged("solver_pushTile");
         relax = kernels.staged("solver_relaxTile");
     }
@@ -169,7 +167,6 @@ final class ClTiles {
         long items = (long) tiles * GROUP;
         for (int sub = 0; sub < subSteps; sub++) {
             push.arg(ClBuffers.COUNT, sub).run(items, GROUP);
-            measure.run(2L * circles);
             relax.arg(ClBuffers.COUNT, sub == subSteps - 1 ? 1 : 0).run(items, GROUP);
         }
         remember.run(2L * circles);
