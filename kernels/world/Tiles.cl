@@ -100,12 +100,18 @@ bool owns(const Region *r, int column, int row) {
 
 // What is known of a region while its contacts are put in order.
 typedef struct {
+    union {
+        uint met[TILE_CONTACTS]; // contacts as they are met: see meeting
+        struct {                 // when all have been placed
+            float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
+            int slot[TILE_CIRCLES];
+        } circle;
+    } of;
     ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
-    float2 load[TILE_CIRCLES];        // sums of impulses, in order
+    float2 load[TILE_CIRCLES];        // by circle: sums of impulses, in order; when all have been placed, its base
     ushort progress[TILE_CIRCLES];     // by circle: see below
-    uint met[TILE_CONTACTS];           // contacts as they are met: see meeting
     int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
     uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
     int ownPlace[TILE_ROUNDS + 1];     // by round: the place in the record of its next own contact
@@ -239,7 +245,7 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
     a->progress[lo] = (ushort) progressLo;
     a->progress[hi] = (ushort) progressHi;
     if ((max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT) > CROWD) a->crowded = 1;
-    a->met[k] = meeting(column, row, inGroup, round);
+    a->of.met[k] = meeting(column, row, inGroup, round);
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
 
@@ -335,52 +341,6 @@ int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO
 #define PLACED_HIGH 11
 #define PLACED_ROUND 22
 
-// Copies what passes read of the contacts of a region, in the order of the record.
-void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
-    global int2 *placed = contactsOf(record);
-    int room = copyRoom(w);
-    TILE_TOGETHER(first, contacts) {
-        int2 contact[TOGETHER];
-        int i[TOGETHER], j[TOGETHER];
-        float4 ci[TOGETHER], cj[TOGETHER], n[TOGETHER];
-        float2 ti[TOGETHER], tj[TOGETHER];
-        TOGETHER_EACH(k) {
-            int place = togetherItem(first, k);
-            contact[k] = place < contacts ? placed[place] : (int2)(0);
-        }
-        TOGETHER_EACH(k) {
-            i[k] = record[RECORD_SLOTS + (contact[k].y & PLACED_CIRCLE)] & ~NOT_OWN;
-            j[k] = record[RECORD_SLOTS + (contact[k].y >> PLACED_HIGH & PLACED_CIRCLE)] & ~NOT_OWN;
-            n[k] = w->masses[contact[k].x & ~NOT_OWN];
-        }
-        TOGETHER_EACH(k) {
-            ci[k] = w->circle[i[k]];
-            cj[k] = w->circle[j[k]];
-            ti[k] = w->traits[i[k]].xy;
-            tj[k] = w->traits[j[k]].xy;
-        }
-        TOGETHER_EACH(k) {
-            int place = togetherItem(first, k);
-            int copy = a->firstCopy + place;
-            if (place >= contacts || copy >= room) continue;
-            float sum = ci[k].z + cj[k].z;
-            float e = greatest(ti[k].y, tj[k].y);
-            w->base[copy] = (float4)(cj[k].x - ci[k].x, cj[k].y - ci[k].y, sum, 0.0f);
-            w->shape[copy] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
-                                      1.0f / (ti[k].x + tj[k].x));
-            w->contact[copy] = n[k];
-            if (contact[k].x >= 0) {
-                contact[k].x = a->firstNumber + a->ownNumber[contact[k].y >> PLACED_ROUND] + place;
-                w->held[contact[k].x] = n[k].w;
-                w->ordered[contact[k].x] = (uint2)((uint) i[k], (uint) j[k]);
-            }
-            placed[place] = (int2)(contact[k].x, (contact[k].y & PLACED_CIRCLE) |
-                                                     (contact[k].y >> PLACED_HIGH & PLACED_CIRCLE) << 16);
-        }
-    }
-    if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
-}
-
 // Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
 // ones their numbers. circles: 0 where there is nothing to do.
 void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
@@ -391,7 +351,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
     int contacts = circles > 0 ? a->contacts : 0;
 #pragma unroll 4
     TILE_EACH(k, contacts) {
-        uint met = a->met[k];
+        uint met = a->of.met[k];
         int column = (int) (met & 0x3f);
         int row = (int) (met >> 6 & 0x1f);
         int round = (int) (met >> 20);
@@ -405,7 +365,53 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         placed[place] = (int2)(own ? c : c | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    copyContacts(w, a, record, contacts);
+}
+
+// Starts the tile's own circles, and keeps at hand what is to be known of all for their contacts.
+void takeCircles(const World *w, local Arrangement *a, global const int *record, int circles) {
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int place = record[RECORD_SLOTS + i];
+        int slot = place & ~NOT_OWN;
+        float4 c = w->circle[slot];
+        float4 t = w->traits[slot]; // of one that is not the tile's own, its owner may change what follows restitution
+        if (place >= 0) startCircle(w, slot, c, w->motion[slot], t, a->load[i], (a->progress[i] & HAS_CARRIED) != 0);
+        a->load[i] = c.xy;
+        a->of.circle.radius[i] = c.z;
+        a->of.circle.inverseMass[i] = t.x;
+        a->of.circle.restitution[i] = t.y;
+        a->of.circle.slot[i] = slot;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Copies what passes read of the contacts of a region, in the order of the record. Refuses the step where there is no room.
+void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
+    global int2 *placed = contactsOf(record);
+    int room = copyRoom(w);
+#pragma unroll 2
+    TILE_EACH(place, contacts) {
+        int copy = a->firstCopy + place;
+        if (copy >= room) continue;
+        int2 contact = placed[place];
+        float4 n = w->masses[contact.x & ~NOT_OWN];
+        int i = contact.y & PLACED_CIRCLE;
+        int j = contact.y >> PLACED_HIGH & PLACED_CIRCLE;
+        float2 d = a->load[j] - a->load[i];
+        float sum = a->of.circle.radius[i] + a->of.circle.radius[j];
+        float e = greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]);
+        w->base[copy] = (float4)(d.x, d.y, sum, 0.0f);
+        w->shape[copy] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
+                                  1.0f / (a->of.circle.inverseMass[i] + a->of.circle.inverseMass[j]));
+        w->contact[copy] = n;
+        if (contact.x >= 0) {
+            contact.x = a->firstNumber + a->ownNumber[contact.y >> PLACED_ROUND] + place;
+            w->held[contact.x] = n.w;
+            w->ordered[contact.x] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
+        }
+        placed[place] = (int2)(contact.x, i | j << 16);
+    }
+    if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
 // Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
@@ -442,13 +448,8 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     bool fits = any && !a->overfull && !a->crowded;
     int circles = fits ? found : 0;
     recordContacts(w, &r, a, record, circles);
-    TILE_EACH(i, circles) {
-        int slot = record[RECORD_SLOTS + i];
-        if (slot >= 0) {
-            startCircle(w, slot, w->circle[slot], w->motion[slot], w->traits[slot], a->load[i],
-                        a->progress[i] & HAS_CARRIED);
-        }
-    }
+    takeCircles(w, a, record, circles);
+    copyContacts(w, a, record, circles > 0 ? contacts : 0);
     if (get_local_id(0) != 0 || idle) return;
     if (fits) {
         atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
