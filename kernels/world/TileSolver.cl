@@ -1,6 +1,7 @@
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has three launches. Push reads drive, burden and
-// held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Measure, a contact a work-item, takes what is
-// costly about a contact out of the chain of dependent contacts. Relax goes back to held, and starts the next sub-step.
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and held
+// and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew, goes
+// back to held, and starts the next sub-step. Both are bound by how many instructions the device issues and by how many tiles
+// it has room for at once, so: few instructions for a contact, none where there is none, few registers.
 
 // A tile in local memory, by the numbers of its record.
 typedef struct {
@@ -37,12 +38,12 @@ typedef struct {
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-// In a reading, where there is none. Its circles are the tile's first.
-#define NO_CONTACT ((int2)(0, (int) 0x80000000))
+// In a reading, where there is none.
+#define NO_CONTACT ((int2)(0, -1))
 
-int lowerOf(int2 contact) { return contact.y & 0x7fff; }
+int lowerOf(int2 contact) { return contact.y & 0xffff; }
 
-int higherOf(int2 contact) { return contact.y >> 16 & 0x7fff; }
+int higherOf(int2 contact) { return contact.y >> 16; }
 
 // The part of a round of which a work-item looks its contact up next.
 typedef struct {
@@ -84,7 +85,7 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
 }
 
 // A contact made ready to be visited: what of pushImpulse and relaxImpulse in Solver.cl does not depend on the velocities.
-// Contacts wait for each other only in visit, which is what remains.
+// Contacts wait for each other only in visitContact, which is what remains. Both together are those functions, to the bit.
 typedef struct {
     int2 contact;
     float nx, ny;
@@ -119,7 +120,6 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     float speculative = s * k->inverseH;
     float push = k->massScale * greatest(k->biasRate * s, -r->shape.z);
     bool rigidly = bounce > 0.0f || s > 0.0f;
-    v->contact = r->contact;
     v->nx = r->normal.x;
     v->ny = r->normal.y;
     v->wi = fabs(wi);
@@ -140,8 +140,7 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
 // Measures a contact after the circles have moved. displacement: of the circles of the tile.
 float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, bool last) {
     float4 b = r->normal;
-    float4 n = (float4)(0.0f);
-    if (r->contact.y < 0) return n;
+    float4 n;
     if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
         n.xy = w->contact[r->copy].xy;
     }
@@ -163,7 +162,6 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
-    v->contact = r->contact;
     v->nx = n.x;
     v->ny = n.y;
     v->wi = fabs(wi);
@@ -181,12 +179,14 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     v->still = idle && s > 0.0f;
 }
 
-// Visits a contact, without branches: they would be most of the time. vi, vj: velocities of its circles; loadI, loadJ: in the
-// relaxing pass their sums of impulses.
-void visitContact(const World *w, local Tile *t, const Visit *v, float2 vi, float2 vj, float2 loadI, float2 loadJ,
-                  bool relaxing, bool last) {
+// Visits a contact, without branches: they would be most of the time.
+void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact);
     int j = higherOf(v->contact);
+    float2 vi = t->velocity[i];
+    float2 vj = t->velocity[j];
+    float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
+    float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
     float vn = along(v->nx, v->ny, vj.x - vi.x, vj.y - vi.y);
     bool flies = vn * vn > v->flight;
     bool leaves = v->still || (flies && vn > 0.0f);
@@ -196,21 +196,20 @@ void visitContact(const World *w, local Tile *t, const Visit *v, float2 vi, floa
     float impulse = bounces ? v->gain * vn * v->mass : solved ? next - v->lambda : 0.0f;
     if (relaxing && v->bounce > 0.0f) next = 0.0f;
     if (!solved) next = v->lambda;
-    bool there = v->contact.y >= 0;
-    if (there && !leaves) {
+    if (!leaves) {
         t->velocity[i] = (float2)(vi.x - v->nx * (v->wi * impulse), vi.y - v->ny * (v->wi * impulse));
         t->velocity[j] = (float2)(vj.x + v->nx * (v->wj * impulse), vj.y + v->ny * (v->wj * impulse));
     }
     if (relaxing && !last) {
         float after = vn + impulse * (v->wi + v->wj);
-        if (there && solved && (next > 0.0f || after * after <= v->resting)) {
+        if (solved && (next > 0.0f || after * after <= v->resting)) {
             t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
             t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
             t->carried[i] = 1;
             t->carried[j] = 1;
         }
     }
-    if (!there || v->contact.x < 0) return;
+    if (v->contact.x < 0) return;
     if (relaxing) {
         w->held[v->contact.x] = next;
     } else {
@@ -220,6 +219,8 @@ void visitContact(const World *w, local Tile *t, const Visit *v, float2 vi, floa
 
 void readyContact(const World *w, local const Tile *t, local const float2 *displacement, const Reading *reading,
                   bool relaxing, bool last, Visit *visit) {
+    visit->contact = reading->contact;
+    if (reading->contact.y < 0) return;
     if (relaxing) {
         readyToRelax(w, t, reading, measureInTile(w, displacement, reading, last), visit);
     } else {
@@ -227,46 +228,33 @@ void readyContact(const World *w, local const Tile *t, local const float2 *displ
     }
 }
 
-// Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of two parts later, and
-// looks up those of two more.
+// Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
+// and looks up those of the third.
 void solvePart(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
                bool relaxing, bool last, Visit *visit, Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    Visit v = *visit;
-    int i = lowerOf(v.contact);
-    int j = higherOf(v.contact);
-    float2 vi = t->velocity[i];
-    float2 vj = t->velocity[j];
-    float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
-    float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
-    visitContact(w, t, &v, vi, vj, loadI, loadJ, relaxing, last);
+    if (visit->contact.y >= 0) visitContact(w, t, visit, relaxing, last);
     readyContact(w, t, displacement, reading, relaxing, last, visit);
     readContact(w, *next, relaxing, reading);
     *next = nextContact(t, contacts, cursor);
 }
 
-// Solves the contacts of a tile, part by part, two in turn, so that what each needs is on its way for the time of two.
+// Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
 void solveParts(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
                 bool relaxing, bool last) {
     int parts = t->parts;
     Cursor cursor;
     setCursor(t, &cursor, 0);
-    Reading even, odd;
-    even.normal = odd.normal = even.shape = odd.shape = (float4)(0.0f);
-    even.impulse = odd.impulse = (float2)(0.0f);
-    readContact(w, nextContact(t, contacts, &cursor), relaxing, &even);
-    readContact(w, nextContact(t, contacts, &cursor), relaxing, &odd);
-    Entry nextEven = nextContact(t, contacts, &cursor);
-    Entry nextOdd = nextContact(t, contacts, &cursor);
-    barrier(CLK_LOCAL_MEM_FENCE);
+    Reading reading;
     Visit visit;
-    readyContact(w, t, displacement, &even, relaxing, last, &visit);
-    readContact(w, nextEven, relaxing, &even);
-    nextEven = nextContact(t, contacts, &cursor);
+    readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    readyContact(w, t, displacement, &reading, relaxing, last, &visit);
+    readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
+    Entry next = nextContact(t, contacts, &cursor);
 #pragma unroll 1
-    for (int part = 0; part < parts; part += 2) {
-        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &odd, &nextOdd, &cursor);
-        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &even, &nextEven, &cursor);
+    for (int part = 0; part < parts; part++) {
+        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &reading, &next, &cursor);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
@@ -294,26 +282,13 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
         }
     }
     solveParts(w, t, 0, contactsOf(recordOf(w, tile)), false, false);
-    TILE_TOGETHER(first, circles) {
-        int slot[TOGETHER];
-        float4 c[TOGETHER];
-        float2 d[TOGETHER];
-        float4 traits[TOGETHER];
-        float2 bounce[TOGETHER];
-        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)];
-        TOGETHER_EACH(n) {
-            if (slot[n] < 0) continue;
-            c[n] = w->circle[slot[n]];
-            d[n] = w->motion[slot[n]].xy;
-            traits[n] = w->traits[slot[n]];
-            bounce[n] = w->wallBounce[slot[n]];
-        }
-        TOGETHER_EACH(n) {
-            int i = togetherItem(first, n);
-            if (i >= circles || slot[n] < 0) continue;
-            endPush(w, slot[n], c[n], d[n], t->velocity[i], traits[n], bounce[n], t->burden[i]);
-            if (subStep == 0) w->homeMemory[slot[n]] = NONE;
-        }
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int slot = slots[i];
+        if (slot < 0) continue;
+        endPush(w, slot, w->circle[slot], w->motion[slot].xy, t->velocity[i], w->traits[slot], w->wallBounce[slot],
+                t->burden[i]);
+        if (subStep == 0) w->homeMemory[slot] = NONE;
     }
 }
 
@@ -342,27 +317,17 @@ void relaxTile(const World *w, local Tile *t, local float2 *displacement, int ti
         }
     }
     solveParts(w, t, displacement, contactsOf(recordOf(w, tile)), true, last);
-    TILE_TOGETHER(first, circles) {
-        int slot[TOGETHER];
-        float4 c[TOGETHER];
-        float4 traits[TOGETHER];
-        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)];
-        TOGETHER_EACH(n) {
-            if (slot[n] < 0) continue;
-            c[n] = w->circle[slot[n]];
-            traits[n] = w->traits[slot[n]];
-        }
-        TOGETHER_EACH(n) {
-            int i = togetherItem(first, n);
-            if (i >= circles || slot[n] < 0) continue;
-            float2 d = displacement[i];
-            float2 v = t->velocity[i];
-            float4 m = (float4)(d.x, d.y, v.x, v.y);
-            if (last) {
-                goHome(w, slot[n], c[n], m, traits[n]);
-            } else {
-                startCircle(w, slot[n], c[n], m, traits[n], t->load[i], t->carried[i]);
-            }
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int slot = slots[i];
+        if (slot < 0) continue;
+        float2 d = displacement[i];
+        float2 v = t->velocity[i];
+        float4 m = (float4)(d.x, d.y, v.x, v.y);
+        if (last) {
+            goHome(w, slot, w->circle[slot], m, w->traits[slot]);
+        } else {
+            startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i], t->carried[i]);
         }
     }
 }
