@@ -10,10 +10,10 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 768;
+    static final int CIRCLES = 1536;
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = 2048;
+    static final int CONTACTS = 4096;
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
@@ -31,16 +31,16 @@ final class ClTiles {
     private static final int NO_TILE = Integer.MAX_VALUE;
 
     /** Local memory that a work-group takes. */
-    private static final int LOCAL_BYTES = 40 << 10;
+    private static final int LOCAL_BYTES = 48 << 10;
 
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
-    private static final int SMALLEST = 3;
+    private static final int SMALLEST = 2;
 
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
 
     /** Sizes of a tile, largest first: log2 of its columns and rows. */
-    private static final int[][] SIZES = {{5, 4}, {4, 4}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
+    private static final int[][] SIZES = {{5, 3}, {4, 3}, {3, 3}, {3, 2}, {3, 1}};
 
     private final ClBuffers buffers;
     private final ClScan scan;
