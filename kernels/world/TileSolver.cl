@@ -1,7 +1,7 @@
 // Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and held
 // and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew, goes
-// back to held, and starts the next sub-step. Both are bound by how many instructions the device issues and by how many tiles
-// it has room for at once, so: few instructions for a contact, none where there is none, few registers.
+// back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, so: few registers; and
+// no branches in the chain of contacts that wait for each other.
 
 // A tile in local memory, by the numbers of its record.
 typedef struct {
@@ -38,12 +38,12 @@ typedef struct {
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-// In a reading, where there is none.
-#define NO_CONTACT ((int2)(0, -1))
+// In a reading, where there is none. Its circles are the tile's first.
+#define NO_CONTACT ((int2)(0, (int) 0x80000000))
 
-int lowerOf(int2 contact) { return contact.y & 0xffff; }
+int lowerOf(int2 contact) { return contact.y & 0x7fff; }
 
-int higherOf(int2 contact) { return contact.y >> 16; }
+int higherOf(int2 contact) { return contact.y >> 16 & 0x7fff; }
 
 // The part of a round of which a work-item looks its contact up next.
 typedef struct {
@@ -120,6 +120,7 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     float speculative = s * k->inverseH;
     float push = k->massScale * greatest(k->biasRate * s, -r->shape.z);
     bool rigidly = bounce > 0.0f || s > 0.0f;
+    v->contact = r->contact;
     v->nx = r->normal.x;
     v->ny = r->normal.y;
     v->wi = fabs(wi);
@@ -140,7 +141,8 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
 // Measures a contact after the circles have moved. displacement: of the circles of the tile.
 float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, bool last) {
     float4 b = r->normal;
-    float4 n;
+    float4 n = (float4)(0.0f);
+    if (r->contact.y < 0) return n;
     if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
         n.xy = w->contact[r->copy].xy;
     }
@@ -162,6 +164,7 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
+    v->contact = r->contact;
     v->nx = n.x;
     v->ny = n.y;
     v->wi = fabs(wi);
@@ -196,20 +199,21 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
     float impulse = bounces ? v->gain * vn * v->mass : solved ? next - v->lambda : 0.0f;
     if (relaxing && v->bounce > 0.0f) next = 0.0f;
     if (!solved) next = v->lambda;
-    if (!leaves) {
+    bool there = v->contact.y >= 0;
+    if (there && !leaves) {
         t->velocity[i] = (float2)(vi.x - v->nx * (v->wi * impulse), vi.y - v->ny * (v->wi * impulse));
         t->velocity[j] = (float2)(vj.x + v->nx * (v->wj * impulse), vj.y + v->ny * (v->wj * impulse));
     }
     if (relaxing && !last) {
         float after = vn + impulse * (v->wi + v->wj);
-        if (solved && (next > 0.0f || after * after <= v->resting)) {
+        if (there && solved && (next > 0.0f || after * after <= v->resting)) {
             t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
             t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
             t->carried[i] = 1;
             t->carried[j] = 1;
         }
     }
-    if (v->contact.x < 0) return;
+    if (!there || v->contact.x < 0) return;
     if (relaxing) {
         w->held[v->contact.x] = next;
     } else {
@@ -219,8 +223,6 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
 
 void readyContact(const World *w, local const Tile *t, local const float2 *displacement, const Reading *reading,
                   bool relaxing, bool last, Visit *visit) {
-    visit->contact = reading->contact;
-    if (reading->contact.y < 0) return;
     if (relaxing) {
         readyToRelax(w, t, reading, measureInTile(w, displacement, reading, last), visit);
     } else {
@@ -233,7 +235,7 @@ void readyContact(const World *w, local const Tile *t, local const float2 *displ
 void solvePart(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
                bool relaxing, bool last, Visit *visit, Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (visit->contact.y >= 0) visitContact(w, t, visit, relaxing, last);
+    visitContact(w, t, visit, relaxing, last);
     readyContact(w, t, displacement, reading, relaxing, last, visit);
     readContact(w, *next, relaxing, reading);
     *next = nextContact(t, contacts, cursor);
@@ -247,6 +249,8 @@ void solveParts(const World *w, local Tile *t, local const float2 *displacement,
     setCursor(t, &cursor, 0);
     Reading reading;
     Visit visit;
+    reading.normal = reading.shape = (float4)(0.0f);
+    reading.impulse = (float2)(0.0f);
     readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);
     readyContact(w, t, displacement, &reading, relaxing, last, &visit);
