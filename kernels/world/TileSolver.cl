@@ -34,7 +34,7 @@ typedef struct {
     int2 contact; // as in the record, or NO_CONTACT
     int copy;     // where the tile has its copy
     float4 normal; // in the relaxing pass the base: it is measured anew
-    float4 shape;
+    float restitution;
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
@@ -80,7 +80,7 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     if (entry.contact.y < 0) return;
     int c = entry.contact.x & ~NOT_OWN;
     reading->normal = relaxing ? w->base[entry.copy] : w->contact[entry.copy];
-    reading->shape = w->shape[entry.copy];
+    reading->restitution = relaxing ? reading->normal.w : w->restitution[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
@@ -111,21 +111,22 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     float wj = t->burden[j];
     bool loaded = isLoaded(wi) || isLoaded(wj);
     float s = r->normal.z;
-    float e = r->shape.x;
-    float thr2 = r->shape.y;
+    float sum = r->normal.w;
+    float e = r->restitution;
+    float thr2 = thresholdOf(w, sum, e);
     float lambda = r->impulse.x;
     float before = along(r->normal.x, r->normal.y, bj.x - bi.x, bj.y - bi.y);
     float bounce = bounceSpeed(e, before, s, k->h, thr2);
     bounce = e > 0.0f && loaded ? bounce : 0.0f;
     float speculative = s * k->inverseH;
-    float push = k->massScale * greatest(k->biasRate * s, -r->shape.z);
+    float push = k->massScale * greatest(k->biasRate * s, -pushSpeed(sum, k->pushPerLength, k->pushPerRoot));
     bool rigidly = bounce > 0.0f || s > 0.0f;
     v->contact = r->contact;
     v->nx = r->normal.x;
     v->ny = r->normal.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
-    v->mass = r->shape.w;
+    v->mass = 1.0f / (v->wi + v->wj);
     v->lambda = lambda;
     v->scale = rigidly ? 1.0f : k->massScale;
     v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? speculative : push;
@@ -146,7 +147,7 @@ float4 measureInTile(const World *w, local const float2 *displacement, const Rea
     if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
         n.xy = w->contact[r->copy].xy;
     }
-    n.w = 0.0f;
+    n.w = b.z;
     if (!last) w->contact[r->copy] = n;
     return n;
 }
@@ -159,8 +160,8 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     float wj = t->burden[j];
     bool loaded = isLoaded(wi) || isLoaded(wj);
     float s = n.z;
-    float e = r->shape.x;
-    float thr2 = r->shape.y;
+    float e = r->restitution;
+    float thr2 = thresholdOf(w, n.w, e);
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
@@ -169,7 +170,7 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     v->ny = n.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
-    v->mass = r->shape.w;
+    v->mass = 1.0f / (v->wi + v->wj);
     v->lambda = lambda;
     v->scale = 1.0f;
     v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
@@ -249,7 +250,8 @@ void solveParts(const World *w, local Tile *t, local const float2 *displacement,
     setCursor(t, &cursor, 0);
     Reading reading;
     Visit visit;
-    reading.normal = reading.shape = (float4)(0.0f);
+    reading.normal = (float4)(0.0f);
+    reading.restitution = 0.0f;
     reading.impulse = (float2)(0.0f);
     readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);

@@ -33,7 +33,7 @@
 //
 // As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered
 // reads would be most of a pass. So each tile has its own copies, in its order, of what only changes in a way that each can
-// follow: base, shape, contact. What a contact's owner alone finds out has a place for each contact: held, impulse. Contacts
+// follow: base, contact, restitution. What a contact's owner alone finds out has a place for each contact: held, impulse. Contacts
 // are numbered anew for it, those of a tile in its order.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
@@ -103,7 +103,7 @@ typedef struct {
     union {
         uint met[TILE_CONTACTS]; // contacts as they are met: see meeting
         struct {                 // when all have been placed
-            float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
+            float radius[TILE_CIRCLES], restitution[TILE_CIRCLES];
             int slot[TILE_CIRCLES];
         } circle;
     } of;
@@ -378,7 +378,6 @@ void takeCircles(const World *w, local Arrangement *a, global const int *record,
         if (place >= 0) startCircle(w, slot, c, w->motion[slot], t, a->load[i], (a->progress[i] & HAS_CARRIED) != 0);
         a->load[i] = c.xy;
         a->of.circle.radius[i] = c.z;
-        a->of.circle.inverseMass[i] = t.x;
         a->of.circle.restitution[i] = t.y;
         a->of.circle.slot[i] = slot;
     }
@@ -400,10 +399,9 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
         float2 d = a->load[j] - a->load[i];
         float sum = a->of.circle.radius[i] + a->of.circle.radius[j];
         float e = greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]);
-        w->base[copy] = (float4)(d.x, d.y, sum, 0.0f);
-        w->shape[copy] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
-                                  1.0f / (a->of.circle.inverseMass[i] + a->of.circle.inverseMass[j]));
-        w->contact[copy] = n;
+        w->base[copy] = (float4)(d.x, d.y, sum, e);
+        w->restitution[copy] = e;
+        w->contact[copy] = (float4)(n.x, n.y, n.z, sum);
         if (contact.x >= 0) {
             contact.x = a->firstNumber + a->ownNumber[contact.y >> PLACED_ROUND] + place;
             w->held[contact.x] = n.w;
