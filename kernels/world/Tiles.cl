@@ -214,6 +214,11 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
 
 // A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (9 bits),
 // its round.
+#define MET_COLUMN(met) ((int) ((met) & 0x3f))
+#define MET_ROW(met) ((int) ((met) >> 6 & 0x1f))
+#define MET_IN_GROUP(met) ((int) ((met) >> 11 & 0x1ff))
+#define MET_ROUND(met) ((int) ((met) >> 20))
+
 uint meeting(int column, int row, int inGroup, int round) {
     return (uint) (column | row << 6 | inGroup << 11 | round << 20);
 }
@@ -349,37 +354,56 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
     placeRounds(w, a, record, circles > 0 ? TILE_ROUNDS + 1 : 0);
     if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
     int contacts = circles > 0 ? a->contacts : 0;
-#pragma unroll 4
-    TILE_EACH(k, contacts) {
-        uint met = a->of.met[k];
-        int column = (int) (met & 0x3f);
-        int row = (int) (met >> 6 & 0x1f);
-        int round = (int) (met >> 20);
-        int c = w->groupStart[groupAt(w, r, column, row)] + (int) (met >> 11 & 0x1ff);
-        uint link = w->link[c];
-        int lo = circleOfLink(r, a, column, row, link);
-        int hi = circleOfLink(r, a, column, row, link >> 16);
-        bool own = owns(r, column, row);
-        int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
-        if (own) numberOf[c] = a->firstNumber + a->ownNumber[round] + place;
-        placed[place] = (int2)(own ? c : c | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
+    TILE_TOGETHER(first, contacts) {
+        uint met[TOGETHER];
+        int c[TOGETHER];
+        uint link[TOGETHER];
+        TOGETHER_EACH(n) {
+            int k = togetherItem(first, n);
+            met[n] = a->of.met[min(k, contacts - 1)];
+            c[n] = w->groupStart[groupAt(w, r, MET_COLUMN(met[n]), MET_ROW(met[n]))] + MET_IN_GROUP(met[n]);
+        }
+        TOGETHER_EACH(n) link[n] = w->link[c[n]];
+        TOGETHER_EACH(n) {
+            if (togetherItem(first, n) >= contacts) continue;
+            int column = MET_COLUMN(met[n]);
+            int row = MET_ROW(met[n]);
+            int round = MET_ROUND(met[n]);
+            int lo = circleOfLink(r, a, column, row, link[n]);
+            int hi = circleOfLink(r, a, column, row, link[n] >> 16);
+            bool own = owns(r, column, row);
+            int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
+            if (own) numberOf[c[n]] = a->firstNumber + a->ownNumber[round] + place;
+            placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, lo | hi << PLACED_HIGH | round << PLACED_ROUND);
+        }
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
 // Starts the tile's own circles, and keeps at hand what is to be known of all for their contacts.
 void takeCircles(const World *w, local Arrangement *a, global const int *record, int circles) {
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int place = record[RECORD_SLOTS + i];
-        int slot = place & ~NOT_OWN;
-        float4 c = w->circle[slot];
-        float4 t = w->traits[slot]; // of one that is not the tile's own, its owner may change what follows restitution
-        if (place >= 0) startCircle(w, slot, c, w->motion[slot], t, a->load[i], (a->progress[i] & HAS_CARRIED) != 0);
-        a->load[i] = c.xy;
-        a->of.circle.radius[i] = c.z;
-        a->of.circle.restitution[i] = t.y;
-        a->of.circle.slot[i] = slot;
+    TILE_TOGETHER(first, circles) {
+        int place[TOGETHER];
+        float4 c[TOGETHER], t[TOGETHER], m[TOGETHER];
+        TOGETHER_EACH(n) place[n] = record[RECORD_SLOTS + min(togetherItem(first, n), circles - 1)];
+        TOGETHER_EACH(n) {
+            int slot = place[n] & ~NOT_OWN;
+            c[n] = w->circle[slot];
+            t[n] = w->traits[slot]; // of one that is not the tile's own, its owner may change what follows restitution
+            if (place[n] >= 0) m[n] = w->motion[slot];
+        }
+        TOGETHER_EACH(n) {
+            int i = togetherItem(first, n);
+            if (i >= circles) continue;
+            int slot = place[n] & ~NOT_OWN;
+            if (place[n] >= 0) {
+                startCircle(w, slot, c[n], m[n], t[n], a->load[i], (a->progress[i] & HAS_CARRIED) != 0);
+            }
+            a->load[i] = c[n].xy;
+            a->of.circle.radius[i] = c[n].z;
+            a->of.circle.restitution[i] = t[n].y;
+            a->of.circle.slot[i] = slot;
+        }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
@@ -388,26 +412,35 @@ void takeCircles(const World *w, local Arrangement *a, global const int *record,
 void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
     global int2 *placed = contactsOf(record);
     int room = copyRoom(w);
-#pragma unroll 2
-    TILE_EACH(place, contacts) {
-        int copy = a->firstCopy + place;
-        if (copy >= room) continue;
-        int2 contact = placed[place];
-        float4 n = w->masses[contact.x & ~NOT_OWN];
-        int i = contact.y & PLACED_CIRCLE;
-        int j = contact.y >> PLACED_HIGH & PLACED_CIRCLE;
-        float2 d = a->load[j] - a->load[i];
-        float sum = a->of.circle.radius[i] + a->of.circle.radius[j];
-        float e = greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]);
-        w->base[copy] = (float4)(d.x, d.y, sum, e);
-        w->restitution[copy] = e;
-        w->contact[copy] = (float4)(n.x, n.y, n.z, sum);
-        if (contact.x >= 0) {
-            contact.x = a->firstNumber + a->ownNumber[contact.y >> PLACED_ROUND] + place;
-            w->held[contact.x] = n.w;
-            w->ordered[contact.x] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
+    TILE_TOGETHER(first, contacts) {
+        int2 contact[TOGETHER];
+        float4 normal[TOGETHER];
+        TOGETHER_EACH(n) {
+            // Not the last one instead: whose it is may have changed it.
+            int place = togetherItem(first, n);
+            contact[n] = place < contacts ? placed[place] : (int2)(0);
         }
-        placed[place] = (int2)(contact.x, i | j << 16);
+        TOGETHER_EACH(n) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+        TOGETHER_EACH(n) {
+            int place = togetherItem(first, n);
+            int copy = a->firstCopy + place;
+            if (place >= contacts || copy >= room) continue;
+            int i = contact[n].y & PLACED_CIRCLE;
+            int j = contact[n].y >> PLACED_HIGH & PLACED_CIRCLE;
+            float2 d = a->load[j] - a->load[i];
+            float sum = a->of.circle.radius[i] + a->of.circle.radius[j];
+            float e = greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]);
+            w->base[copy] = (float4)(d.x, d.y, sum, e);
+            w->restitution[copy] = e;
+            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z, sum);
+            int number = contact[n].x;
+            if (number >= 0) {
+                number = a->firstNumber + a->ownNumber[contact[n].y >> PLACED_ROUND] + place;
+                w->held[number] = normal[n].w;
+                w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
+            }
+            placed[place] = (int2)(number, i | j << 16);
+        }
     }
     if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
