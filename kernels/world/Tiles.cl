@@ -365,10 +365,9 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             if (place >= contacts || copy >= room) continue;
             float sum = ci[k].z + cj[k].z;
             float e = greatest(ti[k].y, tj[k].y);
-            w->base[copy] = (float4)(cj[k].x - ci[k].x, cj[k].y - ci[k].y, sum, 0.0f);
-            w->shape[copy] = (float4)(e, thresholdOf(w, sum, e), pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot),
-                                      1.0f / (ti[k].x + tj[k].x));
-            w->contact[copy] = n[k];
+            w->base[copy] = (float4)(cj[k].x - ci[k].x, cj[k].y - ci[k].y, sum, e);
+            w->shape[copy] = (float2)(sum, e);
+            w->contact[copy] = (float4)(n[k].x, n[k].y, n[k].z, 1.0f / (ti[k].x + tj[k].x));
             if (contact[k].x >= 0) {
                 contact[k].x = a->firstNumber + a->ownNumber[contact[k].y >> PLACED_ROUND] + place;
                 w->held[contact[k].x] = n[k].w;

@@ -49,7 +49,7 @@ typedef struct {
         global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
         global float *pushedBurden, global int *groupStart, global int *groupFill, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
-        global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
+        global uint2 *ordered, global float2 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
 
 typedef struct {
@@ -101,7 +101,7 @@ typedef struct {
     global float4 *contact; // normal x, y, separation, accumulated impulse
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
-    global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
+    global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
     global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 

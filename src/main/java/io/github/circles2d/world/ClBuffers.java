@@ -203,10 +203,9 @@ final class ClBuffers {
                     BASE,
                     MASSES,
                     CONTACT,
-                    SHAPE,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, KEY, PAIR, ORDERED, IMPULSE:
+            case WALL_BOUNCE, KEY, PAIR, ORDERED, SHAPE, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;
