@@ -1,6 +1,7 @@
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
 // work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
-// drive and burden after the start, pushedMotion and pushedBurden after the move; motion, traits and wallBounce are the owner's.
+// drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
+// start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
 
 // How many circles a work-item takes at a time: what it reads of all of them is on its way before it needs the first.
 #define TOGETHER 4
@@ -52,15 +53,14 @@ void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     storeWalls(w, slot, walls, t);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);
-    w->motion[slot] = m;
-    w->wallBounce[slot] = bounce;
+    w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
 }
 
-// Ends the biased pass for a circle: its move. d: displacement; v: velocity.
-void endPush(const World *w, int slot, float4 c, float2 d, float2 v, float4 t, float2 bounce, float burden) {
-    float4 m = (float4)(d.x, d.y, v.x, v.y);
+// Ends the biased pass for a circle: its move. started: motion as startCircle has left it; v: velocity.
+void endPush(const World *w, int slot, float4 c, float4 started, float2 v, float4 t, float burden) {
+    float4 m = (float4)(started.x, started.y, v.x, v.y);
     float2 walls = t.zw;
-    moveCircle(w, slot, c, &m, &t, bounce, isLoaded(burden));
+    moveCircle(w, slot, c, &m, &t, started.zw, isLoaded(burden));
     storeWalls(w, slot, walls, t);
     w->pushedMotion[slot] = m;
     w->pushedBurden[slot] = burden;

@@ -33,8 +33,8 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
 typedef struct {
     int2 contact; // as in the record, or NO_CONTACT
     int copy;     // where the tile has its copy
-    float4 normal; // in the relaxing pass the base: it is measured anew
-    float restitution;
+    float4 normal; // normal, separation, effective mass; in the relaxing pass the base: it is measured anew
+    float2 shape;  // in the biased pass: sum of the radii, restitution
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
@@ -62,12 +62,24 @@ typedef struct {
     int copy;
 } Entry;
 
+// Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
+#if PTX
+#define PREFETCH(address) asm volatile("prefetch.global.L2 [%0];" ::"l"(address))
+#else
+#define PREFETCH(address) ((void) (address))
+#endif
+
 // The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
-Entry nextContact(local const Tile *t, global const int2 *contacts, Cursor *cursor) {
+Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, bool relaxing, Cursor *cursor) {
     int k = cursor->from + (int) get_local_id(0);
     Entry entry;
-    entry.contact = k < cursor->to ? contacts[k] : NO_CONTACT;
+    entry.contact = NO_CONTACT;
     entry.copy = t->firstCopy + k;
+    if (k < cursor->to) {
+        entry.contact = contacts[k];
+        PREFETCH(relaxing ? w->base + entry.copy : w->contact + entry.copy);
+        if (!relaxing) PREFETCH(w->shape + entry.copy);
+    }
     cursor->part++;
     cursor->from = cursor->to;
     cursor->to = t->partStart[min(cursor->part + 1, t->parts)];
@@ -80,7 +92,7 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     if (entry.contact.y < 0) return;
     int c = entry.contact.x & ~NOT_OWN;
     reading->normal = relaxing ? w->base[entry.copy] : w->contact[entry.copy];
-    reading->restitution = relaxing ? reading->normal.w : w->restitution[entry.copy];
+    if (!relaxing) reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
@@ -111,22 +123,21 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     float wj = t->burden[j];
     bool loaded = isLoaded(wi) || isLoaded(wj);
     float s = r->normal.z;
-    float sum = r->normal.w;
-    float e = r->restitution;
-    float thr2 = thresholdOf(w, sum, e);
+    float e = r->shape.y;
+    float thr2 = thresholdOf(w, r->shape.x, e);
     float lambda = r->impulse.x;
     float before = along(r->normal.x, r->normal.y, bj.x - bi.x, bj.y - bi.y);
     float bounce = bounceSpeed(e, before, s, k->h, thr2);
     bounce = e > 0.0f && loaded ? bounce : 0.0f;
     float speculative = s * k->inverseH;
-    float push = k->massScale * greatest(k->biasRate * s, -pushSpeed(sum, k->pushPerLength, k->pushPerRoot));
+    float push = k->massScale * greatest(k->biasRate * s, -pushSpeed(r->shape.x, k->pushPerLength, k->pushPerRoot));
     bool rigidly = bounce > 0.0f || s > 0.0f;
     v->contact = r->contact;
     v->nx = r->normal.x;
     v->ny = r->normal.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
-    v->mass = 1.0f / (v->wi + v->wj);
+    v->mass = r->normal.w;
     v->lambda = lambda;
     v->scale = rigidly ? 1.0f : k->massScale;
     v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? speculative : push;
@@ -139,29 +150,32 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     v->still = false;
 }
 
-// Measures a contact after the circles have moved. displacement: of the circles of the tile.
-float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, bool last) {
+// Measures a contact after the circles have moved. displacement: of the circles of the tile; mass: effective.
+float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, float mass, bool last) {
     float4 b = r->normal;
     float4 n = (float4)(0.0f);
     if (r->contact.y < 0) return n;
     if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
         n.xy = w->contact[r->copy].xy;
     }
-    n.w = b.z;
+    n.w = mass;
     if (!last) w->contact[r->copy] = n;
     return n;
 }
 
-// Makes a contact ready for the relaxing pass. n: as measured.
-void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 n, Visit *v) {
+// Makes a contact ready for the relaxing pass.
+void readyToRelax(const World *w, local const Tile *t, local const float2 *displacement, const Reading *r, bool last,
+                  Visit *v) {
     int i = lowerOf(r->contact);
     int j = higherOf(r->contact);
     float wi = t->burden[i];
     float wj = t->burden[j];
     bool loaded = isLoaded(wi) || isLoaded(wj);
+    v->mass = 1.0f / (fabs(wi) + fabs(wj));
+    float4 n = measureInTile(w, displacement, r, v->mass, last);
     float s = n.z;
-    float e = r->restitution;
-    float thr2 = thresholdOf(w, n.w, e);
+    float e = r->normal.w;
+    float thr2 = thresholdOf(w, r->normal.z, e);
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
@@ -170,7 +184,6 @@ void readyToRelax(const World *w, local const Tile *t, const Reading *r, float4 
     v->ny = n.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
-    v->mass = 1.0f / (v->wi + v->wj);
     v->lambda = lambda;
     v->scale = 1.0f;
     v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
@@ -225,7 +238,7 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
 void readyContact(const World *w, local const Tile *t, local const float2 *displacement, const Reading *reading,
                   bool relaxing, bool last, Visit *visit) {
     if (relaxing) {
-        readyToRelax(w, t, reading, measureInTile(w, displacement, reading, last), visit);
+        readyToRelax(w, t, displacement, reading, last, visit);
     } else {
         readyToPush(w, t, reading, visit);
     }
@@ -239,7 +252,7 @@ void solvePart(const World *w, local Tile *t, local const float2 *displacement, 
     visitContact(w, t, visit, relaxing, last);
     readyContact(w, t, displacement, reading, relaxing, last, visit);
     readContact(w, *next, relaxing, reading);
-    *next = nextContact(t, contacts, cursor);
+    *next = nextContact(w, t, contacts, relaxing, cursor);
 }
 
 // Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
@@ -251,13 +264,12 @@ void solveParts(const World *w, local Tile *t, local const float2 *displacement,
     Reading reading;
     Visit visit;
     reading.normal = (float4)(0.0f);
-    reading.restitution = 0.0f;
-    reading.impulse = (float2)(0.0f);
-    readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
+    reading.shape = reading.impulse = (float2)(0.0f);
+    readContact(w, nextContact(w, t, contacts, relaxing, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);
     readyContact(w, t, displacement, &reading, relaxing, last, &visit);
-    readContact(w, nextContact(t, contacts, &cursor), relaxing, &reading);
-    Entry next = nextContact(t, contacts, &cursor);
+    readContact(w, nextContact(w, t, contacts, relaxing, &cursor), relaxing, &reading);
+    Entry next = nextContact(w, t, contacts, relaxing, &cursor);
 #pragma unroll 1
     for (int part = 0; part < parts; part++) {
         solvePart(w, t, displacement, contacts, relaxing, last, &visit, &reading, &next, &cursor);
@@ -292,8 +304,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
     TILE_EACH(i, circles) {
         int slot = slots[i];
         if (slot < 0) continue;
-        endPush(w, slot, w->circle[slot], w->motion[slot].xy, t->velocity[i], w->traits[slot], w->wallBounce[slot],
-                t->burden[i]);
+        endPush(w, slot, w->circle[slot], w->motion[slot], t->velocity[i], w->traits[slot], t->burden[i]);
         if (subStep == 0) w->homeMemory[slot] = NONE;
     }
 }

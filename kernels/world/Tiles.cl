@@ -33,7 +33,7 @@
 //
 // As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered
 // reads would be most of a pass. So each tile has its own copies, in its order, of what only changes in a way that each can
-// follow: base, contact, restitution. What a contact's owner alone finds out has a place for each contact: held, impulse. Contacts
+// follow: base, shape, contact. What a contact's owner alone finds out has a place for each contact: held, impulse. Contacts
 // are numbered anew for it, those of a tile in its order.
 #define RECORD_CIRCLES 0
 #define RECORD_PARTS 1
@@ -103,7 +103,7 @@ typedef struct {
     union {
         uint met[TILE_CONTACTS]; // contacts as they are met: see meeting
         struct {                 // when all have been placed
-            float radius[TILE_CIRCLES], restitution[TILE_CIRCLES];
+            float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
             int slot[TILE_CIRCLES];
         } circle;
     } of;
@@ -359,11 +359,13 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         int c[TOGETHER];
         uint link[TOGETHER];
         TOGETHER_EACH(n) {
-            int k = togetherItem(first, n);
-            met[n] = a->of.met[min(k, contacts - 1)];
+            if (togetherItem(first, n) >= contacts) continue;
+            met[n] = a->of.met[togetherItem(first, n)];
             c[n] = w->groupStart[groupAt(w, r, MET_COLUMN(met[n]), MET_ROW(met[n]))] + MET_IN_GROUP(met[n]);
         }
-        TOGETHER_EACH(n) link[n] = w->link[c[n]];
+        TOGETHER_EACH(n) {
+            if (togetherItem(first, n) < contacts) link[n] = w->link[c[n]];
+        }
         TOGETHER_EACH(n) {
             if (togetherItem(first, n) >= contacts) continue;
             int column = MET_COLUMN(met[n]);
@@ -385,8 +387,11 @@ void takeCircles(const World *w, local Arrangement *a, global const int *record,
     TILE_TOGETHER(first, circles) {
         int place[TOGETHER];
         float4 c[TOGETHER], t[TOGETHER], m[TOGETHER];
-        TOGETHER_EACH(n) place[n] = record[RECORD_SLOTS + min(togetherItem(first, n), circles - 1)];
         TOGETHER_EACH(n) {
+            if (togetherItem(first, n) < circles) place[n] = record[RECORD_SLOTS + togetherItem(first, n)];
+        }
+        TOGETHER_EACH(n) {
+            if (togetherItem(first, n) >= circles) continue;
             int slot = place[n] & ~NOT_OWN;
             c[n] = w->circle[slot];
             t[n] = w->traits[slot]; // of one that is not the tile's own, its owner may change what follows restitution
@@ -401,6 +406,7 @@ void takeCircles(const World *w, local Arrangement *a, global const int *record,
             }
             a->load[i] = c[n].xy;
             a->of.circle.radius[i] = c[n].z;
+            a->of.circle.inverseMass[i] = t[n].x;
             a->of.circle.restitution[i] = t[n].y;
             a->of.circle.slot[i] = slot;
         }
@@ -416,11 +422,11 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
         int2 contact[TOGETHER];
         float4 normal[TOGETHER];
         TOGETHER_EACH(n) {
-            // Not the last one instead: whose it is may have changed it.
-            int place = togetherItem(first, n);
-            contact[n] = place < contacts ? placed[place] : (int2)(0);
+            if (togetherItem(first, n) < contacts) contact[n] = placed[togetherItem(first, n)];
         }
-        TOGETHER_EACH(n) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+        TOGETHER_EACH(n) {
+            if (togetherItem(first, n) < contacts) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+        }
         TOGETHER_EACH(n) {
             int place = togetherItem(first, n);
             int copy = a->firstCopy + place;
@@ -431,8 +437,9 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             float sum = a->of.circle.radius[i] + a->of.circle.radius[j];
             float e = greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]);
             w->base[copy] = (float4)(d.x, d.y, sum, e);
-            w->restitution[copy] = e;
-            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z, sum);
+            w->shape[copy] = (float2)(sum, e);
+            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
+                                        1.0f / (a->of.circle.inverseMass[i] + a->of.circle.inverseMass[j]));
             int number = contact[n].x;
             if (number >= 0) {
                 number = a->firstNumber + a->ownNumber[contact[n].y >> PLACED_ROUND] + place;

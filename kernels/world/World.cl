@@ -49,7 +49,7 @@ typedef struct {
         global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
         global float *pushedBurden, global int *groupStart, global int *groupFill, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
-        global uint2 *ordered, global float *restitution, global float *held, global float2 *impulse, global int4 *old,     \
+        global uint2 *ordered, global float2 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
 
 typedef struct {
@@ -96,12 +96,13 @@ typedef struct {
     global int *groupStart, *groupFill;
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
-    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy: the same
-    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce; by tiles, as listed: contact as the step begins
-    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy: the sum of the radii last
+    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy
+    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce;
+                            // by tiles, as contacts are listed: contact as the step begins, with its impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
-    global float *restitution; // by tiles, by copy: of the pair
+    global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
     global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
@@ -119,7 +120,7 @@ typedef struct {
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, drive, pushedMotion, burden, pushedBurden,               \
-            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, restitution, held, impulse, old,         \
+            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }
 

@@ -54,7 +54,7 @@ final class ClBuffers {
     static final int CONTACT = 39;
     static final int LINK = 40;
     static final int ORDERED = 41;
-    static final int RESTITUTION = 42;
+    static final int SHAPE = 42;
     static final int HELD = 43;
     static final int IMPULSE = 44;
     static final int OLD = 45;
@@ -110,7 +110,7 @@ final class ClBuffers {
         "contacts",
         "contact links",
         "contact pairs in order",
-        "contact restitutions",
+        "contact shapes",
         "held impulses",
         "contact impulses",
         "remembered contacts",
@@ -148,7 +148,7 @@ final class ClBuffers {
     private static final int[] BY_CONTACT = {KEY, PAIR, MASSES};
     private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, HELD, IMPULSE};
     private static final int[] BY_COPY = {BASE, CONTACT};
-    private static final int[] BY_COPY_TILED = {RESTITUTION};
+    private static final int[] BY_COPY_TILED = {SHAPE};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -205,7 +205,7 @@ final class ClBuffers {
                     CONTACT,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, KEY, PAIR, ORDERED, IMPULSE:
+            case WALL_BOUNCE, KEY, PAIR, ORDERED, SHAPE, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;

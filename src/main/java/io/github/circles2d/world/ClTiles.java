@@ -10,10 +10,10 @@ import io.github.circles2d.opencl.Kernel;
  */
 final class ClTiles {
     /** Circles that the local memory of a work-group has room for. */
-    static final int CIRCLES = 1536;
+    static final int CIRCLES = 1216;
 
     /** Contacts that the local memory of a work-group has room for. */
-    static final int CONTACTS = 4096;
+    static final int CONTACTS = 3328;
 
     /** Rounds that there is room for. */
     static final int ROUNDS = 96;
