@@ -21,7 +21,7 @@
 
 // From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
-#define TILE_CELLS 684
+#define TILE_CELLS 396
 #define TILE_ROWS 20
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
@@ -342,6 +342,9 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
 int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
 
 // A contact's circles and round on their way through the record.
+#if TILE_CIRCLES > 0x800 || TILE_ROUNDS > 0x7f
+#error "PLACED has no room for so many"
+#endif
 #define PLACED_CIRCLE 0x7ff
 #define PLACED_HIGH 11
 #define PLACED_ROUND 22
