@@ -72,7 +72,10 @@ void scanAll(const World *w, global int *counts, int count, local int *cells) {
 typedef union {
     int cells[RESIDENT_GROUP];
     Arrangement arrangement;
-    Tile tile;
+    struct {
+        Tile tile;
+        float2 displacement[TILE_CIRCLES]; // of its circles
+    } solving;
 } Local;
 
 // Stages Grid, Sweep where some circle is fast, and Contacts.
@@ -127,7 +130,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t, int contacts) {
+void solveAll(const World *w, local Tile *t, local float2 *displacement) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -137,15 +140,11 @@ void solveAll(const World *w, local Tile *t, int contacts) {
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
-        if (relaxing) {
-            EACH(c, contacts) measureContact(w, c);
-            deviceBarrier(arrivals);
-        }
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+                relaxTile(w, t, displacement, tile, subStep == w->k.subSteps - 1);
             } else {
                 pushTile(w, t, tile, subStep);
             }
@@ -166,7 +165,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
         listAll(&w, &l);
         if (refused(&w)) break;
         int contacts = groupStart[levels->first[LEVELS]];
-        solveAll(&w, &l.tile, contacts);
+        solveAll(&w, &l.solving.tile, l.solving.displacement);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) rememberHeld(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;

@@ -24,6 +24,7 @@ typedef struct {
     int levelOf[LEVELS], columnsLog[LEVELS], rowsLog[LEVELS], used[LEVELS];
     int first[LEVELS + 1];
     int tileColumnsLog, tileRowsLog; // cells of a tile (Tiles.cl)
+    int tilesAcross, tilesDown;      // tiles that may hold circles
 } Levels;
 
 // status
@@ -33,6 +34,8 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
+#define TILE_NUMBERS 6 // contacts that tiles have numbered
+#define TILE_COPIES 7  // copies of contacts that tiles have made
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 
@@ -43,10 +46,10 @@ typedef struct {
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
-        global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
-        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,           \
+        global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
+        global float *pushedBurden, global int *groupStart, global int *groupFill, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
-        global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
+        global uint2 *ordered, global float2 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
 
 typedef struct {
@@ -84,20 +87,22 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *pushedTraits;       // every other sub-step's traits
-    global float4 *pushedVelocity;     // between the passes: velocity x, y, inverse mass, 1 where loaded
-    global float2 *pushedDisplacement; // between the passes
+    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse
+    global float4 *pushedMotion; // between the passes
+    global float *burden;        // as the biased pass begins: inverse mass, negative where loaded
+    global float *pushedBurden;  // between the passes
 
     // stage Contacts: by group, then by contact
     global int *groupStart, *groupFill;
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
-    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
-    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
-    global float4 *contact; // normal x, y, separation, accumulated impulse
+    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy
+    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce;
+                            // by tiles, as contacts are listed: contact as the step begins, with its impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
-    global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
+    global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
     global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
@@ -114,7 +119,7 @@ typedef struct {
     {                                                                                                                  \
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
-            load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
+            load, wallBounce, leash, share, near, blockRange, drive, pushedMotion, burden, pushedBurden,               \
             groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }

@@ -19,6 +19,7 @@ final class ClKernels {
         "Sweep",
         "Contacts",
         "Solver",
+        "TileCircles",
         "Tiles",
         "TileContacts",
         "TileSolver",
@@ -63,6 +64,7 @@ final class ClKernels {
                 .define("TILE_ROUNDS", ClTiles.ROUNDS)
                 .define("TILE_PARTS", ClTiles.PARTS)
                 .define("TILE_GROUP", ClTiles.GROUP)
+                .define("TILE_COPIES_IN_TWO", ClBuffers.COPIES_IN_TWO)
                 .define("RESIDENT_GROUP", ClResident.GROUP)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }

@@ -8,7 +8,7 @@ import java.util.Arrays;
 final class ClParameters {
     private static final int FLOATS = 22;
     static final int CONSTANT_INTS = FLOATS + 3;
-    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 3;
+    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 5;
 
     // Positions of single constants.
     private static final int WARM_SCALE = 17;
@@ -29,10 +29,12 @@ final class ClParameters {
         packLevels(shape);
     }
 
-    /** Sets the size of a tile: log2 of its columns and rows of cells. */
-    void setTile(int columnsLog, int rowsLog) {
-        levels[LEVEL_INTS - 2] = columnsLog;
-        levels[LEVEL_INTS - 1] = rowsLog;
+    /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
+    void setTile(int columnsLog, int rowsLog, int across, int down) {
+        levels[LEVEL_INTS - 4] = columnsLog;
+        levels[LEVEL_INTS - 3] = rowsLog;
+        levels[LEVEL_INTS - 2] = across;
+        levels[LEVEL_INTS - 1] = down;
     }
 
     /** Sets what impulses of the step before are multiplied by. */

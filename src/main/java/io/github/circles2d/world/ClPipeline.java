@@ -21,6 +21,7 @@ public final class ClPipeline implements Pipeline {
     private static final int FAST = 3;
     private static final int CROWDED = 4;
     private static final int TILE_PEAK = 5;
+    private static final int TILE_COPIES = 7;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -233,9 +234,13 @@ public final class ClPipeline implements Pipeline {
                 buffers.ensureContacts(status[CONTACTS]);
             }
         }
+        if (status[OUT_OF_ROOM] != 0) {
+            buffers.ensureCopies(status[TILE_COPIES]);
+        }
         if (thinning == 0 && status[CROWDED] != 0) {
             thinning = CALM;
         }
+        status[TILE_COPIES] = 0;
         status[OUT_OF_ROOM] = 0;
         status[FAST] = 0;
         status[CROWDED] = 0;

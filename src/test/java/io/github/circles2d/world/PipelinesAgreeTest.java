@@ -101,6 +101,42 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        for (int subSteps : new int[] {1, 4, 5}) {
+            Scene scene = Scenes.thesis(1250, 6);
+            try (Twins twins = Twins.load(scene, pipelines(device)).subSteps(subSteps)) {
+                SplittableRandom random = new SplittableRandom(subSteps);
+                for (int k = 0; k < 12; k++) {
+                    for (int changes = 0; changes < 400; changes++) {
+                        makeExtreme(twins.commands(), random.nextInt(scene.size()), random);
+                    }
+                    for (int steps = 0; steps < 3; steps++) {
+                        twins.step(1 / 60f, 1);
+                        twins.assertEqual(subSteps + " sub-steps, change " + k + ", step " + steps);
+                    }
+                }
+            }
+        }
+    }
+
+    /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
+    private static void makeExtreme(Commands commands, int id, SplittableRandom random) {
+        float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);
+        commands.set(Commands.MASS, id, mass, 0);
+        commands.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
+        float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
+        commands.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
+        if (random.nextInt(8) == 0) {
+            commands.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+        }
+    }
+
+    private static float power(SplittableRandom random, double least, double greatest) {
+        return (float) Math.pow(10, least + random.nextDouble() * (greatest - least));
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
