@@ -7,23 +7,69 @@ typedef struct {
     int slot, id, level, column, row;
 } Seeker;
 
-// What a visit of neighbours is for.
-#define TESTING 0  // to know how many there are
-#define COUNTING 1 // to count the contacts of each group
-#define LISTING 2  // to list them
+// What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
+#define FINDINGS 1024
+typedef struct {
+    int2 slots[FINDINGS];
+    int count;
+    int first; // the number of the first of them among all
+} Findings;
 
-// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once.
+// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does, in a world of
+// one level, where a group has more contacts: tiles take none with more.
 #define LONGEST_ROW 1024
+#define LONGEST_GROUP 512
 
-// Visits the slots [from, to) of the seeker's level.
-void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
-    if (purpose == TESTING) {
+// Refuses a step that does not thin crowds out.
+void refuseCrowd(const World *w) {
+    if (w->k.thinning) return;
+    w->status[CROWDED] = 1;
+    w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+}
+
+// Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
+// and how many the group had before.
+void recordContact(const World *w, int k, int slot, int other) {
+    constant Levels *levels = w->levels;
+    int level = levels->usedCount == 1 ? levels->used[0] : levelOf(w, w->circle[other].z);
+    float4 own = w->sight[slot];
+    int cl = levels->columnsLog[level];
+    int bucket = w->bucketOf[other] - levels->first[level];
+    int ox = ringFirst(columnOf(w, level, own.x), bucket & ((1 << cl) - 1), (1 << cl) - 1);
+    int oy = ringFirst(rowOf(w, level, own.y), bucket >> cl, (1 << levels->rowsLog[level]) - 1);
+    int group = groupOf(w, level, ox, oy);
+    int rank = atomic_inc(&w->tally[group]);
+    if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
+    if (k < w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
+}
+
+// Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
+// work-groups share. All work-items of the work-group.
+void recordFindings(const World *w, local Findings *found) {
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) found->first = atomic_add(&w->status[FOUND], min(found->count, FINDINGS));
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int count = min(found->count, FINDINGS);
+    for (int k = (int) get_local_id(0); k < count; k += (int) get_local_size(0)) {
+        recordContact(w, found->first + k, found->slots[k].x, found->slots[k].y);
+    }
+}
+
+// Whether a pair in a crowd is one of those that are kept.
+bool keepsPair(const World *w, const Seeker *s, int other) {
+    int otherId = w->id[other];
+    int hash = pairHash(min(s->id, otherId), max(s->id, otherId));
+    return keeps(hash, min(w->rank[s->slot], w->rank[other]));
+}
+
+// Looks at the slots [from, to) of the seeker's level. found: null where it is but to be known how many there are.
+void seek(const World *w, const Seeker *s, int from, int to, local Findings *found) {
+    if (found == 0) {
         w->rank[s->slot] += max(to - from, 0);
         return;
     }
-    if (purpose == COUNTING && w->k.thinning == 0 && to - from > LONGEST_ROW) {
-        w->status[CROWDED] = 1;
-        w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+    if (w->k.thinning == 0 && to - from > LONGEST_ROW) {
+        refuseCrowd(w);
         return;
     }
     for (int other = from; other < to; other++) {
@@ -33,62 +79,49 @@ void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
         float limit = s->reach + o.z;
         if (!(dx * dx + dy * dy < limit * limit)) continue;
         if (s->inverseMass == 0.0f && o.w == 0.0f) continue;
-        uint otherId = (uint) w->id[other];
-        bool lower = (uint) s->id < otherId;
-        uint lowId = lower ? (uint) s->id : otherId;
-        uint highId = lower ? otherId : (uint) s->id;
-        if (w->k.thinning) {
-            int fewer = min(w->rank[s->slot], w->rank[other]);
-            if (!keeps(pairHash((int) lowId, (int) highId), fewer)) continue;
+        if (w->k.thinning && !keepsPair(w, s, other)) continue;
+        int k = atomic_inc(&found->count);
+        if (k < FINDINGS) {
+            found->slots[k] = (int2)(s->slot, other);
+        } else {
+            recordContact(w, atomic_inc(&w->status[FOUND]), s->slot, other);
         }
-        int cl = w->levels->columnsLog[s->level];
-        int bucket = w->bucketOf[other] - w->levels->first[s->level];
-        int ox = ringFirst(s->column, bucket & ((1 << cl) - 1), (1 << cl) - 1);
-        int oy = ringFirst(s->row, bucket >> cl, (1 << w->levels->rowsLog[s->level]) - 1);
-        int group = groupOf(w, s->level, ox, oy);
-        if (purpose == COUNTING) {
-            atomic_inc(&w->groupStart[group]);
-            continue;
-        }
-        int place = w->groupStart[group] + atomic_inc(&w->groupFill[group]);
-        w->key[place] = (ulong) lowId << 32 | highId;
-        w->pair[place] = lower ? (uint2)((uint) s->slot, (uint) other) : (uint2)((uint) other, (uint) s->slot);
     }
 }
 
 // Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above.
-void seekInOwnLevel(const World *w, const Seeker *s, int purpose) {
+void seekInOwnLevel(const World *w, const Seeker *s, local Findings *found) {
     int cl = w->levels->columnsLog[s->level];
     int mask = (1 << cl) - 1;
     int first = w->levels->first[s->level];
     int row = first + (s->row << cl);
     int above = first + (((s->row + 1) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
     if (s->column > 0 && s->column < mask) {
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], purpose);
-        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], purpose);
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], found);
+        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], found);
     } else {
         int next = row + ((s->column + 1) & mask);
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], purpose);
-        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], purpose);
+        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], found);
+        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], found);
         for (int d = -1; d <= 1; d++) {
             int b = above + ((s->column + d) & mask);
-            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], found);
         }
     }
 }
 
-void seekInCoarserLevel(const World *w, const Seeker *s, int purpose) {
+void seekInCoarserLevel(const World *w, const Seeker *s, local Findings *found) {
     int cl = w->levels->columnsLog[s->level];
     int mask = (1 << cl) - 1;
     int rowMask = (1 << w->levels->rowsLog[s->level]) - 1;
     for (int v = -1; v <= 1; v++) {
         int row = w->levels->first[s->level] + (((s->row + v) & rowMask) << cl);
         if (s->column > 0 && s->column < mask) {
-            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], purpose);
+            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], found);
         } else {
             for (int u = -1; u <= 1; u++) {
                 int b = row + ((s->column + u) & mask);
-                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
+                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], found);
             }
         }
     }
@@ -112,15 +145,15 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
     s->row = rowOf(w, atLevel, s->y);
 }
 
-void seekAll(const World *w, int slot, int purpose) {
+void seekAll(const World *w, int slot, local Findings *found) {
     Seeker s = seekerOf(w, slot);
     int own = levelOf(w, w->circle[slot].z);
     for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
         seekIn(w, &s, w->levels->used[l]);
         if (s.level == own) {
-            seekInOwnLevel(w, &s, purpose);
+            seekInOwnLevel(w, &s, found);
         } else {
-            seekInCoarserLevel(w, &s, purpose);
+            seekInCoarserLevel(w, &s, found);
         }
     }
 }
@@ -163,12 +196,20 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Counts the contacts of each group; notes where there is a crowd, if that is not to be thinned out. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Lays the
+// leashes of a step with the stage Sweep. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
+    local Findings found;
     int slot = (int) get_global_id(0);
+    if (get_local_id(0) == 0) found.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
     // Where the step has been refused earlier, all buckets are empty.
-    if (slot < circles && !tooFast(&w)) seekAll(&w, slot, COUNTING);
+    if (slot < circles && !tooFast(&w) && bucketStart[levels->first[LEVELS]] > 0) {
+        if (w.k.sweeping) layLeash(&w, slot);
+        seekAll(&w, slot, &found);
+    }
+    recordFindings(&w, &found);
 }
 
 // Whether the contacts that were counted do not fit.
@@ -181,14 +222,24 @@ void noteContacts(const World *w) {
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
+// Lists a contact that was found.
+void listContact(const World *w, int k) {
+    int4 found = ((global const int4 *) w->contact)[k];
+    int place = w->groupStart[found.z] + found.w;
+    uint own = (uint) w->id[found.x];
+    uint other = (uint) w->id[found.y];
+    w->key[place] = (ulong) min(own, other) << 32 | max(own, other);
+    w->pair[place] = own < other ? (uint2)((uint) found.x, (uint) found.y) : (uint2)((uint) found.y, (uint) found.x);
+}
+
 // Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
-// Index space: a working slot a work-item. Cost: as contacts_count.
+// Index space: any number of work-items, which take the contacts in turn.
 kernel void contacts_list(WORLD_PARAMETERS) {
     World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles) return;
-    if (slot == 0) noteContacts(&w);
-    if (!lackContactRoom(&w) && !refused(&w)) seekAll(&w, slot, LISTING);
+    if (get_global_id(0) == 0) noteContacts(&w);
+    if (lackContactRoom(&w) || refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int k = (int) get_global_id(0); k < contacts; k += (int) get_global_size(0)) listContact(&w, k);
 }
 
 void siftContactDown(global ulong *key, global uint2 *pair, int top, int size) {
@@ -351,7 +402,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
     rank[slot] = 0;
-    seekAll(&w, slot, TESTING);
+    seekAll(&w, slot, 0);
 }
 
 // How many contacts each circle had in the last step. Index space: a contact a work-item.

@@ -12,12 +12,12 @@
 #define DEVICE_FENCE mem_fence(CLK_GLOBAL_MEM_FENCE)
 #endif
 
-// Waits until all work-groups are here. arrivals: counts them; starts at 0.
+// Waits until all work-groups are here; a single one for its own work-items alone. arrivals: counts them; starts at 0.
 void deviceBarrier(volatile global int *arrivals) {
+    int groups = (int) get_num_groups(0);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (get_local_id(0) == 0) {
+    if (get_local_id(0) == 0 && groups > 1) {
         DEVICE_FENCE;
-        int groups = (int) get_num_groups(0);
         int target = (atomic_inc(arrivals) / groups + 1) * groups;
         while (*arrivals < target) {
         }
@@ -29,7 +29,7 @@ void deviceBarrier(volatile global int *arrivals) {
 // Ends a work-group. The last one makes the counters ready for the next launch.
 void leave(const World *w) {
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (get_local_id(0) != 0) return;
+    if (get_local_id(0) != 0 || get_num_groups(0) == 1) return;
     if (atomic_inc(&w->status[DEPARTURES]) == (int) get_num_groups(0) - 1) {
         w->status[ARRIVALS] = 0;
         w->status[DEPARTURES] = 0;
@@ -41,36 +41,29 @@ void leave(const World *w) {
 
 #define EACH(i, count) for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
 
-// Exclusive prefix sum of counts, in place, by all work-groups.
-void scanAll(const World *w, global int *counts, int count, local int *cells) {
-    volatile global int *arrivals = w->status + ARRIVALS;
-    int blocks = (count + RESIDENT_GROUP * SCAN_EACH - 1) / (RESIDENT_GROUP * SCAN_EACH);
-    for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
-        int total = scanBlock(counts, count, block, 0, cells);
-        if (get_local_id(0) == 0) w->blockSums[block] = total;
-    }
-    if (blocks == 1) return;
-    deviceBarrier(arrivals);
-    // Every work-group sums up what stands before its blocks by itself: cheaper than another barrier.
+// Exclusive prefix sum of counts, which the stage that follows must clear; by all work-groups. Each sums up by itself what
+// stands before its blocks: cheaper than a barrier over all.
+void scanAll(const World *w, global const int *counts, global int *starts, int count, local int *cells) {
     int before = 0;
     int summed = 0;
-    for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
+    int step = (int) get_num_groups(0) * RESIDENT_GROUP;
+    for (int first = (int) get_group_id(0) * RESIDENT_GROUP; first < count; first += step) {
         int part = 0;
-        for (int b = summed + (int) get_local_id(0); b < block; b += RESIDENT_GROUP) part += w->blockSums[b];
+        for (int i = summed + (int) get_local_id(0); i < first; i += RESIDENT_GROUP) part += counts[i];
         int total;
         scanGroup(part, cells, &total);
         before += total;
-        summed = block;
-        for (int e = 0; e < SCAN_EACH; e++) {
-            int i = (block * SCAN_EACH + e) * RESIDENT_GROUP + (int) get_local_id(0);
-            if (i < count) counts[i] += before;
-        }
+        summed = first;
+        int i = first + (int) get_local_id(0);
+        int sum = scanGroup(i < count ? counts[i] : 0, cells, &total);
+        if (i < count) starts[i] = before + sum;
     }
 }
 
 // Local memory, as the stages use it one after another.
 typedef union {
     int cells[RESIDENT_GROUP];
+    Findings findings;
     Arrangement arrangement;
     Tile tile;
 } Local;
@@ -80,17 +73,17 @@ void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
-    EACH(i, buckets + 1) clearBucket(w, i);
-    deviceBarrier(arrivals);
+    if (get_global_id(0) == 0) startStep(w);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
-    scanAll(w, w->bucketStart, buckets + 1, l->cells);
+    scanAll(w, w->tally, w->bucketStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     EACH(slot, w->slots) scatterSlot(w, slot);
+    EACH(i, buckets) w->tally[i] = 0;
     deviceBarrier(arrivals);
-    EACH(bucket, buckets) sortBucket(w, bucket);
-    deviceBarrier(arrivals);
-    EACH(slot, w->circles) gatherCircle(w, slot);
+    bool fast = false;
+    EACH(slot, w->slots) fast |= gatherCircle(w, slot);
+    if (fast) w->status[FAST] = 1;
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
     if (w->k.sweeping) {
@@ -101,23 +94,22 @@ void listAll(World *w, local Local *l) {
         }
         deviceBarrier(arrivals);
         EACH(slot, w->circles) layLeash(w, slot);
-        deviceBarrier(arrivals);
     }
-    EACH(slot, w->circles) seekAll(w, slot, COUNTING);
+    if (get_local_id(0) == 0) l->findings.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    EACH(slot, w->circles) seekAll(w, slot, &l->findings);
+    recordFindings(w, &l->findings);
     deviceBarrier(arrivals);
-    scanAll(w, w->groupStart, buckets + 1, l->cells);
+    scanAll(w, w->tally, w->groupStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     if (get_global_id(0) == 0) noteContacts(w);
-    if (!lackContactRoom(w) && !tooCrowded(w)) {
-        EACH(slot, w->circles) seekAll(w, slot, LISTING);
-    }
+    EACH(i, buckets) w->tally[i] = 0;
+    bool lists = !lackContactRoom(w) && !tooCrowded(w);
+    EACH(k, lists ? w->groupStart[buckets] : 0) listContact(w, k);
     deviceBarrier(arrivals);
-    if (outOfRoom(w)) return;
+    if (outOfRoom(w) || tooCrowded(w)) return;
     EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
-    bool crowded = tooCrowded(w);
-    deviceBarrier(arrivals);
-    if (crowded) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
@@ -158,6 +150,7 @@ void solveAll(const World *w, local Tile *t, int contacts) {
 kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
+    w.k.sweeping = 1; // these steps take fast circles
     if (refused(&w)) return;
     // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);

@@ -125,7 +125,8 @@ kernel void sweep_look(WORLD_PARAMETERS) {
     if (slot < circles && !refused(&w) && slotIsFast(&w, slot)) lookAhead(&w, slot);
 }
 
-// Lays a leash: the free part of the path, and how far the circle may leave it.
+// Lays a leash: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
+// does it in passing.
 void layLeash(const World *w, int slot) {
     float4 plan = w->leash[slot];
     float r = w->circle[slot].z;
@@ -134,11 +135,4 @@ void layLeash(const World *w, int slot) {
     bool stopped = free < limit;
     float kept = stopped ? free : limit;
     w->leash[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : LEASH * r, plan.w);
-}
-
-// Index space: a working slot a work-item.
-kernel void sweep_leash(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) layLeash(&w, slot);
 }

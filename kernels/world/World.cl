@@ -33,6 +33,7 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
+#define FOUND 6       // contacts found so far, in no order
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 
@@ -44,7 +45,7 @@ typedef struct {
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
         global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
-        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,           \
+        global float2 *pushedDisplacement, global int *groupStart, global int *tally, global ulong *key,               \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
         global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
@@ -68,7 +69,8 @@ typedef struct {
     // stage Grid: by slot at home, then by bucket, then by working slot
     global int *bucketBefore;
     global int *rank; // later, where crowds are thinned: candidates by working slot
-    global int *order, *bucketStart, *bucketOf;
+    global int *order; // ids, bucket by bucket
+    global int *bucketStart, *bucketOf;
     global float4 *sight; // x, y of the base, reach, inverse mass: what the search for contacts looks at
 
     // by working slot, in the order of buckets
@@ -89,12 +91,13 @@ typedef struct {
     global float2 *pushedDisplacement; // between the passes
 
     // stage Contacts: by group, then by contact
-    global int *groupStart, *groupFill;
+    global int *groupStart;
+    global int *tally;      // counts by bucket, later by group; all 0 when a step begins, and when a scan has used them
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
-    global float4 *contact; // normal x, y, separation, accumulated impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; before that, as ints: see recordContact
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
     global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
@@ -115,7 +118,7 @@ typedef struct {
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
-            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
+            groupStart, tally, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }
 

@@ -45,7 +45,7 @@ final class ClBuffers {
     static final int PUSHED_VELOCITY = 30;
     static final int PUSHED_DISPLACEMENT = 31;
     static final int GROUP_START = 32;
-    static final int GROUP_FILL = 33;
+    static final int TALLY = 33;
     static final int KEY = 34;
     static final int PAIR = 35;
     static final int BASE = 36;
@@ -100,7 +100,7 @@ final class ClBuffers {
         "pushed velocities",
         "pushed displacements",
         "group starts",
-        "group fills",
+        "tally",
         "contact keys",
         "contact pairs",
         "contact bases",
@@ -138,7 +138,7 @@ final class ClBuffers {
         NEAR
     };
     private static final int[] BY_SLOT_TILED = {PUSHED_VELOCITY, PUSHED_TRAITS, PUSHED_DISPLACEMENT};
-    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
+    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, TALLY};
     private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
     private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, SHAPE, HELD, IMPULSE};
@@ -253,7 +253,9 @@ final class ClBuffers {
         if (buckets > bucketRoom) {
             int room = grown(bucketRoom, buckets);
             // One more element for the end; both scans share the block sums.
-            grow(room + 1, 0, NO_BUFFERS, BY_BUCKET);
+            int elements = ClScan.padded(room + 1);
+            grow(elements, 0, NO_BUFFERS, BY_BUCKET);
+            buffers[TALLY].write(0, IntBuffer.wrap(new int[elements]));
             grow(ClScan.blocks(room + 1), 0, NO_BUFFERS, new int[] {BLOCK_SUMS});
             grow(ClSweep.blocks(room), 0, NO_BUFFERS, new int[] {BLOCK_RANGE});
             bucketRoom = room;

@@ -180,7 +180,7 @@ public final class ClPipeline implements Pipeline {
             parameters.setWarmScale(step == 0 ? warmScale : 1f);
             parameters.send(buffers);
             kernels.bind(buffers, from, circles);
-            grid.build(levels, from, circles);
+            grid.build(levels, from);
             if (sweeping > 0) {
                 sweep.sweep(levels, circles);
             }
