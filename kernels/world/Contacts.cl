@@ -4,7 +4,8 @@
 // What a circle looks with.
 typedef struct {
     float x, y, reach, inverseMass;
-    int slot, id, level, column, row;
+    int slot, level, column, row;
+    int part, parts; // it sees every so manieth of its neighbours, from a first on
 } Seeker;
 
 // What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
@@ -20,6 +21,10 @@ typedef struct {
 #define LONGEST_ROW 1024
 #define LONGEST_GROUP 512
 
+int levelOfSlot(const World *w, int slot) {
+    return w->levels->usedCount == 1 ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
+}
+
 // Refuses a step that does not thin crowds out.
 void refuseCrowd(const World *w) {
     if (w->k.thinning) return;
@@ -31,7 +36,7 @@ void refuseCrowd(const World *w) {
 // and how many the group had before.
 void recordContact(const World *w, int k, int slot, int other) {
     constant Levels *levels = w->levels;
-    int level = levels->usedCount == 1 ? levels->used[0] : levelOf(w, w->circle[other].z);
+    int level = levelOfSlot(w, other);
     float4 own = w->sight[slot];
     int cl = levels->columnsLog[level];
     int bucket = w->bucketOf[other] - levels->first[level];
@@ -57,22 +62,73 @@ void recordFindings(const World *w, local Findings *found) {
 
 // Whether a pair in a crowd is one of those that are kept.
 bool keepsPair(const World *w, const Seeker *s, int other) {
+    int id = w->id[s->slot];
     int otherId = w->id[other];
-    int hash = pairHash(min(s->id, otherId), max(s->id, otherId));
+    int hash = pairHash(min(id, otherId), max(id, otherId));
     return keeps(hash, min(w->rank[s->slot], w->rank[other]));
 }
 
-// Looks at the slots [from, to) of the seeker's level. found: null where it is but to be known how many there are.
-void seek(const World *w, const Seeker *s, int from, int to, local Findings *found) {
+// A piece of the neighbourhood: up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where
+// i < end.x, else i + offset.y where i < end.y, and so on.
+typedef struct {
+    int4 offset, end;
+    int longest;
+} Piece;
+
+int slotInPiece(const Piece *p, int i) {
+    return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
+}
+
+// The piece that lies v rows above the seeker. With the seeker's own row: what is left of its own bucket, and the next. Rows
+// may span the edge of the torus; so that all work-items of a warp take the same way there, it is not a case of its own.
+Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
+    global const int *start = w->bucketStart;
+    int cl = w->levels->columnsLog[s->level];
+    int last = (1 << cl) - 1;
+    int first = w->levels->first[s->level];
+    int row = first + (((s->row + v) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
+    int ownRow = first + (s->row << cl);
+    int4 from = (int4)(0);
+    int4 to = (int4)(0);
+    from.x = start[row + max(s->column - 1, 0)];
+    to.x = start[row + min(s->column + 1, last) + 1];
+    if (s->column == 0 || s->column == last) {
+        int beyond = row + (s->column == 0 ? last : 0);
+        from.y = start[beyond];
+        to.y = start[beyond + 1];
+    }
+    if (withOwnRow) {
+        from.z = s->slot + 1;
+        to.z = start[ownRow + min(s->column + 1, last) + 1];
+        if (s->column == last) {
+            from.w = start[ownRow];
+            to.w = start[ownRow + 1];
+        }
+    }
+    int4 count = max(to - from, (int4)(0));
+    Piece p;
+    p.end.x = count.x;
+    p.end.y = p.end.x + count.y;
+    p.end.z = p.end.y + count.z;
+    p.end.w = p.end.z + count.w;
+    p.offset = from - (p.end - count);
+    p.longest = max(max(count.x, count.y), max(count.z, count.w));
+    return p;
+}
+
+// Looks at a piece of the neighbourhood, in one loop. found: null where it is but to be known how many there are.
+void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
+    int count = piece->end.w;
     if (found == 0) {
-        w->rank[s->slot] += max(to - from, 0);
+        w->rank[s->slot] += count;
         return;
     }
-    if (w->k.thinning == 0 && to - from > LONGEST_ROW) {
+    if (w->k.thinning == 0 && piece->longest > LONGEST_ROW) {
         refuseCrowd(w);
         return;
     }
-    for (int other = from; other < to; other++) {
+    for (int i = s->part; i < count; i += s->parts) {
+        int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
         float dx = o.x - s->x;
         float dy = o.y - s->y;
@@ -89,44 +145,6 @@ void seek(const World *w, const Seeker *s, int from, int to, local Findings *fou
     }
 }
 
-// Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above.
-void seekInOwnLevel(const World *w, const Seeker *s, local Findings *found) {
-    int cl = w->levels->columnsLog[s->level];
-    int mask = (1 << cl) - 1;
-    int first = w->levels->first[s->level];
-    int row = first + (s->row << cl);
-    int above = first + (((s->row + 1) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
-    if (s->column > 0 && s->column < mask) {
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], found);
-        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], found);
-    } else {
-        int next = row + ((s->column + 1) & mask);
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], found);
-        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], found);
-        for (int d = -1; d <= 1; d++) {
-            int b = above + ((s->column + d) & mask);
-            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], found);
-        }
-    }
-}
-
-void seekInCoarserLevel(const World *w, const Seeker *s, local Findings *found) {
-    int cl = w->levels->columnsLog[s->level];
-    int mask = (1 << cl) - 1;
-    int rowMask = (1 << w->levels->rowsLog[s->level]) - 1;
-    for (int v = -1; v <= 1; v++) {
-        int row = w->levels->first[s->level] + (((s->row + v) & rowMask) << cl);
-        if (s->column > 0 && s->column < mask) {
-            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], found);
-        } else {
-            for (int u = -1; u <= 1; u++) {
-                int b = row + ((s->column + u) & mask);
-                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], found);
-            }
-        }
-    }
-}
-
 Seeker seekerOf(const World *w, int slot) {
     float4 own = w->sight[slot];
     Seeker s;
@@ -135,7 +153,8 @@ Seeker seekerOf(const World *w, int slot) {
     s.reach = own.z;
     s.inverseMass = own.w;
     s.slot = slot;
-    s.id = w->id[slot];
+    s.part = 0;
+    s.parts = 1;
     return s;
 }
 
@@ -145,15 +164,21 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
     s->row = rowOf(w, atLevel, s->y);
 }
 
-void seekAll(const World *w, int slot, local Findings *found) {
+// Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
+void seekAll(const World *w, int slot, int part, int parts, local Findings *found) {
     Seeker s = seekerOf(w, slot);
-    int own = levelOf(w, w->circle[slot].z);
+    s.part = part;
+    s.parts = parts;
+    int own = levelOfSlot(w, slot);
+#pragma unroll 1
     for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
         seekIn(w, &s, w->levels->used[l]);
-        if (s.level == own) {
-            seekInOwnLevel(w, &s, found);
-        } else {
-            seekInCoarserLevel(w, &s, found);
+        // In its own level half of the neighbourhood, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
+        bool inOwnLevel = s.level == own;
+#pragma unroll 1
+        for (int v = inOwnLevel ? 1 : -1; v <= 1; v++) {
+            Piece piece = pieceOf(w, &s, v, inOwnLevel);
+            seek(w, &s, &piece, found);
         }
     }
 }
@@ -179,7 +204,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     Seeker s = seekerOf(&w, slot);
-    int own = levelOf(&w, circle[slot].z);
+    int own = levelOfSlot(&w, slot);
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
         seekIn(&w, &s, levels->used[l]);
@@ -204,10 +229,9 @@ kernel void contacts_count(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (get_local_id(0) == 0) found.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    // Where the step has been refused earlier, all buckets are empty.
-    if (slot < circles && !tooFast(&w) && bucketStart[levels->first[LEVELS]] > 0) {
+    if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
         if (w.k.sweeping) layLeash(&w, slot);
-        seekAll(&w, slot, &found);
+        seekAll(&w, slot, 0, 1, &found);
     }
     recordFindings(&w, &found);
 }
@@ -402,7 +426,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
     rank[slot] = 0;
-    seekAll(&w, slot, 0);
+    seekAll(&w, slot, 0, 1, 0);
 }
 
 // How many contacts each circle had in the last step. Index space: a contact a work-item.

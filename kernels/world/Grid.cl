@@ -1,6 +1,6 @@
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
-// sort: count, sum up (Scan.cl), scatter the ids, then every circle finds its place among those of its bucket, which undoes
-// whatever order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
+// sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
+// order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
 // too fast for it.
 
 // What a step that takes fast circles, or crowds, or tiles, tells the host is about the last one alone.
@@ -34,31 +34,41 @@ kernel void grid_count(WORLD_PARAMETERS) {
 
 void scatterSlot(const World *w, int slot) {
     int bucket = w->bucketBefore[slot];
-    if (bucket >= 0) w->order[w->bucketStart[bucket] + w->rank[slot]] = w->homeId[slot];
+    if (bucket >= 0) w->order[w->bucketStart[bucket] + w->rank[slot]] = (int2)(w->homeId[slot], slot);
 }
 
-// Lists the ids of each bucket. Index space: a slot at home a work-item.
+// Lists the circles of each bucket. Index space: a slot at home a work-item.
 kernel void grid_scatter(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot < slots && !refused(&w)) scatterSlot(&w, slot);
 }
 
-// Copies a circle to its place, and describes it; returns whether it is fast. A step that has been refused because of a
-// fast circle may come here again: to the same result. Where it has been refused earlier, all buckets are empty.
-bool gatherCircle(const World *w, int from) {
+// How many of the circles [from, to) of a bucket have a lower id. Several at a time: a read takes long, and most have few.
+int countLower(const World *w, int from, int to, int id) {
+    int sum = 0;
+    for (int i = from; i < to; i += 4) {
+        int a = w->order[i].x;
+        int b = w->order[min(i + 1, to - 1)].x;
+        int c = w->order[min(i + 2, to - 1)].x;
+        int d = w->order[min(i + 3, to - 1)].x;
+        sum += (a < id) + (i + 1 < to && b < id) + (i + 2 < to && c < id) + (i + 3 < to && d < id);
+    }
+    return sum;
+}
+
+// Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast. A step that
+// has been refused because of a fast circle may come here again: to the same result.
+bool gatherCircle(const World *w, int i) {
+    int2 listed = w->order[i];
+    int from = listed.y;
     int bucket = w->bucketBefore[from];
-    if (bucket < 0) return false;
-    int start = w->bucketStart[bucket];
-    int end = w->bucketStart[bucket + 1];
-    if (start == end) return false;
     float4 c = w->homeCircle[from];
     float4 m = w->homeMotion[from];
     float4 t = w->homeTraits[from];
-    int id = w->homeId[from];
     int memory = w->homeMemory[from];
-    int slot = start;
-    for (int i = start; i < end; i++) slot += w->order[i] < id;
+    int start = w->bucketStart[bucket];
+    int slot = start + countLower(w, start, w->bucketStart[bucket + 1], listed.x);
     bool fixed = t.x == 0.0f;
     float px = plan(m.z, w->k.dt, fixed ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, fixed ? 0.0f : w->k.fallY);
@@ -66,7 +76,7 @@ bool gatherCircle(const World *w, int from) {
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
-    w->id[slot] = id;
+    w->id[slot] = listed.x;
     w->memory[slot] = memory;
     w->bucketOf[slot] = bucket;
     w->load[slot] = (float4)(0.0f);
@@ -79,15 +89,18 @@ bool gatherCircle(const World *w, int from) {
     return !fixed && isFast(path, c.z);
 }
 
-// Index space: a slot at home a work-item. Cost: the circles of its bucket.
+// Whether nothing has been counted: the step was refused before.
+bool gridIsEmpty(const World *w) { return w->bucketStart[w->levels->first[LEVELS]] == 0; }
+
+// Index space: a circle a work-item. Cost: the circles of its bucket.
 kernel void grid_gather(WORLD_PARAMETERS) {
     World w = WORLD;
-    // One of a work-group speaks for all: a store of every fast circle to one place takes twice the time of all the rest.
+    // One of a work-group speaks for all: a store of every fast circle to one place takes longer than all the rest.
     local int fast;
-    int slot = (int) get_global_id(0);
+    int i = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (slot < slots && !outOfRoom(&w) && !tooCrowded(&w) && gatherCircle(&w, slot)) fast = 1;
+    if (i < circles && !gridIsEmpty(&w) && gatherCircle(&w, i)) fast = 1;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0 && fast) status[FAST] = 1;
 }

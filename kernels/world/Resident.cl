@@ -1,27 +1,41 @@
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
 // run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
 // once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
-// this file only for devices where that, and the fence below, are known to hold. One work-group alone runs anywhere.
+// this file only for devices where that, and the barrier below, are known to hold. One work-group alone runs anywhere.
 
-// Makes what a work-item has written visible to all others, and what they have written to it. OpenCL 1.2 has no such fence
-// beyond a work-group; mem_fence leaves the first-level cache stale. From the host: PTX: 1 on NVIDIA devices. On others one
-// work-group alone may run this, where mem_fence does.
+// OpenCL 1.2 orders nothing beyond a work-group, and its fences leave the first-level cache stale: the two functions that do
+// are PTX, for NVIDIA devices. From the host: PTX. On others one work-group alone may run this, which needs neither.
+
+// Counts this work-group, after all that it has written is visible; returns how many were counted before.
+int arrive(volatile global int *arrivals) {
 #if PTX
-#define DEVICE_FENCE asm volatile("fence.acq_rel.gpu;" ::: "memory")
+    int before;
+    asm volatile("atom.release.gpu.global.add.s32 %0, [%1], 1;" : "=r"(before) : "l"(arrivals) : "memory");
+    return before;
 #else
-#define DEVICE_FENCE mem_fence(CLK_GLOBAL_MEM_FENCE)
+    return atomic_inc(arrivals);
 #endif
+}
+
+// How many have been counted; what these have written is visible from here on.
+int arrived(volatile global int *arrivals) {
+#if PTX
+    int count;
+    asm volatile("ld.acquire.gpu.global.s32 %0, [%1];" : "=r"(count) : "l"(arrivals) : "memory");
+    return count;
+#else
+    return *arrivals;
+#endif
+}
 
 // Waits until all work-groups are here; a single one for its own work-items alone. arrivals: counts them; starts at 0.
 void deviceBarrier(volatile global int *arrivals) {
     int groups = (int) get_num_groups(0);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     if (get_local_id(0) == 0 && groups > 1) {
-        DEVICE_FENCE;
-        int target = (atomic_inc(arrivals) / groups + 1) * groups;
-        while (*arrivals < target) {
+        int target = (arrive(arrivals) / groups + 1) * groups;
+        while (arrived(arrivals) < target) {
         }
-        DEVICE_FENCE;
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
@@ -39,7 +53,9 @@ void leave(const World *w) {
 // Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks only for what nobody
 // writes before the next barrier.
 
-#define EACH(i, count) for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
+// All work-items take the numbers below count in turn. Not unrolled: fetching instructions is much of the time of a stage.
+#define EACH(i, count)                                                                                                 \
+    _Pragma("unroll 1") for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
 
 // Exclusive prefix sum of counts, which the stage that follows must clear; by all work-groups. Each sums up by itself what
 // stands before its blocks: cheaper than a barrier over all.
@@ -62,11 +78,14 @@ void scanAll(const World *w, global const int *counts, global int *starts, int c
 
 // Local memory, as the stages use it one after another.
 typedef union {
-    int cells[RESIDENT_GROUP];
+    int cells[2 * RESIDENT_GROUP];
     Findings findings;
     Arrangement arrangement;
     Tile tile;
 } Local;
+
+// Work-items that look for the neighbours of one circle.
+#define SEEKERS 8
 
 // Stages Grid, Sweep where some circle is fast, and Contacts.
 void listAll(World *w, local Local *l) {
@@ -82,7 +101,7 @@ void listAll(World *w, local Local *l) {
     EACH(i, buckets) w->tally[i] = 0;
     deviceBarrier(arrivals);
     bool fast = false;
-    EACH(slot, w->slots) fast |= gatherCircle(w, slot);
+    EACH(i, w->circles) fast |= gatherCircle(w, i);
     if (fast) w->status[FAST] = 1;
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
@@ -97,7 +116,8 @@ void listAll(World *w, local Local *l) {
     }
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    EACH(slot, w->circles) seekAll(w, slot, &l->findings);
+    // Several work-items a circle: there are more of them than circles.
+    EACH(item, SEEKERS * w->circles) seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, &l->findings);
     recordFindings(w, &l->findings);
     deviceBarrier(arrivals);
     scanAll(w, w->tally, w->groupStart, buckets + 1, l->cells);

@@ -4,29 +4,30 @@
 #define SCAN_GROUP 256
 #define SCAN_EACH 4
 
-// Exclusive prefix sum over a work-group of one value a work-item; *total gets the sum of all.
+// Exclusive prefix sum over a work-group of one value a work-item; *total gets the sum of all. cells: two a work-item, each
+// half read while the other is written.
 int scanGroup(int value, local int *cells, int *total) {
     int item = (int) get_local_id(0);
     int size = (int) get_local_size(0);
+    int half_ = 0;
     cells[item] = value;
     barrier(CLK_LOCAL_MEM_FENCE);
-    int sum = value;
     for (int step = 1; step < size; step <<= 1) {
-        int before = item >= step ? cells[item - step] : 0;
-        barrier(CLK_LOCAL_MEM_FENCE);
-        sum += before;
-        cells[item] = sum;
+        int sum = cells[half_ + item] + (item >= step ? cells[half_ + item - step] : 0);
+        half_ = size - half_;
+        cells[half_ + item] = sum;
         barrier(CLK_LOCAL_MEM_FENCE);
     }
-    *total = cells[size - 1];
+    *total = cells[half_ + size - 1];
+    int before = cells[half_ + item] - value;
     barrier(CLK_LOCAL_MEM_FENCE);
-    return sum - value;
+    return before;
 }
 
 // Sums up each block. Index space: a work-group a block.
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(global const int *counts, int count,
                                                                                 global int *blockSums) {
-    local int cells[SCAN_GROUP];
+    local int cells[2 * SCAN_GROUP];
     int i = (int) get_global_id(0);
     int4 own = SCAN_EACH * i < count ? vload4(i, counts) : (int4)(0);
     int total;
@@ -39,7 +40,7 @@ kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_starts(global int *counts, int count,
                                                                                 global const int *blockSums,
                                                                                 global int *starts) {
-    local int cells[SCAN_GROUP];
+    local int cells[2 * SCAN_GROUP];
     int i = (int) get_global_id(0);
     int4 own = SCAN_EACH * i < count ? vload4(i, counts) : (int4)(0);
     int part = 0;

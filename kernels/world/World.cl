@@ -33,14 +33,14 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
-#define FOUND 6       // contacts found so far, in no order
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
+#define FOUND 48      // contacts found so far, in no order; away from what every work-item reads
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
         global float4 *homeCircle, global float4 *homeMotion, global float4 *homeTraits, global int *homeId,           \
-        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
+        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int2 *order,    \
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
@@ -69,7 +69,7 @@ typedef struct {
     // stage Grid: by slot at home, then by bucket, then by working slot
     global int *bucketBefore;
     global int *rank; // later, where crowds are thinned: candidates by working slot
-    global int *order; // ids, bucket by bucket
+    global int2 *order; // id and slot at home, bucket by bucket
     global int *bucketStart, *bucketOf;
     global float4 *sight; // x, y of the base, reach, inverse mass: what the search for contacts looks at
 
@@ -132,7 +132,13 @@ bool tooFast(const World *w) { return w->k.sweeping == 0 && w->status[FAST] != 0
 
 bool tooCrowded(const World *w) { return w->k.thinning == 0 && w->status[CROWDED] != 0; }
 
-bool refused(const World *w) { return outOfRoom(w) || tooFast(w) || tooCrowded(w); }
+// All of it at once: one read after another would be a good part of the time of a short kernel.
+bool refused(const World *w) {
+    int room = w->status[OUT_OF_ROOM];
+    int fast = w->k.sweeping ? 0 : w->status[FAST];
+    int crowded = w->k.thinning ? 0 : w->status[CROWDED];
+    return (room | fast | crowded) != 0;
+}
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
 

@@ -198,7 +198,7 @@ final class ClBuffers {
                     SHAPE,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
+            case ORDER, WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;

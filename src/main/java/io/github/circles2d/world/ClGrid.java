@@ -18,10 +18,10 @@ final class ClGrid {
         gather = kernels.staged("grid_gather");
     }
 
-    void build(Levels levels, int slots) {
+    void build(Levels levels, int slots, int circles) {
         count.run(slots);
         scan.run(buffers, levels.buckets() + 1, ClBuffers.BUCKET_START);
         scatter.run(slots);
-        gather.run(slots);
+        gather.run(circles);
     }
 }
