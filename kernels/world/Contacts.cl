@@ -5,7 +5,7 @@
 typedef struct {
     float x, y, reach, inverseMass;
     int slot, level, column, row;
-    int part, parts; // it sees every so manieth of its neighbours, from a first on
+    int part, parts; // of several work-items that look for one circle: which, and how many
 } Seeker;
 
 // What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
@@ -45,7 +45,7 @@ void recordContact(const World *w, int k, int slot, int other) {
     int group = groupOf(w, level, ox, oy);
     int rank = atomic_inc(&w->tally[group]);
     if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
-    if (k < w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
+    if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
 }
 
 // Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
@@ -66,17 +66,6 @@ bool keepsPair(const World *w, const Seeker *s, int other) {
     int otherId = w->id[other];
     int hash = pairHash(min(id, otherId), max(id, otherId));
     return keeps(hash, min(w->rank[s->slot], w->rank[other]));
-}
-
-// A piece of the neighbourhood: up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where
-// i < end.x, else i + offset.y where i < end.y, and so on.
-typedef struct {
-    int4 offset, end;
-    int longest;
-} Piece;
-
-int slotInPiece(const Piece *p, int i) {
-    return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
 }
 
 // The piece that lies v rows above the seeker. With the seeker's own row: what is left of its own bucket, and the next. Rows
@@ -105,15 +94,7 @@ Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
             to.w = start[ownRow + 1];
         }
     }
-    int4 count = max(to - from, (int4)(0));
-    Piece p;
-    p.end.x = count.x;
-    p.end.y = p.end.x + count.y;
-    p.end.z = p.end.y + count.z;
-    p.end.w = p.end.z + count.w;
-    p.offset = from - (p.end - count);
-    p.longest = max(max(count.x, count.y), max(count.z, count.w));
-    return p;
+    return pieceOfRanges(from, to);
 }
 
 // Looks at a piece of the neighbourhood, in one loop. found: null where it is but to be known how many there are.

@@ -165,6 +165,30 @@ int groupOf(const World *w, int atLevel, int ox, int oy) {
     return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
 }
 
+// Up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where i < end.x, else i + offset.y
+// where i < end.y, and so on.
+typedef struct {
+    int4 offset, end;
+    int longest; // slots of the longest range
+} Piece;
+
+// The slots [from.x, to.x), [from.y, to.y) and so on.
+Piece pieceOfRanges(int4 from, int4 to) {
+    int4 count = max(to - from, (int4)(0));
+    Piece p;
+    p.end.x = count.x;
+    p.end.y = p.end.x + count.y;
+    p.end.z = p.end.y + count.z;
+    p.end.w = p.end.z + count.w;
+    p.offset = from - (p.end - count);
+    p.longest = max(max(count.x, count.y), max(count.z, count.w));
+    return p;
+}
+
+int slotInPiece(const Piece *p, int i) {
+    return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
+}
+
 // The square of the bounce threshold of a pair: sum of the radii, restitution.
 float thresholdOf(const World *w, float sum, float e) {
     return bounceThreshold(sum, e, w->k.thresholdRate, w->k.restRate);

@@ -125,10 +125,10 @@ public final class ClPipeline implements Pipeline {
 
     @Override
     public void apply(Commands changes) {
-        settle();
         if (changes.count() == 0) {
             return;
         }
+        settle();
         int added = 0;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.records()[r * Commands.STRIDE];
