@@ -1,8 +1,6 @@
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
-#define LONGEST_GROUP 512 // contacts; what is more crowded goes the way of crowds
-
 // Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
@@ -26,10 +24,6 @@ void linkContact(const World *w, int listed) {
     int group = groupOf(w, l, column, row);
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
-    if (to - from > LONGEST_GROUP) {
-        w->status[CROWDED] = 1;
-        return;
-    }
     int c = from;
     for (int other = from; other < to; other++) c += w->key[other] < ids;
 
@@ -45,7 +39,7 @@ void linkContact(const World *w, int listed) {
 // group, and those remembered of a circle.
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
-    if (outOfRoom(&w) || tooFast(&w)) return;
+    if (refused(&w)) return;
     int contacts = groupStart[levels->first[LEVELS]];
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) linkContact(&w, c);
 }

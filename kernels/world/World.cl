@@ -38,16 +38,17 @@ typedef struct {
 #define TILE_COPIES 7  // copies of contacts that tiles have made
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
+#define FOUND 48      // contacts found so far, in no order; away from what every work-item reads
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
         global float4 *homeCircle, global float4 *homeMotion, global float4 *homeTraits, global int *homeId,           \
-        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
+        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int2 *order,    \
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
         global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
-        global float *pushedBurden, global int *groupStart, global int *groupFill, global ulong *key,                  \
+        global float *pushedBurden, global int *groupStart, global int *tally, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
         global uint2 *ordered, global float2 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
@@ -71,7 +72,8 @@ typedef struct {
     // stage Grid: by slot at home, then by bucket, then by working slot
     global int *bucketBefore;
     global int *rank; // later, where crowds are thinned: candidates by working slot
-    global int *order, *bucketStart, *bucketOf;
+    global int2 *order; // id and slot at home, bucket by bucket
+    global int *bucketStart, *bucketOf;
     global float4 *sight; // x, y of the base, reach, inverse mass: what the search for contacts looks at
 
     // by working slot, in the order of buckets
@@ -93,13 +95,15 @@ typedef struct {
     global float *pushedBurden;  // between the passes
 
     // stage Contacts: by group, then by contact
-    global int *groupStart, *groupFill;
+    global int *groupStart;
+    global int *tally;      // counts by bucket, later by group; all 0 when a step begins, and when a scan has used them
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce;
                             // by tiles, as contacts are listed: contact as the step begins, with its impulse
-    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse;
+                            // before that, as ints: see recordContact
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
     global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
@@ -120,7 +124,7 @@ typedef struct {
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
             load, wallBounce, leash, share, near, blockRange, drive, pushedMotion, burden, pushedBurden,               \
-            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
+            groupStart, tally, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }
 
@@ -134,7 +138,13 @@ bool tooFast(const World *w) { return w->k.sweeping == 0 && w->status[FAST] != 0
 
 bool tooCrowded(const World *w) { return w->k.thinning == 0 && w->status[CROWDED] != 0; }
 
-bool refused(const World *w) { return outOfRoom(w) || tooFast(w) || tooCrowded(w); }
+// All of it at once: one read after another would be a good part of the time of a short kernel.
+bool refused(const World *w) {
+    int room = w->status[OUT_OF_ROOM];
+    int fast = w->k.sweeping ? 0 : w->status[FAST];
+    int crowded = w->k.thinning ? 0 : w->status[CROWDED];
+    return (room | fast | crowded) != 0;
+}
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
 
@@ -159,6 +169,30 @@ int firstOfColour(const World *w, int atLevel, int colour) {
 int groupOf(const World *w, int atLevel, int ox, int oy) {
     int colour = (ox & 1) + 2 * (oy & 1);
     return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
+}
+
+// Up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where i < end.x, else i + offset.y
+// where i < end.y, and so on.
+typedef struct {
+    int4 offset, end;
+    int longest; // slots of the longest range
+} Piece;
+
+// The slots [from.x, to.x), [from.y, to.y) and so on.
+Piece pieceOfRanges(int4 from, int4 to) {
+    int4 count = max(to - from, (int4)(0));
+    Piece p;
+    p.end.x = count.x;
+    p.end.y = p.end.x + count.y;
+    p.end.z = p.end.y + count.z;
+    p.end.w = p.end.z + count.w;
+    p.offset = from - (p.end - count);
+    p.longest = max(max(count.x, count.y), max(count.z, count.w));
+    return p;
+}
+
+int slotInPiece(const Piece *p, int i) {
+    return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
 }
 
 // The square of the bounce threshold of a pair: sum of the radii, restitution.

@@ -46,7 +46,7 @@ final class ClBuffers {
     static final int BURDEN = 31;
     static final int PUSHED_BURDEN = 32;
     static final int GROUP_START = 33;
-    static final int GROUP_FILL = 34;
+    static final int TALLY = 34;
     static final int KEY = 35;
     static final int PAIR = 36;
     static final int BASE = 37;
@@ -102,7 +102,7 @@ final class ClBuffers {
         "burdens",
         "pushed burdens",
         "group starts",
-        "group fills",
+        "tally",
         "contact keys",
         "contact pairs",
         "contact bases",
@@ -143,7 +143,7 @@ final class ClBuffers {
         NEAR
     };
     private static final int[] BY_SLOT_TILED = {DRIVE, PUSHED_MOTION, BURDEN, PUSHED_BURDEN};
-    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
+    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, TALLY};
     private static final int[] BY_CONTACT_KEPT = {OLD};
     private static final int[] BY_CONTACT = {KEY, PAIR, MASSES};
     private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, HELD, IMPULSE};
@@ -205,7 +205,7 @@ final class ClBuffers {
                     CONTACT,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, KEY, PAIR, ORDERED, SHAPE, IMPULSE:
+            case ORDER, WALL_BOUNCE, KEY, PAIR, ORDERED, SHAPE, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;
@@ -260,7 +260,9 @@ final class ClBuffers {
         if (buckets > bucketRoom) {
             int room = grown(bucketRoom, buckets);
             // One more element for the end; both scans share the block sums.
-            grow(room + 1, 0, NO_BUFFERS, BY_BUCKET);
+            int elements = ClScan.padded(room + 1);
+            grow(elements, 0, NO_BUFFERS, BY_BUCKET);
+            buffers[TALLY].write(0, IntBuffer.wrap(new int[elements]));
             grow(ClScan.blocks(room + 1), 0, NO_BUFFERS, new int[] {BLOCK_SUMS});
             grow(ClSweep.blocks(room), 0, NO_BUFFERS, new int[] {BLOCK_RANGE});
             bucketRoom = room;

@@ -127,10 +127,10 @@ public final class ClPipeline implements Pipeline {
 
     @Override
     public void apply(Commands changes) {
-        settle();
         if (changes.count() == 0) {
             return;
         }
+        settle();
         int added = 0;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.records()[r * Commands.STRIDE];
@@ -145,26 +145,39 @@ public final class ClPipeline implements Pipeline {
 
     @Override
     public void step(StepConstants constants, Levels shape, int steps) {
-        settle();
         if (circles == 0) {
+            settle();
             slots = 0;
             commands.slotsInOrder();
             return;
         }
-        // Copies: the caller may change both before these steps are known to have found room.
-        levels.copy(shape);
-        subSteps = constants.subSteps;
-        warmScale = constants.warmScale;
-        parameters.set(constants, shape);
-        buffers.ensureBuckets(levels.buckets());
-        for (int left = steps; left > 0; left -= pendingSteps) {
+        if (pendingSteps == 0 || !continues(constants, shape)) {
             settle();
-            pendingSteps = Math.min(left, MOST_PENDING);
-            enqueue();
+            // Copies: the caller may change both before these steps are known to have found room.
+            levels.copy(shape);
+            subSteps = constants.subSteps;
+            warmScale = constants.warmScale;
+            parameters.set(constants, shape);
+            buffers.ensureBuckets(levels.buckets());
+        }
+        for (int left = steps; left > 0; ) {
+            if (pendingSteps == MOST_PENDING) {
+                settle();
+            }
+            int count = Math.min(left, MOST_PENDING - pendingSteps);
+            enqueue(count);
+            left -= count;
         }
     }
 
-    private void enqueue() {
+    /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
+    private boolean continues(StepConstants constants, Levels shape) {
+        return warmScale == 1f && constants.warmScale == 1f && parameters.areOf(constants, shape);
+    }
+
+    private void enqueue(int steps) {
+        int from = pendingSteps == 0 ? slots : circles;
+        pendingSteps += steps;
         parameters.setPlan(sweeping > 0, thinning > 0);
         boolean small = resident != null && ClResident.suits(circles);
         int atOnce = small ? resident.mostGroups() : 0;
@@ -172,12 +185,11 @@ public final class ClPipeline implements Pipeline {
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
-            kernels.bind(buffers, slots, circles);
-            resident.run(tiles.tiles(), circles, pendingSteps);
+            kernels.bind(buffers, from, circles);
+            resident.run(tiles.tiles(), circles, steps);
             return;
         }
-        int from = slots;
-        for (int step = 0; step < pendingSteps; step++) {
+        for (int step = 0; step < steps; step++) {
             // From the second step on, the length of the step before is that of the step.
             parameters.setWarmScale(step == 0 ? warmScale : 1f);
             parameters.send(buffers);
@@ -217,7 +229,9 @@ public final class ClPipeline implements Pipeline {
                 thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
             } else {
                 adapt();
-                enqueue();
+                int refused = pendingSteps;
+                pendingSteps = 0;
+                enqueue(refused);
             }
         }
     }

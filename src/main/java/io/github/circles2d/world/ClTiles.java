@@ -163,8 +163,8 @@ final class ClTiles {
 
     void list(Levels levels, int circles) {
         count.run(circles);
-        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
-        list.run(circles);
+        scan.run(buffers, levels.buckets() + 1, ClBuffers.GROUP_START);
+        list.run(2L * circles);
         link.run(2L * circles);
         arrange.run((long) tiles * GROUP, GROUP);
     }

@@ -85,7 +85,7 @@ final class OclgrindWorlds {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
 
-    /** Sums up more counts than a small world has: a third block, not full. */
+    /** Sums up more counts than a small world has: a last block that is not full. */
     private static Set<String> scan(Device device) {
         int count = 2 * 2048 + 100;
         int[] counts = new int[count];
@@ -94,11 +94,14 @@ final class OclgrindWorlds {
             ClKernels kernels = new ClKernels(session, false);
             DeviceBuffer buffer = session.allocate("counts", 4L * count);
             buffer.write(0, IntBuffer.wrap(counts));
-            new ClScan(kernels).run(buffer, count, session.allocate("sums", 4L * ClScan.blocks(count)));
+            DeviceBuffer starts = session.allocate("starts", 4L * count);
+            new ClScan(kernels).run(buffer, count, session.allocate("sums", 4L * ClScan.blocks(count)), starts);
+            int[] sums = new int[count];
+            starts.read(IntBuffer.wrap(sums));
             buffer.read(IntBuffer.wrap(counts));
             for (int k = 0; k < count; k++) {
-                if (counts[k] != 3 * k) {
-                    throw new IllegalStateException("the sum before " + k + " is " + counts[k]);
+                if (sums[k] != 3 * k || counts[k] != 0) {
+                    throw new IllegalStateException("the sum before " + k + " is " + sums[k] + ", left " + counts[k]);
                 }
             }
             return session.profileNanos().keySet();

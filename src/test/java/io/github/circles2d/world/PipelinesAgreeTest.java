@@ -119,6 +119,32 @@ class PipelinesAgreeTest {
         }
     }
 
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsThatNobodyLooksAtInBetweenHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        // Among them such as are refused at first, and such as those behind them find other circumstances than.
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6), Scenes.onePoint(200, 6)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 70; k++) {
+                    twins.step(1 / 60f, 1);
+                }
+                twins.assertEqual(scene.name() + " after 70 steps");
+                for (float dt : new float[] {1 / 60f, 1 / 120f, 1 / 120f, 1 / 240f, 0.5f, 0.5f, 1 / 60f, 1 / 60f}) {
+                    twins.step(dt, 2);
+                    twins.step(dt, 1);
+                    if (dt == 0.5f) {
+                        twins.change(scene, random);
+                    }
+                }
+                twins.subSteps(2).step(1 / 60f, 1);
+                twins.subSteps(4).step(1 / 60f, 1);
+                twins.assertEqual(scene.name() + " after steps of several lengths");
+                twins.assertSameFigures();
+            }
+        }
+    }
+
     /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
     private static void makeExtreme(Commands commands, int id, SplittableRandom random) {
         float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);

@@ -16,6 +16,7 @@ final class Twins implements AutoCloseable {
     private final float gx;
     private final float gy;
     private int subSteps = 4;
+    private float previousDt;
 
     Twins(Bounds bounds, float gx, float gy, Pipeline... pipelines) {
         this.bounds = bounds;
@@ -46,10 +47,11 @@ final class Twins implements AutoCloseable {
         apply();
         for (Pipeline pipeline : pipelines) {
             StepConstants constants = new StepConstants();
-            constants.set(dt, subSteps, gx, gy, bounds, dt);
+            constants.set(dt, subSteps, gx, gy, bounds, previousDt == 0 ? dt : previousDt);
             levels.layOut(bounds, roster.greatestRadius(), roster.population());
             pipeline.step(constants, levels, steps);
         }
+        previousDt = dt;
     }
 
     void assertEqual(String when) {

@@ -82,7 +82,8 @@ class WorldOclgrindTest {
             }
         }
         assertThat(kernels)
-                .contains("scan_sums", "grid_gather", "solver_push", "solver_pushTile", "sweep_look", "resident_steps");
+                .contains(
+                        "scan_starts", "grid_gather", "solver_push", "solver_pushTile", "sweep_look", "resident_steps");
         return kernels;
     }
 }
