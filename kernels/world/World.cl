@@ -33,8 +33,12 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
+#define PLACES 6      // by lanes: end of the places of contacts that the last step has used
+#define MOST_PLACES 7 // by lanes: places that a work-group needs at most
+#define APART 8       // by lanes: 1 where not all work-groups came at once
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
+#define TOGETHER 48   // by lanes: whether all work-groups are here
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \

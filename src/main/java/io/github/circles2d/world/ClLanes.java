@@ -1,0 +1,85 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+
+/**
+ * Whole steps in one launch on a processor, where all circles are of one level; {@code kernels/world/Lanes.cl}. The launch has
+ * as many work-groups of one work-item as the processor has threads, which wait for each other within it. Should they turn
+ * out not to run at once, the launch says so and changes nothing; from then on there is one work-group alone.
+ */
+final class ClLanes {
+    /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */
+    private static final int LEAST_SHARE = 512;
+
+    /** Rows of cells that a work-group needs at least. */
+    private static final int LEAST_ROWS = 8;
+
+    /** How often a work-group looks for the others before it calls the launch off: about a second. */
+    private static final int PATIENCE = 1 << 23;
+
+    private static final System.Logger LOG = System.getLogger(ClLanes.class.getName());
+
+    private final Kernel steps;
+    private final Kernel degrees;
+    private final int threads;
+    private int mostGroups;
+    private int rows;
+
+    /** How many more work-groups are waited for than there are, and for how long: for tests. */
+    private int missing;
+
+    private int patience = PATIENCE;
+
+    ClLanes(ClKernels kernels, Device device) {
+        steps = kernels.staged("lanes_steps");
+        degrees = kernels.staged("lanes_degrees");
+        threads = device.computeUnits();
+        mostGroups = threads;
+    }
+
+    /** Whether a device can run the lanes: a processor, on which one work-item is as good as many. */
+    static boolean fits(Device device) {
+        return device.kind() == Device.Kind.CPU;
+    }
+
+    /** Makes launches wait for a work-group that does not come. */
+    void waitForNobody(int looks) {
+        missing = 1;
+        patience = looks;
+    }
+
+    /** Whether steps of a world can be made: it has one level, of not too few rows. */
+    boolean suits(Levels levels) {
+        return levels.usedCount == 1 && 1 << levels.rowsLog[levels.used[0]] >= LEAST_ROWS;
+    }
+
+    void run(Levels levels, int circles, int count) {
+        rows = 1 << levels.rowsLog[levels.used[0]];
+        int groups = Math.max(1, Math.min(mostGroups, Math.min(circles / LEAST_SHARE, rows / LEAST_ROWS)));
+        int awaited = mostGroups == 1 ? 1 : groups + missing;
+        steps.arg(ClBuffers.COUNT, count)
+                .arg(ClBuffers.COUNT + 1, awaited)
+                .arg(ClBuffers.COUNT + 2, patience)
+                .run(groups, 1);
+    }
+
+    /** Work-groups that may run at once, as far as is known. */
+    int mostGroups() {
+        return mostGroups;
+    }
+
+    /** Takes note that a launch was called off. */
+    void calledOff() {
+        LOG.log(
+                System.Logger.Level.WARNING,
+                "{0} work-groups did not run at once on a device of {0} compute units; World goes on with one",
+                threads);
+        mostGroups = 1;
+    }
+
+    /** Counts the contacts of each circle, after a step by lanes; ranks are all zeros before. */
+    void countDegrees() {
+        degrees.run(rows);
+    }
+}
