@@ -74,14 +74,13 @@ void rememberPlace(const World *w, int place, int lo, int hi, float lambda) {
     w->memory[lo] = place;
 }
 
-// The relaxing pass over a bundle, measured anew; sums up for what follows.
-void relaxBundle(const World *w, int bundle, bool last) {
+// Measures a bundle anew. This needs no velocities, so it runs ahead of what changes those: roots and divisions take long, but
+// those of several bundles at a time hardly longer.
+void measureBundle(const World *w, int bundle) {
     int4 i = pairOf(w, bundle)[0];
     int4 j = pairOf(w, bundle)[1];
     global const float4 *base = baseOf(w, bundle);
-    global const float4 *masses = massesOf(w, bundle);
     global float4 *contact = stateOf(w, bundle);
-    global const float4 *shape = shapeOf(w, bundle);
     Four mi = take(w->motion, i);
     Four mj = take(w->motion, j);
     float4 nx = contact[0], ny = contact[1], s;
@@ -89,16 +88,29 @@ void relaxBundle(const World *w, int bundle, bool last) {
     contact[0] = nx;
     contact[1] = ny;
     contact[2] = s;
+}
+
+// The relaxing pass over a bundle that has been measured anew; sums up for what follows.
+void relaxBundle(const World *w, int bundle, bool last) {
+    int4 i = pairOf(w, bundle)[0];
+    int4 j = pairOf(w, bundle)[1];
+    global const float4 *base = baseOf(w, bundle);
+    global const float4 *masses = massesOf(w, bundle);
+    global float4 *contact = stateOf(w, bundle);
+    global const float4 *shape = shapeOf(w, bundle);
+    float4 nx = contact[0], ny = contact[1], s = contact[2];
     float4 lambda = contact[3], bounce = masses[3];
     // not those that have a gap and no impulse, and do not bounce
     int4 open = ~((s > 0.0f) & (lambda == 0.0f) & (bounce == 0.0f));
     if (!any(open)) return;
 
+    FourVelocities vi = takeVelocities(w, i);
+    FourVelocities vj = takeVelocities(w, j);
     Four li = take(w->load, i);
     Four lj = take(w->load, j);
     float4 e = base[3], wi = masses[0], wj = masses[1], mass = shape[0], thr2 = shape[1];
     float4 zero = (float4)(0.0f);
-    float4 vn = along4(nx, ny, mj.z - mi.z, mj.w - mi.w);
+    float4 vn = along4(nx, ny, vj.x - vi.x, vj.y - vi.y);
     // freeFlight
     int4 free = open & (e > 0.0f) & (lambda == 0.0f) & (bounce == 0.0f) & (li.z + lj.z == 0.0f) & (vn * vn > thr2);
     int4 moves = open & ~(free & (vn > 0.0f));
@@ -106,11 +118,8 @@ void relaxBundle(const World *w, int bundle, bool last) {
     float4 next = rigid4(lambda, mass, vn, bias);
     float4 p = choose4(free, freeBounce4(e, vn, mass), next - lambda);
     float4 pi = wi * p, pj = wj * p;
-    mi.z = choose4(moves, mi.z - nx * pi, mi.z);
-    mi.w = choose4(moves, mi.w - ny * pi, mi.w);
-    mj.z = choose4(moves, mj.z + nx * pj, mj.z);
-    mj.w = choose4(moves, mj.w + ny * pj, mj.w);
-    give(w->motion, i, j, &mi, &mj);
+    giveVelocities(w, i, j, choose4(moves, vi.x - nx * pi, vi.x), choose4(moves, vi.y - ny * pi, vi.y),
+                   choose4(moves, vj.x + nx * pj, vj.x), choose4(moves, vj.y + ny * pj, vj.y));
     int4 solved = open & ~free;
     next = choose4(bounce > 0.0f, zero, next);
     contact[3] = choose4(solved, next, lambda);
@@ -138,7 +147,13 @@ void pushRow(const World *w, int row) {
     for (int bundle = w->groupFill[row]; bundle < end; bundle++) pushBundle(w, bundle);
 }
 
+#define MEASURED_AHEAD 32 // bundles
+
 void relaxRow(const World *w, int row, bool last) {
     int end = w->groupStart[row];
-    for (int bundle = w->groupFill[row]; bundle < end; bundle++) relaxBundle(w, bundle, last);
+    for (int from = w->groupFill[row]; from < end; from += MEASURED_AHEAD) {
+        int to = min(end, from + MEASURED_AHEAD);
+        for (int bundle = from; bundle < to; bundle++) measureBundle(w, bundle);
+        for (int bundle = from; bundle < to; bundle++) relaxBundle(w, bundle, last);
+    }
 }
