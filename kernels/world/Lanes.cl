@@ -78,9 +78,9 @@ void sweepRows(const World *w, int low, int high, int inwards, int from, int to)
 
 #define ROWS_PER_SUB_STEP 24 // of the narrowest band, in a sweep over several sub-steps
 
-// Stage Solver: what a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does,
-// from the edge outwards.
-void solveContacts(const World *w, const Crew *crew, const Band *band) {
+// What a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge
+// outwards.
+void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
     int most = max(1, band->narrowest / ROWS_PER_SUB_STEP);
     for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
         int end = min(w->k.subSteps, subStep + most);
@@ -89,6 +89,21 @@ void solveContacts(const World *w, const Crew *crew, const Band *band) {
             awaitCrew(w, crew);
         }
     }
+}
+
+// Pass after pass, by one work-group, where there are hardly any rows.
+void solveInPasses(const World *w, int rows) {
+    for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
+        for (int row = 0; row < rows; row++) accelerateRow(w, row);
+        for (int odd = 0; odd < 2; odd++) {
+            for (int row = odd; row < rows; row += 2) pushRow(w, row);
+        }
+        for (int row = 0; row < rows; row++) moveRow(w, row, subStep == 0);
+        for (int odd = 0; odd < 2; odd++) {
+            for (int row = odd; row < rows; row += 2) relaxRow(w, row, subStep == w->k.subSteps - 1);
+        }
+    }
+    for (int row = 0; row < rows; row++) finishRow(w, row);
 }
 
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
@@ -106,7 +121,11 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PAR
             sweepCircles(&w, &crew);
             made = listContacts(&w, &crew, &band);
             if (!made) break;
-            solveContacts(&w, &crew, &band);
+            if (band.narrowest >= 2 * LAG) {
+                solveInSweeps(&w, &crew, &band);
+            } else {
+                solveInPasses(&w, band.to);
+            }
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;

@@ -22,7 +22,6 @@ final class ClLanes {
 
     private final Kernel steps;
     private final Kernel degrees;
-    private final int threads;
     private int mostGroups;
     private int rows;
 
@@ -34,8 +33,7 @@ final class ClLanes {
     ClLanes(ClKernels kernels, Device device) {
         steps = kernels.staged("lanes_steps");
         degrees = kernels.staged("lanes_degrees");
-        threads = device.computeUnits();
-        mostGroups = threads;
+        mostGroups = device.computeUnits();
     }
 
     /** Whether a device can run the lanes: a processor, on which one work-item is as good as many. */
@@ -43,39 +41,44 @@ final class ClLanes {
         return device.kind() == Device.Kind.CPU;
     }
 
-    /** Makes launches wait for a work-group that does not come. */
+    /** Makes launches wait for a work-group that does not come, until one is called off. */
     void waitForNobody(int looks) {
         missing = 1;
         patience = looks;
     }
 
-    /** Whether steps of a world can be made: it has one level, of not too few rows. */
-    boolean suits(Levels levels) {
-        return levels.usedCount == 1 && 1 << levels.rowsLog[levels.used[0]] >= LEAST_ROWS;
+    /** How many work-groups a launch has at most. */
+    int mostGroups() {
+        return mostGroups;
+    }
+
+    /** Sets how many work-groups a launch has at most, which has no effect on results. */
+    void mostGroups(int groups) {
+        mostGroups = groups;
+    }
+
+    /** Whether steps of a world can be made: it has one level. */
+    static boolean suits(Levels levels) {
+        return levels.usedCount == 1;
     }
 
     void run(Levels levels, int circles, int count) {
         rows = 1 << levels.rowsLog[levels.used[0]];
         int groups = Math.max(1, Math.min(mostGroups, Math.min(circles / LEAST_SHARE, rows / LEAST_ROWS)));
-        int awaited = mostGroups == 1 ? 1 : groups + missing;
         steps.arg(ClBuffers.COUNT, count)
-                .arg(ClBuffers.COUNT + 1, awaited)
+                .arg(ClBuffers.COUNT + 1, groups + missing)
                 .arg(ClBuffers.COUNT + 2, patience)
                 .run(groups, 1);
-    }
-
-    /** Work-groups that may run at once, as far as is known. */
-    int mostGroups() {
-        return mostGroups;
     }
 
     /** Takes note that a launch was called off. */
     void calledOff() {
         LOG.log(
                 System.Logger.Level.WARNING,
-                "{0} work-groups did not run at once on a device of {0} compute units; World goes on with one",
-                threads);
+                "{0} work-groups of World did not run at once, as they should on so many compute units; it goes on with one",
+                mostGroups);
         mostGroups = 1;
+        missing = 0;
     }
 
     /** Counts the contacts of each circle, after a step by lanes; ranks are all zeros before. */

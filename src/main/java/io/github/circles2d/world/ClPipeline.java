@@ -132,6 +132,11 @@ public final class ClPipeline implements Pipeline {
         return this;
     }
 
+    /** What makes steps by lanes; null where the plan is another. */
+    ClLanes lanes() {
+        return lanes;
+    }
+
     @Override
     public void apply(Commands changes) {
         settle();
@@ -173,7 +178,7 @@ public final class ClPipeline implements Pipeline {
 
     private void enqueue() {
         parameters.setPlan(sweeping > 0, thinning > 0);
-        lanesEnqueued = lanes != null && thinning == 0 && lanes.suits(levels) ? lanes : null;
+        lanesEnqueued = lanes != null && thinning == 0 && ClLanes.suits(levels) ? lanes : null;
         if (lanesEnqueued != null) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
