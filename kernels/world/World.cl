@@ -36,9 +36,13 @@ typedef struct {
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
 #define TILE_NUMBERS 6 // contacts that tiles have numbered
 #define TILE_COPIES 7  // copies of contacts that tiles have made
+#define APART 8       // by lanes: 1 where not all work-groups came at once
+#define PLACES 9      // by lanes: end of the places of contacts that the last step has used
+#define MOST_PLACES 10 // by lanes: places that a work-group needs at most
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 #define FOUND 48      // contacts found so far, in no order; away from what every work-item reads
+#define TOGETHER 49   // by lanes: whether all work-groups are here
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \

@@ -124,6 +124,9 @@ final class ClBuffers {
     /** Ints of the status. */
     static final int STATUS_INTS = 64;
 
+    /** Slots that no circle has: four at a time are read to the next multiple of four. */
+    private static final int SPARE_SLOTS = 4;
+
     private static final int[] BY_SLOT_KEPT = {HOME_CIRCLE, HOME_MOTION, HOME_TRAITS, HOME_ID, HOME_MEMORY};
     private static final int[] BY_SLOT = {
         BUCKET_BEFORE,
@@ -234,7 +237,7 @@ final class ClBuffers {
     void ensureSlots(int slots, int kept) {
         if (slots > slotRoom) {
             int room = grown(slotRoom, slots);
-            grow(room, kept, BY_SLOT_KEPT, BY_SLOT);
+            grow(room + SPARE_SLOTS, kept, BY_SLOT_KEPT, BY_SLOT);
             if (tiled) {
                 grow(room, 0, NO_BUFFERS, BY_SLOT_TILED);
             }

@@ -26,14 +26,19 @@ final class ClKernels {
         "Readback"
     };
 
+    private static final String[] LANES_FILES = {
+        "LaneMath", "Together", "LaneContacts", "LaneFinding", "LanePasses", "LaneMover", "LaneGrid", "Lanes"
+    };
+
     private final Program program;
     private final List<Kernel> staged = new ArrayList<>();
     private int boundVersion = -1;
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    ClKernels(Session session, boolean resident) {
-        KernelSource source = source(resident).define("PTX", ClResident.fits(session.device()));
+    ClKernels(Session session, ClPlan plan) {
+        KernelSource source =
+                source(plan == ClPlan.RESIDENT, plan == ClPlan.LANES).define("PTX", ClResident.fits(session.device()));
         program = session.build(source, options(session.device()));
     }
 
@@ -41,14 +46,20 @@ final class ClKernels {
      * The source of all stages; the numbers that host and device share are defined from their one place in Java.
      *
      * @param resident whether to make steps in one launch, which not every device can
+     * @param lanes whether to make them on a processor
      */
-    static KernelSource source(boolean resident) {
+    static KernelSource source(boolean resident, boolean lanes) {
         List<String> files = new ArrayList<>();
         for (String file : FILES) {
             files.add("world/" + file + ".cl");
         }
         if (resident) {
             files.add("world/Resident.cl");
+        }
+        if (lanes) {
+            for (String file : LANES_FILES) {
+                files.add("world/" + file + ".cl");
+            }
         }
         return KernelSource.of(files.toArray(String[]::new))
                 .define("LEVELS", Levels.COUNT)

@@ -22,6 +22,8 @@ public final class ClPipeline implements Pipeline {
     private static final int CROWDED = 4;
     private static final int TILE_PEAK = 5;
     private static final int TILE_COPIES = 7;
+    private static final int PLACES = 9;
+    private static final int APART = 8;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -49,6 +51,9 @@ public final class ClPipeline implements Pipeline {
     /** Null where the plan is another. */
     private final ClResident resident;
 
+    /** Null where the plan is another. */
+    private final ClLanes lanes;
+
     private final ClReadback readback;
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
@@ -57,7 +62,10 @@ public final class ClPipeline implements Pipeline {
     private int slots;
     private int circles;
 
-    /** Contacts of the last step, which remembered impulses are numbered by. */
+    /** What the steps that were enqueued last are made by; null where they are made in another way. */
+    private ClLanes lanesEnqueued;
+
+    /** Places of contacts in the last step, which remembered impulses are numbered by. */
     private int remembered;
 
     /** The steps that have been enqueued and not been looked at. */
@@ -91,8 +99,8 @@ public final class ClPipeline implements Pipeline {
         this.plan = plan;
         session = Session.open(device, profiling);
         try {
-            buffers = new ClBuffers(session, capacity, plan != ClPlan.COLOURS);
-            kernels = new ClKernels(session, plan == ClPlan.RESIDENT);
+            buffers = new ClBuffers(session, capacity, plan == ClPlan.TILES || plan == ClPlan.RESIDENT);
+            kernels = new ClKernels(session, plan);
             commands = new ClCommands(session, kernels, buffers);
             ClScan scan = new ClScan(kernels);
             grid = new ClGrid(kernels, buffers, scan);
@@ -101,6 +109,7 @@ public final class ClPipeline implements Pipeline {
             solver = new ClSolver(kernels);
             tiles = new ClTiles(kernels, buffers, scan, device);
             resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
+            lanes = plan == ClPlan.LANES ? new ClLanes(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             buffers.get(ClBuffers.STATUS).write(0, statusView);
@@ -116,13 +125,18 @@ public final class ClPipeline implements Pipeline {
      * @return a fingerprint of their source
      */
     public static String kernels() {
-        return ClKernels.source(true).fingerprint();
+        return ClKernels.source(true, true).fingerprint();
     }
 
     /** Sets the size of work-groups, which has no effect on results. */
     ClPipeline workGroupSize(int size) {
         kernels.workGroupSize(size);
         return this;
+    }
+
+    /** What makes steps by lanes; null where the plan is another. */
+    ClLanes lanes() {
+        return lanes;
     }
 
     @Override
@@ -179,9 +193,18 @@ public final class ClPipeline implements Pipeline {
         int from = pendingSteps == 0 ? slots : circles;
         pendingSteps += steps;
         parameters.setPlan(sweeping > 0, thinning > 0);
+        lanesEnqueued = lanes != null && thinning == 0 && ClLanes.suits(levels) ? lanes : null;
+        if (lanesEnqueued != null) {
+            parameters.setWarmScale(warmScale);
+            parameters.send(buffers);
+            kernels.bind(buffers, from, circles);
+            lanes.run(levels, circles, steps);
+            return;
+        }
         boolean small = resident != null && ClResident.suits(circles);
         int atOnce = small ? resident.mostGroups() : 0;
-        boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
+        boolean tiled =
+                plan != ClPlan.COLOURS && lanes == null && thinning == 0 && tiles.choose(levels, parameters, atOnce);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
@@ -223,8 +246,8 @@ public final class ClPipeline implements Pipeline {
             pendingSteps -= done;
             tiles.learn(status[TILE_PEAK]);
             if (pendingSteps == 0) {
-                remembered = status[CONTACTS];
-                stats.stepped(circles, remembered);
+                remembered = Math.max(status[CONTACTS], status[PLACES]);
+                stats.stepped(circles, status[CONTACTS], lanesEnqueued);
                 sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
             } else {
@@ -255,6 +278,10 @@ public final class ClPipeline implements Pipeline {
             thinning = CALM;
         }
         status[TILE_COPIES] = 0;
+        if (status[APART] != 0) {
+            lanes.calledOff();
+        }
+        status[APART] = 0;
         status[OUT_OF_ROOM] = 0;
         status[FAST] = 0;
         status[CROWDED] = 0;
@@ -312,7 +339,7 @@ public final class ClPipeline implements Pipeline {
         commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
-        stats.stepped(0, 0);
+        stats.stepped(0, 0, null);
     }
 
     @Override

@@ -36,6 +36,10 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(20, 1), 1f, 2, 2));
                 break;
+            case "LANES":
+                kernels.addAll(steps(device, ClPlan.LANES, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
+                kernels.addAll(steps(device, ClPlan.LANES, Scenes.gas(20, 1), 1f, 2, 2));
+                break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
@@ -60,6 +64,7 @@ final class OclgrindWorlds {
         try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
             twins.subSteps(subSteps).step(dt, steps);
             twins.assertEqual(scene.name());
+            twins.assertSameFigures();
             return pipeline.kernelNanos().keySet();
         }
     }
@@ -91,7 +96,7 @@ final class OclgrindWorlds {
         int[] counts = new int[count];
         java.util.Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {
-            ClKernels kernels = new ClKernels(session, false);
+            ClKernels kernels = new ClKernels(session, ClPlan.COLOURS);
             DeviceBuffer buffer = session.allocate("counts", 4L * count);
             buffer.write(0, IntBuffer.wrap(counts));
             DeviceBuffer starts = session.allocate("starts", 4L * count);

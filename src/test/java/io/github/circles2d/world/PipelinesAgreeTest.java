@@ -27,6 +27,9 @@ class PipelinesAgreeTest {
         if (ClResident.fits(device)) {
             pipelines.add(new ClPipeline(device, 0, false, ClPlan.RESIDENT));
         }
+        if (ClLanes.fits(device)) {
+            pipelines.add(new ClPipeline(device, 0, false, ClPlan.LANES));
+        }
         return pipelines.toArray(Pipeline[]::new);
     }
 

@@ -1,0 +1,120 @@
+// Stages Grid and Sweep by a few work-groups that meet: what Grid.cl and Sweep.cl do to a bucket or a circle, each work-group
+// for its part of all; and the bands of rows into which the circles are divided from there on.
+
+#define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
+
+// The rows of a work-group, from an even one to an even one, of about as many circles as the others have.
+typedef struct {
+    int from, to;
+    int narrowest; // rows of the narrowest band
+} Band;
+
+// The first even row with at least so many circles before it.
+int firstEvenRow(global const int *start, int columnsLog, int rows, int circles) {
+    int low = 0;
+    int high = rows >> 1;
+    while (low < high) {
+        int middle = (low + high) >> 1;
+        if (start[(2 * middle) << columnsLog] < circles) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    return 2 * low;
+}
+
+// The host sees to it that several work-groups have 2 * LAG rows each.
+Band bandOf(const World *w, const Crew *crew) {
+    int l = w->levels->used[0];
+    int rows = 1 << w->levels->rowsLog[l];
+    int least = crew->groups > 1 ? 2 * LAG : 0;
+    Band band = {0, rows, rows};
+    int before = 0;
+    for (int next = 1; next <= crew->groups; next++) {
+        int row = rows;
+        if (next < crew->groups) {
+            row = firstEvenRow(w->bucketStart + w->levels->first[l], w->levels->columnsLog[l], rows,
+                               partOf(w->circles, next, crew->groups));
+            row = min(max(row, before + least), rows - least * (crew->groups - next));
+        }
+        if (next - 1 == crew->group) {
+            band.from = before;
+            band.to = row;
+        }
+        band.narrowest = min(band.narrowest, row - before);
+        before = row;
+    }
+    return band;
+}
+
+// Exclusive prefix sum of the counts of buckets, in place. totals: room for one a work-group.
+void sumUp(global int *counts, int count, global int *totals, const World *w, const Crew *crew) {
+    int sum = 0;
+    EACH_OF_PART(i, count, crew) sum += counts[i];
+    totals[crew->group] = sum;
+    awaitCrew(w, crew);
+    int before = 0;
+    for (int g = 0; g < crew->group; g++) before += totals[g];
+    EACH_OF_PART(i, count, crew) {
+        int own = counts[i];
+        counts[i] = before;
+        before += own;
+    }
+}
+
+// Notes a circle for the search for contacts.
+void noteForSearch(const World *w, int slot, float x, float y, float reach) {
+    searchX(w)[slot] = x;
+    searchY(w)[slot] = y;
+    searchReach(w)[slot] = reach;
+}
+
+// Stage Grid. Leaves it to a meeting that others see what the last part has written.
+Band sortCircles(World *w, const Crew *crew) {
+    int buckets = w->levels->first[LEVELS];
+    w->k.sweeping = 1; // until it is known
+    EACH_OF_PART(bucket, buckets + 1, crew) w->bucketStart[bucket] = 0;
+    if (crew->group == 0) {
+        w->status[FAST] = 0;
+        w->status[CONTACTS] = 0;
+        w->status[PLACES] = 0;
+        w->status[MOST_PLACES] = 0;
+    }
+    awaitCrew(w, crew);
+    EACH_OF_PART(slot, w->slots, crew) countSlot(w, slot);
+    awaitCrew(w, crew);
+    sumUp(w->bucketStart, buckets + 1, w->groupFill, w, crew);
+    awaitCrew(w, crew);
+    EACH_OF_PART(slot, w->slots, crew) scatterSlot(w, slot);
+    awaitCrew(w, crew);
+    Band band = bandOf(w, crew);
+    int first = w->levels->first[w->levels->used[0]];
+    int cl = w->levels->columnsLog[w->levels->used[0]];
+    for (int bucket = first + (band.from << cl); bucket < first + (band.to << cl); bucket++) {
+        sortBucket(w, bucket);
+        for (int slot = w->bucketStart[bucket]; slot < w->bucketStart[bucket + 1]; slot++) {
+            gatherCircle(w, slot);
+            float4 sight = w->sight[slot];
+            noteForSearch(w, slot, sight.x, sight.y, sight.z);
+        }
+    }
+    if (crew->group == 0) {
+        // The search reads on to the next multiple of four.
+        for (int spare = 0; spare < 4; spare++) noteForSearch(w, w->circles + spare, INFINITY, INFINITY, 0.0f);
+    }
+    return band;
+}
+
+// Stage Sweep, where some circle is fast.
+void sweepCircles(World *w, const Crew *crew) {
+    w->k.sweeping = w->status[FAST];
+    if (!w->k.sweeping) return;
+    EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
+    awaitCrew(w, crew);
+    EACH_OF_PART(slot, w->circles, crew) {
+        if (slotIsFast(w, slot)) lookAhead(w, slot);
+    }
+    awaitCrew(w, crew);
+    EACH_OF_PART(slot, w->circles, crew) layLeash(w, slot);
+}
