@@ -356,8 +356,8 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
         TOGETHER_EACH(k) {
             ci[k] = w->circle[i[k]];
             cj[k] = w->circle[j[k]];
-            ti[k] = w->traits[i[k]].xy;
-            tj[k] = w->traits[j[k]].xy;
+            ti[k] = lastingTraits(w, i[k]);
+            tj[k] = lastingTraits(w, j[k]);
         }
         TOGETHER_EACH(k) {
             int place = togetherItem(first, k);
