@@ -17,9 +17,14 @@ float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : 
 
 bool isLoaded(float burden) { return as_int(burden) < 0; }
 
-// Writes a circle's wall impulses, where they have changed.
-void storeWalls(const World *w, int slot, float2 old, float4 t) {
-    if (as_int(old.x) != as_int(t.z) || as_int(old.y) != as_int(t.w)) w->traits[slot] = t;
+// A circle's inverse mass and restitution alone: the other half of its traits its owner may be about to write.
+float2 lastingTraits(const World *w, int slot) { return ((global const float2 *) w->traits)[2 * slot]; }
+
+// Writes a circle's wall impulses alone, where they have changed.
+void storeWalls(const World *w, int slot, float2 old, float2 walls) {
+    if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
+        ((global float2 *) w->traits)[2 * slot + 1] = walls;
+    }
 }
 
 // Whether a wall without an impulse leaves a circle alone in the biased pass: pushFromWall would change no more than the sign
@@ -50,7 +55,7 @@ void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     } else {
         accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
     }
-    storeWalls(w, slot, walls, t);
+    storeWalls(w, slot, walls, t.zw);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);
     w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
@@ -61,7 +66,7 @@ void endPush(const World *w, int slot, float4 c, float4 started, float2 v, float
     float4 m = (float4)(started.x, started.y, v.x, v.y);
     float2 walls = t.zw;
     moveCircle(w, slot, c, &m, &t, started.zw, isLoaded(burden));
-    storeWalls(w, slot, walls, t);
+    storeWalls(w, slot, walls, t.zw);
     w->pushedMotion[slot] = m;
     w->pushedBurden[slot] = burden;
 }

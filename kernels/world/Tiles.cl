@@ -397,8 +397,11 @@ void takeCircles(const World *w, local Arrangement *a, global const int *record,
             if (togetherItem(first, n) >= circles) continue;
             int slot = place[n] & ~NOT_OWN;
             c[n] = w->circle[slot];
-            t[n] = w->traits[slot]; // of one that is not the tile's own, its owner may change what follows restitution
-            if (place[n] >= 0) m[n] = w->motion[slot];
+            t[n] = (float4)(lastingTraits(w, slot), 0.0f, 0.0f);
+            if (place[n] >= 0) {
+                t[n] = w->traits[slot];
+                m[n] = w->motion[slot];
+            }
         }
         TOGETHER_EACH(n) {
             int i = togetherItem(first, n);
