@@ -10,7 +10,6 @@
 typedef struct {
     global const float *x, *y, *reach; // by working slot
     ulong hit[HITS + 4];               // of the group: slot above slot
-    int hits;
     ulong ids[GATHERED], slots[GATHERED]; // of groups that are dealt together, by group and in order; lower id's first
     int gathered;
     int start[DEALT_TOGETHER + 1];
@@ -25,18 +24,19 @@ global float *searchX(const World *w) { return (global float *) w->bucketBefore;
 global float *searchY(const World *w) { return (global float *) w->rank; }
 global float *searchReach(const World *w) { return (global float *) w->bucketOf; }
 
-// Tests a circle against slots [from, to), four at a time.
-void scanSlots(Search *f, int slot, int from, int to) {
-    if (f->hits + (to - from) > HITS) {
-        f->crowded |= to > from;
-        return;
+// Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
+// whether there are. Returns how many pairs of the group there are then.
+INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
+    if (hits + (to - from) > HITS) {
+        f->crowded = true;
+        return hits;
     }
     float x = f->x[slot];
     float y = f->y[slot];
     float reach = f->reach[slot];
-    int hits = f->hits;
     ulong high = (ulong) slot << 32;
-    for (int other = from; other < to; other += 4) {
+    int other = from;
+    do {
         float4 dx = vload4(0, f->x + other) - x;
         float4 dy = vload4(0, f->y + other) - y;
         float4 limit = reach + vload4(0, f->reach + other);
@@ -50,15 +50,16 @@ void scanSlots(Search *f, int slot, int from, int to) {
         hits -= hit.z;
         f->hit[hits] = high | (other + 3);
         hits -= hit.w;
-    }
-    f->hits = hits;
+        other += 4;
+    } while (other < to);
+    return hits;
 }
 
 // Puts the pairs that were hit among those gathered, in order of their ids.
-void gatherHits(const World *w, Search *f) {
+INLINE void gatherHits(const World *w, Search *f, int hits) {
     int from = f->gathered;
     int count = from;
-    for (int k = 0; k < f->hits; k++) {
+    for (int k = 0; k < hits; k++) {
         int slot = (int) (f->hit[k] >> 32);
         int other = (int) f->hit[k];
         if (w->traits[slot].x == 0.0f && w->traits[other].x == 0.0f) continue;
@@ -77,7 +78,6 @@ void gatherHits(const World *w, Search *f) {
         f->ids[p] = ids;
         f->slots[p] = slots;
     }
-    f->hits = 0;
     f->gathered = count;
     if (count > from) f->start[++f->groups] = count;
 }
@@ -115,8 +115,8 @@ void deal(const World *w, Search *f) {
     f->groups = 0;
 }
 
-// Tests the pairs of the group of a row and column.
-void findGroup(const World *w, Search *f, int row, int column) {
+// Tests the pairs of the group of a row and column; returns how many are near.
+INLINE int findGroup(const World *w, Search *f, int row, int column) {
     int l = w->levels->used[0];
     int cl = w->levels->columnsLog[l];
     int mask = (1 << cl) - 1;
@@ -132,24 +132,27 @@ void findGroup(const World *w, Search *f, int row, int column) {
     int aboveTo = above[column + 1];
     // Slots from the group's column on, then those of the column to its right; where that is the first of the row, all apart.
     bool joined = right > 0;
+    int hits = 0;
     for (int slot = from; slot < to; slot++) {
-        scanSlots(f, slot, slot + 1, joined ? rightTo : to);
-        scanSlots(f, slot, aboveFrom, joined ? above[right + 1] : aboveTo);
+        hits = scanSlots(f, hits, slot, slot + 1, joined ? rightTo : to);
+        hits = scanSlots(f, hits, slot, aboveFrom, joined ? above[right + 1] : aboveTo);
         if (joined) continue;
-        scanSlots(f, slot, rightFrom, rightTo);
-        scanSlots(f, slot, above[right], above[right + 1]);
+        hits = scanSlots(f, hits, slot, rightFrom, rightTo);
+        hits = scanSlots(f, hits, slot, above[right], above[right + 1]);
     }
-    for (int slot = rightFrom; slot < rightTo; slot++) scanSlots(f, slot, aboveFrom, aboveTo);
+    for (int slot = rightFrom; slot < rightTo; slot++) hits = scanSlots(f, hits, slot, aboveFrom, aboveTo);
+    return hits;
 }
 
 // Finds and fills the contacts of a row of groups.
-void findRow(const World *w, Search *f, int row) {
+void findRow(const World *shared, Search *f, int row) {
+    World own = *shared;
+    const World *w = &own;
     int first = f->bundle;
     int columns = 1 << w->levels->columnsLog[w->levels->used[0]];
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
-            findGroup(w, f, row, column);
-            gatherHits(w, f);
+            gatherHits(w, f, findGroup(w, f, row, column));
             bool full = f->groups == DEALT_TOGETHER || f->gathered > GATHERED - HITS;
             if (full || column + 2 >= columns) deal(w, f);
         }

@@ -3,47 +3,39 @@
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
 
-// The rows of a work-group, from an even one to an even one, of about as many circles as the others have.
+// The rows of a work-group, from an even one to an even one, of about the same weight as the others'.
 typedef struct {
     int from, to;
     int narrowest; // rows of the narrowest band
 } Band;
 
-// The first even row with at least so many circles before it.
-int firstEvenRow(global const int *start, int columnsLog, int rows, int circles) {
-    int low = 0;
-    int high = rows >> 1;
-    while (low < high) {
-        int middle = (low + high) >> 1;
-        if (start[(2 * middle) << columnsLog] < circles) {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    return 2 * low;
+// Work for a row: its circles and, where they have been listed, its contacts.
+int weightOf(const World *w, int row, bool listed) {
+    Cells cells = cellsOf(w, row);
+    return cells.to - cells.from + (listed ? 4 * (w->groupStart[row] - w->groupFill[row]) : 0);
 }
 
 // The host sees to it that several work-groups have 2 * LAG rows each.
-Band bandOf(const World *w, const Crew *crew) {
-    int l = w->levels->used[0];
-    int rows = 1 << w->levels->rowsLog[l];
-    int least = crew->groups > 1 ? 2 * LAG : 0;
+Band bandOf(const World *w, const Crew *crew, bool listed) {
+    int rows = 1 << w->levels->rowsLog[w->levels->used[0]];
     Band band = {0, rows, rows};
+    if (crew->groups == 1) return band;
+    long all = 0;
+    for (int row = 0; row < rows; row++) all += weightOf(w, row, listed);
+    long sum = 0;
+    int row = 0;
     int before = 0;
     for (int next = 1; next <= crew->groups; next++) {
-        int row = rows;
-        if (next < crew->groups) {
-            row = firstEvenRow(w->bucketStart + w->levels->first[l], w->levels->columnsLog[l], rows,
-                               partOf(w->circles, next, crew->groups));
-            row = min(max(row, before + least), rows - least * (crew->groups - next));
+        for (; row < rows && sum < all * next / crew->groups; row += 2) {
+            sum += weightOf(w, row, listed) + weightOf(w, row + 1, listed);
         }
+        int edge = next == crew->groups ? rows : min(max(row, before + 2 * LAG), rows - 2 * LAG * (crew->groups - next));
         if (next - 1 == crew->group) {
             band.from = before;
-            band.to = row;
+            band.to = edge;
         }
-        band.narrowest = min(band.narrowest, row - before);
-        before = row;
+        band.narrowest = min(band.narrowest, edge - before);
+        before = edge;
     }
     return band;
 }
@@ -88,7 +80,7 @@ Band sortCircles(World *w, const Crew *crew) {
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->slots, crew) scatterSlot(w, slot);
     awaitCrew(w, crew);
-    Band band = bandOf(w, crew);
+    Band band = bandOf(w, crew, false);
     int first = w->levels->first[w->levels->used[0]];
     int cl = w->levels->columnsLog[w->levels->used[0]];
     for (int bucket = first + (band.from << cl); bucket < first + (band.to << cl); bucket++) {

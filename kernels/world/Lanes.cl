@@ -10,7 +10,7 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     f.x = searchX(w);
     f.y = searchY(w);
     f.reach = searchReach(w);
-    f.hits = f.gathered = f.groups = f.start[0] = f.contacts = 0;
+    f.gathered = f.groups = f.start[0] = f.contacts = 0;
     f.crowded = false;
     int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
     int first = crew->group * room;
@@ -121,6 +121,7 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PAR
             sweepCircles(&w, &crew);
             made = listContacts(&w, &crew, &band);
             if (!made) break;
+            band = bandOf(&w, &crew, true);
             if (band.narrowest >= 2 * LAG) {
                 solveInSweeps(&w, &crew, &band);
             } else {
