@@ -224,14 +224,14 @@ INLINE bool gatherBundle(const World *w, int bundle) {
 
 // The bundles of a row of groups lie in one piece; where, is kept where other plans count the contacts of groups.
 void noteRow(const World *w, int row, int firstBundle, int endBundle) {
-    w->groupFill[row] = firstBundle;
-    w->groupStart[row] = endBundle;
+    w->groupStart[2 * row] = firstBundle;
+    w->groupStart[2 * row + 1] = endBundle;
 }
 
 void gatherRow(const World *w, int row) {
-    int end = w->groupStart[row];
+    int end = w->groupStart[2 * row + 1];
     bool crowded = false;
-    for (int bundle = w->groupFill[row]; bundle < end; bundle++) crowded |= gatherBundle(w, bundle);
+    for (int bundle = w->groupStart[2 * row]; bundle < end; bundle++) crowded |= gatherBundle(w, bundle);
     if (crowded) w->status[CROWDED] = 1;
 }
 
@@ -241,7 +241,7 @@ kernel void lanes_degrees(WORLD_PARAMETERS) {
     World w = WORLD;
     int row = (int) get_global_id(0);
     if (row >= 1 << levels->rowsLog[levels->used[0]]) return;
-    for (int place = 4 * groupFill[row]; place < 4 * groupStart[row]; place++) {
+    for (int place = 4 * groupStart[2 * row]; place < 4 * groupStart[2 * row + 1]; place++) {
         int bundle = place >> 2;
         uint lo = pairOf(&w, bundle)[place & 3];
         uint hi = pairOf(&w, bundle)[4 + (place & 3)];

@@ -12,7 +12,7 @@ typedef struct {
 // Work for a row: its circles and, where they have been listed, its contacts.
 int weightOf(const World *w, int row, bool listed) {
     Cells cells = cellsOf(w, row);
-    return cells.to - cells.from + (listed ? 4 * (w->groupStart[row] - w->groupFill[row]) : 0);
+    return cells.to - cells.from + (listed ? 4 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]) : 0);
 }
 
 // The host sees to it that several work-groups have 2 * LAG rows each.
@@ -40,18 +40,20 @@ Band bandOf(const World *w, const Crew *crew, bool listed) {
     return band;
 }
 
-// Exclusive prefix sum of the counts of buckets, in place. totals: room for one a work-group.
-void sumUp(global int *counts, int count, global int *totals, const World *w, const Crew *crew) {
+// Where the circles of each bucket start, from the counts in the tally, which is cleared.
+void sumUp(const World *w, const Crew *crew) {
+    int count = w->levels->first[LEVELS] + 1;
+    global int *totals = w->groupStart; // free until contacts are listed
     int sum = 0;
-    EACH_OF_PART(i, count, crew) sum += counts[i];
+    EACH_OF_PART(i, count, crew) sum += w->tally[i];
     totals[crew->group] = sum;
     awaitCrew(w, crew);
     int before = 0;
     for (int g = 0; g < crew->group; g++) before += totals[g];
     EACH_OF_PART(i, count, crew) {
-        int own = counts[i];
-        counts[i] = before;
-        before += own;
+        w->bucketStart[i] = before;
+        before += w->tally[i];
+        w->tally[i] = 0;
     }
 }
 
@@ -64,32 +66,30 @@ void noteForSearch(const World *w, int slot, float x, float y, float reach) {
 
 // Stage Grid. Leaves it to a meeting that others see what the last part has written.
 Band sortCircles(World *w, const Crew *crew) {
-    int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
-    EACH_OF_PART(bucket, buckets + 1, crew) w->bucketStart[bucket] = 0;
     if (crew->group == 0) {
         w->status[FAST] = 0;
         w->status[CONTACTS] = 0;
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
     }
-    awaitCrew(w, crew);
     EACH_OF_PART(slot, w->slots, crew) countSlot(w, slot);
     awaitCrew(w, crew);
-    sumUp(w->bucketStart, buckets + 1, w->groupFill, w, crew);
+    sumUp(w, crew);
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->slots, crew) scatterSlot(w, slot);
     awaitCrew(w, crew);
     Band band = bandOf(w, crew, false);
     int first = w->levels->first[w->levels->used[0]];
     int cl = w->levels->columnsLog[w->levels->used[0]];
-    for (int bucket = first + (band.from << cl); bucket < first + (band.to << cl); bucket++) {
-        sortBucket(w, bucket);
-        for (int slot = w->bucketStart[bucket]; slot < w->bucketStart[bucket + 1]; slot++) {
-            gatherCircle(w, slot);
-            float4 sight = w->sight[slot];
-            noteForSearch(w, slot, sight.x, sight.y, sight.z);
-        }
+    int from = w->bucketStart[first + (band.from << cl)];
+    int to = w->bucketStart[first + (band.to << cl)];
+    bool fast = false;
+    for (int i = from; i < to; i++) fast |= gatherCircle(w, i);
+    if (fast) w->status[FAST] = 1;
+    for (int slot = from; slot < to; slot++) {
+        float4 sight = w->sight[slot];
+        noteForSearch(w, slot, sight.x, sight.y, sight.z);
     }
     if (crew->group == 0) {
         // The search reads on to the next multiple of four.

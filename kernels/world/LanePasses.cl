@@ -132,16 +132,16 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
 
 void pushRow(const World *shared, int row) {
     World w = *shared;
-    int end = w.groupStart[row];
-    for (int bundle = w.groupFill[row]; bundle < end; bundle++) pushBundle(&w, bundle);
+    int end = w.groupStart[2 * row + 1];
+    for (int bundle = w.groupStart[2 * row]; bundle < end; bundle++) pushBundle(&w, bundle);
 }
 
 #define MEASURED_AHEAD 32 // bundles
 
 void relaxRow(const World *shared, int row, bool last) {
     World w = *shared;
-    int end = w.groupStart[row];
-    for (int from = w.groupFill[row]; from < end; from += MEASURED_AHEAD) {
+    int end = w.groupStart[2 * row + 1];
+    for (int from = w.groupStart[2 * row]; from < end; from += MEASURED_AHEAD) {
         int to = min(end, from + MEASURED_AHEAD);
         for (int bundle = from; bundle < to; bundle++) measureBundle(&w, bundle);
         for (int bundle = from; bundle < to; bundle++) relaxBundle(&w, bundle, last);

@@ -23,7 +23,7 @@ void offerProcessor(void) {
 void offerProcessor(void) {}
 #endif
 
-// Values of status[TOGETHER]; 0 while it is not decided.
+// Values of status[MEETING]; 0 while it is not decided.
 #define ALL_HERE 1
 #define CALLED_OFF 2
 
@@ -35,7 +35,7 @@ typedef struct {
 // The first meeting of a launch. patience: how often to look for the others. Returns the same to all of them.
 bool allHere(const World *w, const Crew *crew, int patience) {
     if (crew->groups == 1) return true;
-    volatile global int *decision = w->status + TOGETHER;
+    volatile global int *decision = w->status + MEETING;
     if (atomic_inc(&w->status[ARRIVALS]) == crew->groups - 1) atomic_cmpxchg(decision, 0, ALL_HERE);
     for (int looks = 0; *decision == 0; looks++) {
         if (looks >= patience) atomic_cmpxchg(decision, 0, CALLED_OFF);
@@ -66,7 +66,7 @@ void disperse(const World *w) {
     if (atomic_inc(&w->status[DEPARTURES]) == (int) get_num_groups(0) - 1) {
         w->status[ARRIVALS] = 0;
         w->status[DEPARTURES] = 0;
-        w->status[TOGETHER] = 0;
+        w->status[MEETING] = 0;
     }
 }
 

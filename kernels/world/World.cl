@@ -42,7 +42,7 @@ typedef struct {
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
 #define FOUND 48      // contacts found so far, in no order; away from what every work-item reads
-#define TOGETHER 49   // by lanes: whether all work-groups are here
+#define MEETING 49    // by lanes: whether all work-groups are here
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
