@@ -87,7 +87,7 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse
+    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl
     global float4 *pushedMotion; // between the passes
     global float *burden;        // as the biased pass begins: inverse mass, negative where loaded
     global float *pushedBurden;  // between the passes
@@ -98,7 +98,7 @@ typedef struct {
     global uint2 *pair;     // working slots, in the same order
     global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
-    global float4 *contact; // normal x, y, separation, accumulated impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy: effective mass last
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
     global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
