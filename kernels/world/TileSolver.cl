@@ -1,13 +1,17 @@
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and held
-// and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew, goes
-// back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, so: few registers; and
-// no branches in the chain of contacts that wait for each other.
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and
+// held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
+// goes back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, and how much they
+// read, so: few registers, and what is quickly worked out is not stored; no branches in the chain of contacts that wait for
+// each other.
+
+// The circle of contacts that are none: at rest, never written.
+#define NO_CIRCLE TILE_CIRCLES
 
 // A tile in local memory, by the numbers of its record.
 typedef struct {
-    float2 velocity[TILE_CIRCLES];
-    float2 load[TILE_CIRCLES]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
-    float burden[TILE_CIRCLES];
+    float2 velocity[TILE_CIRCLES + 1];
+    float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
+    float burden[TILE_CIRCLES + 1];
     uchar carried[TILE_CIRCLES];   // in the relaxing pass: 1 where a contact carries
     int partStart[TILE_PARTS + 2]; // by part of a round
     int circles, parts;
@@ -24,6 +28,8 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
         t->circles = circles;
         t->parts = parts;
         t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
+        t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
+        t->burden[NO_CIRCLE] = 0.0f;
     }
     TILE_EACH(part, parts + 1) t->partStart[part] = circles > 0 ? record[RECORD_STARTS + part] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -38,8 +44,8 @@ typedef struct {
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
 } Reading;
 
-// In a reading, where there is none. Its circles are the tile's first.
-#define NO_CONTACT ((int2)(0, (int) 0x80000000))
+// In a reading, where there is none.
+#define NO_CONTACT ((int2)(0, (int) (0x80000000u | NO_CIRCLE << 16 | NO_CIRCLE)))
 
 int lowerOf(int2 contact) { return contact.y & 0x7fff; }
 

@@ -93,7 +93,7 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse
+    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl
     global float4 *pushedMotion; // between the passes
     global float *burden;        // as the biased pass begins: inverse mass, negative where loaded
     global float *pushedBurden;  // between the passes
