@@ -87,6 +87,7 @@ Band sortCircles(World *w, const Crew *crew) {
     bool fast = false;
     for (int i = from; i < to; i++) fast |= gatherCircle(w, i);
     if (fast) w->status[FAST] = 1;
+    awaitCrew(w, crew); // the search writes where others may still look up buckets
     for (int slot = from; slot < to; slot++) {
         float4 sight = w->sight[slot];
         noteForSearch(w, slot, sight.x, sight.y, sight.z);
