@@ -90,6 +90,25 @@ class ClLanesTest {
 
     @ParameterizedTest
     @MethodSource("processors")
+    void stepsByLanesAndByColoursMayTakeTurns(Device device) {
+        Scene scene = Scenes.packed(3000, 5);
+        ClPipeline pipeline = new ClPipeline(device, 0, false, ClPlan.LANES);
+        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+            for (int k = 0; k < 8; k++) {
+                // One circle that is much larger makes a second level, which lanes do not take.
+                twins.setRadius(0, (k % 2 == 0 ? 1 : 5) * scene.radius(0));
+                twins.step(scene.timeStep(), 1 + k % 3);
+                twins.assertEqual("turn " + k);
+                twins.assertSameFigures();
+                if (k % 3 == 0) {
+                    twins.exchange();
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
     void worldsThatStepAtTheSameTimeOnOneProcessorDoNotMindEachOther(Device device) throws Exception {
         ExecutorService threads = Executors.newFixedThreadPool(3);
         try {

@@ -113,6 +113,12 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Asks for another radius of a circle. */
+    void setRadius(int id, float r) {
+        roster.setRadius(id, r);
+        commands.set(Commands.RADIUS, id, r, 0);
+    }
+
     /** Asks for some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
         int id = random.nextInt(roster.end());
@@ -141,10 +147,7 @@ final class Twins implements AutoCloseable {
                             between(random, bounds.minY(), bounds.maxY()));
                 case Commands.VELOCITY, Commands.IMPULSE ->
                     commands.set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
-                case Commands.RADIUS -> {
-                    roster.setRadius(id, r);
-                    commands.set(operation, id, r, 0);
-                }
+                case Commands.RADIUS -> setRadius(id, r);
                 default -> commands.set(operation, id, between(random, 0.1f, 1), 0);
             }
         }
