@@ -17,7 +17,7 @@ typedef struct {
 } Findings;
 
 // Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does, in a world of
-// one level, where a group has more contacts: tiles take none with more.
+// one level, where a group has more contacts: tiles take none with more, of crowds neither.
 #define LONGEST_ROW 1024
 #define LONGEST_GROUP 512
 

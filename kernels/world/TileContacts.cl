@@ -24,6 +24,11 @@ void linkContact(const World *w, int listed) {
     int group = groupOf(w, l, column, row);
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
+    if (to - from > LONGEST_GROUP) {
+        // Only where crowds are thinned out: others have been refused when they were counted.
+        refuseTile(w, NO_TILE);
+        return;
+    }
     int c = from;
     for (int other = from; other < to; other++) c += w->key[other] < ids;
 

@@ -12,7 +12,7 @@ typedef struct {
     float2 velocity[TILE_CIRCLES + 1];
     float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
     float burden[TILE_CIRCLES + 1];
-    uchar carried[TILE_CIRCLES];   // in the relaxing pass: 1 where a contact carries
+    uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
     int partStart[TILE_PARTS + 2]; // by part of a round
     int circles, parts;
     int firstCopy;
@@ -229,8 +229,8 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
         if (there && solved && (next > 0.0f || after * after <= v->resting)) {
             t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
             t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
-            t->carried[i] = 1;
-            t->carried[j] = 1;
+            atomic_or(&t->carried[i >> 5], 1u << (i & 31));
+            atomic_or(&t->carried[j >> 5], 1u << (j & 31));
         }
     }
     if (!there || v->contact.x < 0) return;
@@ -336,7 +336,7 @@ void relaxTile(const World *w, local Tile *t, local float2 *displacement, int ti
             t->velocity[i] = m[n].zw;
             t->load[i] = (float2)(0.0f);
             t->burden[i] = burden[n];
-            t->carried[i] = 0;
+            if ((i & 31) == 0) t->carried[i >> 5] = 0;
         }
     }
     solveParts(w, t, displacement, contactsOf(recordOf(w, tile)), true, last);
@@ -350,7 +350,8 @@ void relaxTile(const World *w, local Tile *t, local float2 *displacement, int ti
         if (last) {
             goHome(w, slot, w->circle[slot], m, w->traits[slot]);
         } else {
-            startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i], t->carried[i]);
+            startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i],
+                        (t->carried[i >> 5] >> (i & 31) & 1) != 0);
         }
     }
 }

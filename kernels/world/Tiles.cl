@@ -472,7 +472,8 @@ void findNumbers(const World *w, global int *record, int contacts) {
 
 // Whether the step has been refused, asked while others may refuse it.
 bool refusedMeanwhile(const World *w) {
-    return tooFast(w) || atomic_or(&w->status[OUT_OF_ROOM], 0) != 0 || atomic_or(&w->status[CROWDED], 0) != 0;
+    return tooFast(w) || atomic_or(&w->status[OUT_OF_ROOM], 0) != 0 ||
+           (w->k.thinning == 0 && atomic_or(&w->status[CROWDED], 0) != 0);
 }
 
 // Refuses the step: tiles must be smaller, or there must be none.
@@ -489,7 +490,8 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
     bool any = !idle && found > 0 && found <= TILE_CIRCLES;
     takeContacts(w, &r, a, any);
     int contacts = a->contacts;
-    bool fits = any && !a->overfull && !a->crowded;
+    bool crowded = a->crowded && w->k.thinning == 0;
+    bool fits = any && !a->overfull && !crowded;
     int circles = fits ? found : 0;
     recordContacts(w, &r, a, record, circles);
     takeCircles(w, a, record, circles);
@@ -499,7 +501,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
         atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
     } else if (found > TILE_CIRCLES) {
         refuseTile(w, 100 * found / TILE_CIRCLES + 1);
-    } else if (found > 0 && a->crowded) {
+    } else if (found > 0 && crowded) {
         atomic_or(&w->status[CROWDED], 1);
     } else if (found > 0) {
         refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);

@@ -201,10 +201,10 @@ public final class ClPipeline implements Pipeline {
             lanes.run(levels, circles, steps);
             return;
         }
-        boolean small = resident != null && ClResident.suits(circles);
+        boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
         int atOnce = small ? resident.mostGroups() : 0;
         boolean tiled =
-                plan != ClPlan.COLOURS && lanes == null && thinning == 0 && tiles.choose(levels, parameters, atOnce);
+                plan != ClPlan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
@@ -222,7 +222,7 @@ public final class ClPipeline implements Pipeline {
                 sweep.sweep(levels, circles);
             }
             if (tiled) {
-                tiles.list(levels, circles);
+                tiles.list(levels, circles, thinning > 0);
                 tiles.solve(circles, subSteps);
             } else {
                 contacts.list(levels, circles, thinning > 0);
@@ -244,7 +244,7 @@ public final class ClPipeline implements Pipeline {
                 warmScale = 1f;
             }
             pendingSteps -= done;
-            tiles.learn(status[TILE_PEAK]);
+            tiles.learn(status[TILE_PEAK], thinning > 0);
             if (pendingSteps == 0) {
                 remembered = Math.max(status[CONTACTS], status[PLACES]);
                 stats.stepped(circles, status[CONTACTS], lanesEnqueued);

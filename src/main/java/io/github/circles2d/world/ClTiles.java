@@ -13,7 +13,7 @@ final class ClTiles {
      * Circles that the local memory of a work-group has room for. As few as the largest size needs where circles are packed:
      * more room means fewer work-groups at once.
      */
-    static final int CIRCLES = 1344;
+    static final int CIRCLES = 1312;
 
     /** Contacts that the local memory of a work-group has room for. */
     static final int CONTACTS = 3328;
@@ -42,6 +42,9 @@ final class ClTiles {
     /** Tiles that were given up are tried again after so many calls for the state. */
     private static final int RETRY = 256;
 
+    /** Below this many percent of the room the next larger size has room too: its regions are 1.5 to 1.75 times as large. */
+    private static final int CALM_PEAK = 50;
+
     /**
      * Sizes of a tile, largest first: log2 of its columns and rows. Wide ones, because the border is wider than high: 32 x 8
      * cells have one of 0.48 of their own, 16 x 16 of 0.55, 16 x 8 of 0.72.
@@ -51,6 +54,7 @@ final class ClTiles {
     private final ClBuffers buffers;
     private final ClScan scan;
     private final Device device;
+    private final Kernel crowd;
     private final Kernel count;
     private final Kernel list;
     private final Kernel link;
@@ -65,6 +69,9 @@ final class ClTiles {
     /** How often there has been something to learn since tiles were given up. */
     private int without;
 
+    /** How often tiles are not tried again on crowds that are thinned out, since they had a group too long for them. */
+    private int withoutCrowds;
+
     private int size;
     private int tiles;
 
@@ -72,6 +79,7 @@ final class ClTiles {
         this.buffers = buffers;
         this.scan = scan;
         this.device = device;
+        crowd = kernels.staged("contacts_crowd");
         count = kernels.staged("contacts_count");
         list = kernels.staged("contacts_list");
         arrange = kernels.staged("contacts_arrange");
@@ -90,10 +98,11 @@ final class ClTiles {
      * Chooses the size of a tile for the next steps.
      *
      * @param atOnce how many work-groups run at once, where each had better have one tile; 0 where they come and go
+     * @param thinning whether the steps thin crowds out
      * @return false where no tile would do
      */
-    boolean choose(Levels levels, ClParameters parameters, int atOnce) {
-        if (levels.usedCount != 1 || largestSize == SIZES.length) {
+    boolean choose(Levels levels, ClParameters parameters, int atOnce, boolean thinning) {
+        if (levels.usedCount != 1 || largestSize == SIZES.length || (thinning && withoutCrowds > 0)) {
             return false;
         }
         size = largestSize;
@@ -147,21 +156,34 @@ final class ClTiles {
      * room again.
      *
      * @param peak percent of the room; 0 where no tiles were used
+     * @param thinning whether the steps thinned crowds out
      */
-    void learn(int peak) {
-        if (peak > 100) {
+    void learn(int peak, boolean thinning) {
+        if (thinning && withoutCrowds > 0) {
+            withoutCrowds--;
+        } else if (thinning && peak == NO_TILE) {
+            withoutCrowds = RETRY;
+        } else if (peak > 100) {
             largestSize = peak == NO_TILE ? SIZES.length : size + 1;
             without = 0;
         } else if (largestSize == SIZES.length) {
             if (++without == RETRY) {
                 largestSize--;
             }
-        } else if (size == largestSize && size > 0 && peak > 0 && peak < 40) {
+        } else if (size == largestSize && size > 0 && peak > 0 && peak < CALM_PEAK) {
             largestSize--;
         }
     }
 
-    void list(Levels levels, int circles) {
+    /**
+     * Lists the contacts, and puts those of each tile in order.
+     *
+     * @param thinning whether to thin crowds out
+     */
+    void list(Levels levels, int circles, boolean thinning) {
+        if (thinning) {
+            crowd.run(circles);
+        }
         count.run(circles);
         scan.run(buffers, levels.buckets() + 1, ClBuffers.GROUP_START);
         list.run(2L * circles);
