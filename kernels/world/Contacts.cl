@@ -4,92 +4,124 @@
 // What a circle looks with.
 typedef struct {
     float x, y, reach, inverseMass;
-    int slot, id, level, column, row;
+    int slot, level, column, row;
+    int part, parts; // of several work-items that look for one circle: which, and how many
 } Seeker;
 
-// What a visit of neighbours is for.
-#define TESTING 0  // to know how many there are
-#define COUNTING 1 // to count the contacts of each group
-#define LISTING 2  // to list them
+// What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
+#define FINDINGS 1024
+typedef struct {
+    int2 slots[FINDINGS];
+    int count;
+    int first; // the number of the first of them among all
+} Findings;
 
-// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once.
+// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does, in a world of
+// one level, where a group has more contacts: tiles take none with more, of crowds neither.
 #define LONGEST_ROW 1024
+#define LONGEST_GROUP 512
 
-// Visits the slots [from, to) of the seeker's level.
-void seek(const World *w, const Seeker *s, int from, int to, int purpose) {
-    if (purpose == TESTING) {
-        w->rank[s->slot] += max(to - from, 0);
+int levelOfSlot(const World *w, int slot) {
+    return w->levels->usedCount == 1 ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
+}
+
+// Refuses a step that does not thin crowds out.
+void refuseCrowd(const World *w) {
+    if (w->k.thinning) return;
+    w->status[CROWDED] = 1;
+    w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+}
+
+// Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
+// and how many the group had before.
+void recordContact(const World *w, int k, int slot, int other) {
+    constant Levels *levels = w->levels;
+    int level = levelOfSlot(w, other);
+    float4 own = w->sight[slot];
+    int cl = levels->columnsLog[level];
+    int bucket = w->bucketOf[other] - levels->first[level];
+    int ox = ringFirst(columnOf(w, level, own.x), bucket & ((1 << cl) - 1), (1 << cl) - 1);
+    int oy = ringFirst(rowOf(w, level, own.y), bucket >> cl, (1 << levels->rowsLog[level]) - 1);
+    int group = groupOf(w, level, ox, oy);
+    int rank = atomic_inc(&w->tally[group]);
+    if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
+    if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
+}
+
+// Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
+// work-groups share. All work-items of the work-group.
+void recordFindings(const World *w, local Findings *found) {
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) found->first = atomic_add(&w->status[FOUND], min(found->count, FINDINGS));
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int count = min(found->count, FINDINGS);
+    for (int k = (int) get_local_id(0); k < count; k += (int) get_local_size(0)) {
+        recordContact(w, found->first + k, found->slots[k].x, found->slots[k].y);
+    }
+}
+
+// Whether a pair in a crowd is one of those that are kept.
+bool keepsPair(const World *w, const Seeker *s, int other) {
+    int id = w->id[s->slot];
+    int otherId = w->id[other];
+    int hash = pairHash(min(id, otherId), max(id, otherId));
+    return keeps(hash, min(w->rank[s->slot], w->rank[other]));
+}
+
+// The piece that lies v rows above the seeker. With the seeker's own row: what is left of its own bucket, and the next. Rows
+// may span the edge of the torus; so that all work-items of a warp take the same way there, it is not a case of its own.
+Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
+    global const int *start = w->bucketStart;
+    int cl = w->levels->columnsLog[s->level];
+    int last = (1 << cl) - 1;
+    int first = w->levels->first[s->level];
+    int row = first + (((s->row + v) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
+    int ownRow = first + (s->row << cl);
+    int4 from = (int4)(0);
+    int4 to = (int4)(0);
+    from.x = start[row + max(s->column - 1, 0)];
+    to.x = start[row + min(s->column + 1, last) + 1];
+    if (s->column == 0 || s->column == last) {
+        int beyond = row + (s->column == 0 ? last : 0);
+        from.y = start[beyond];
+        to.y = start[beyond + 1];
+    }
+    if (withOwnRow) {
+        from.z = s->slot + 1;
+        to.z = start[ownRow + min(s->column + 1, last) + 1];
+        if (s->column == last) {
+            from.w = start[ownRow];
+            to.w = start[ownRow + 1];
+        }
+    }
+    return pieceOfRanges(from, to);
+}
+
+// Looks at a piece of the neighbourhood, in one loop. found: null where it is but to be known how many there are.
+void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
+    int count = piece->end.w;
+    if (found == 0) {
+        w->rank[s->slot] += count;
         return;
     }
-    if (purpose == COUNTING && w->k.thinning == 0 && to - from > LONGEST_ROW) {
-        w->status[CROWDED] = 1;
-        w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+    if (w->k.thinning == 0 && piece->longest > LONGEST_ROW) {
+        refuseCrowd(w);
         return;
     }
-    for (int other = from; other < to; other++) {
+    for (int i = s->part; i < count; i += s->parts) {
+        int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
         float dx = o.x - s->x;
         float dy = o.y - s->y;
         float limit = s->reach + o.z;
         if (!(dx * dx + dy * dy < limit * limit)) continue;
         if (s->inverseMass == 0.0f && o.w == 0.0f) continue;
-        uint otherId = (uint) w->id[other];
-        bool lower = (uint) s->id < otherId;
-        uint lowId = lower ? (uint) s->id : otherId;
-        uint highId = lower ? otherId : (uint) s->id;
-        if (w->k.thinning) {
-            int fewer = min(w->rank[s->slot], w->rank[other]);
-            if (!keeps(pairHash((int) lowId, (int) highId), fewer)) continue;
-        }
-        int cl = w->levels->columnsLog[s->level];
-        int bucket = w->bucketOf[other] - w->levels->first[s->level];
-        int ox = ringFirst(s->column, bucket & ((1 << cl) - 1), (1 << cl) - 1);
-        int oy = ringFirst(s->row, bucket >> cl, (1 << w->levels->rowsLog[s->level]) - 1);
-        int group = groupOf(w, s->level, ox, oy);
-        if (purpose == COUNTING) {
-            atomic_inc(&w->groupStart[group]);
-            continue;
-        }
-        int place = w->groupStart[group] + atomic_inc(&w->groupFill[group]);
-        w->key[place] = (ulong) lowId << 32 | highId;
-        w->pair[place] = lower ? (uint2)((uint) s->slot, (uint) other) : (uint2)((uint) other, (uint) s->slot);
-    }
-}
-
-// Half of the neighbourhood, so that each pair is seen once: the rest of the own bucket, the next, the row above.
-void seekInOwnLevel(const World *w, const Seeker *s, int purpose) {
-    int cl = w->levels->columnsLog[s->level];
-    int mask = (1 << cl) - 1;
-    int first = w->levels->first[s->level];
-    int row = first + (s->row << cl);
-    int above = first + (((s->row + 1) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
-    if (s->column > 0 && s->column < mask) {
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 2], purpose);
-        seek(w, s, w->bucketStart[above + s->column - 1], w->bucketStart[above + s->column + 2], purpose);
-    } else {
-        int next = row + ((s->column + 1) & mask);
-        seek(w, s, s->slot + 1, w->bucketStart[row + s->column + 1], purpose);
-        seek(w, s, w->bucketStart[next], w->bucketStart[next + 1], purpose);
-        for (int d = -1; d <= 1; d++) {
-            int b = above + ((s->column + d) & mask);
-            seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
-        }
-    }
-}
-
-void seekInCoarserLevel(const World *w, const Seeker *s, int purpose) {
-    int cl = w->levels->columnsLog[s->level];
-    int mask = (1 << cl) - 1;
-    int rowMask = (1 << w->levels->rowsLog[s->level]) - 1;
-    for (int v = -1; v <= 1; v++) {
-        int row = w->levels->first[s->level] + (((s->row + v) & rowMask) << cl);
-        if (s->column > 0 && s->column < mask) {
-            seek(w, s, w->bucketStart[row + s->column - 1], w->bucketStart[row + s->column + 2], purpose);
+        if (w->k.thinning && !keepsPair(w, s, other)) continue;
+        int k = atomic_inc(&found->count);
+        if (k < FINDINGS) {
+            found->slots[k] = (int2)(s->slot, other);
         } else {
-            for (int u = -1; u <= 1; u++) {
-                int b = row + ((s->column + u) & mask);
-                seek(w, s, w->bucketStart[b], w->bucketStart[b + 1], purpose);
-            }
+            recordContact(w, atomic_inc(&w->status[FOUND]), s->slot, other);
         }
     }
 }
@@ -102,7 +134,8 @@ Seeker seekerOf(const World *w, int slot) {
     s.reach = own.z;
     s.inverseMass = own.w;
     s.slot = slot;
-    s.id = w->id[slot];
+    s.part = 0;
+    s.parts = 1;
     return s;
 }
 
@@ -112,15 +145,21 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
     s->row = rowOf(w, atLevel, s->y);
 }
 
-void seekAll(const World *w, int slot, int purpose) {
+// Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
+void seekAll(const World *w, int slot, int part, int parts, local Findings *found) {
     Seeker s = seekerOf(w, slot);
-    int own = levelOf(w, w->circle[slot].z);
+    s.part = part;
+    s.parts = parts;
+    int own = levelOfSlot(w, slot);
+#pragma unroll 1
     for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
         seekIn(w, &s, w->levels->used[l]);
-        if (s.level == own) {
-            seekInOwnLevel(w, &s, purpose);
-        } else {
-            seekInCoarserLevel(w, &s, purpose);
+        // In its own level half of the neighbourhood, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
+        bool inOwnLevel = s.level == own;
+#pragma unroll 1
+        for (int v = inOwnLevel ? 1 : -1; v <= 1; v++) {
+            Piece piece = pieceOf(w, &s, v, inOwnLevel);
+            seek(w, &s, &piece, found);
         }
     }
 }
@@ -146,7 +185,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     Seeker s = seekerOf(&w, slot);
-    int own = levelOf(&w, circle[slot].z);
+    int own = levelOfSlot(&w, slot);
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
         seekIn(&w, &s, levels->used[l]);
@@ -163,12 +202,19 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Counts the contacts of each group; notes where there is a crowd, if that is not to be thinned out. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Lays the
+// leashes of a step with the stage Sweep. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
+    local Findings found;
     int slot = (int) get_global_id(0);
-    // Where the step has been refused earlier, all buckets are empty.
-    if (slot < circles && !tooFast(&w)) seekAll(&w, slot, COUNTING);
+    if (get_local_id(0) == 0) found.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
+        if (w.k.sweeping) layLeash(&w, slot);
+        seekAll(&w, slot, 0, 1, &found);
+    }
+    recordFindings(&w, &found);
 }
 
 // Whether the contacts that were counted do not fit.
@@ -181,14 +227,24 @@ void noteContacts(const World *w) {
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
+// Lists a contact that was found.
+void listContact(const World *w, int k) {
+    int4 found = ((global const int4 *) w->contact)[k];
+    int place = w->groupStart[found.z] + found.w;
+    uint own = (uint) w->id[found.x];
+    uint other = (uint) w->id[found.y];
+    w->key[place] = (ulong) min(own, other) << 32 | max(own, other);
+    w->pair[place] = own < other ? (uint2)((uint) found.x, (uint) found.y) : (uint2)((uint) found.y, (uint) found.x);
+}
+
 // Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
-// Index space: a working slot a work-item. Cost: as contacts_count.
+// Index space: any number of work-items, which take the contacts in turn.
 kernel void contacts_list(WORLD_PARAMETERS) {
     World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles) return;
-    if (slot == 0) noteContacts(&w);
-    if (!lackContactRoom(&w) && !refused(&w)) seekAll(&w, slot, LISTING);
+    if (get_global_id(0) == 0) noteContacts(&w);
+    if (lackContactRoom(&w) || refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int k = (int) get_global_id(0); k < contacts; k += (int) get_global_size(0)) listContact(&w, k);
 }
 
 void siftContactDown(global ulong *key, global uint2 *pair, int top, int size) {
@@ -351,7 +407,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
     rank[slot] = 0;
-    seekAll(&w, slot, TESTING);
+    seekAll(&w, slot, 0, 1, 0);
 }
 
 // How many contacts each circle had in the last step. Index space: a contact a work-item.

@@ -1,27 +1,41 @@
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
 // run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
 // once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
-// this file only for devices where that, and the fence below, are known to hold. One work-group alone runs anywhere.
+// this file only for devices where that, and the barrier below, are known to hold. One work-group alone runs anywhere.
 
-// Makes what a work-item has written visible to all others, and what they have written to it. OpenCL 1.2 has no such fence
-// beyond a work-group; mem_fence leaves the first-level cache stale. From the host: PTX: 1 on NVIDIA devices. On others one
-// work-group alone may run this, where mem_fence does.
+// OpenCL 1.2 orders nothing beyond a work-group, and its fences leave the first-level cache stale: the two functions that do
+// are PTX, for NVIDIA devices. From the host: PTX. On others one work-group alone may run this, which needs neither.
+
+// Counts this work-group, after all that it has written is visible; returns how many were counted before.
+int arrive(volatile global int *arrivals) {
 #if PTX
-#define DEVICE_FENCE asm volatile("fence.acq_rel.gpu;" ::: "memory")
+    int before;
+    asm volatile("atom.release.gpu.global.add.s32 %0, [%1], 1;" : "=r"(before) : "l"(arrivals) : "memory");
+    return before;
 #else
-#define DEVICE_FENCE mem_fence(CLK_GLOBAL_MEM_FENCE)
+    return atomic_inc(arrivals);
 #endif
+}
 
-// Waits until all work-groups are here. arrivals: counts them; starts at 0.
+// How many have been counted; what these have written is visible from here on.
+int arrived(volatile global int *arrivals) {
+#if PTX
+    int count;
+    asm volatile("ld.acquire.gpu.global.s32 %0, [%1];" : "=r"(count) : "l"(arrivals) : "memory");
+    return count;
+#else
+    return *arrivals;
+#endif
+}
+
+// Waits until all work-groups are here; a single one for its own work-items alone. arrivals: counts them; starts at 0.
 void deviceBarrier(volatile global int *arrivals) {
+    int groups = (int) get_num_groups(0);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (get_local_id(0) == 0) {
-        DEVICE_FENCE;
-        int groups = (int) get_num_groups(0);
-        int target = (atomic_inc(arrivals) / groups + 1) * groups;
-        while (*arrivals < target) {
+    if (get_local_id(0) == 0 && groups > 1) {
+        int target = (arrive(arrivals) / groups + 1) * groups;
+        while (arrived(arrivals) < target) {
         }
-        DEVICE_FENCE;
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
@@ -29,7 +43,7 @@ void deviceBarrier(volatile global int *arrivals) {
 // Ends a work-group. The last one makes the counters ready for the next launch.
 void leave(const World *w) {
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
-    if (get_local_id(0) != 0) return;
+    if (get_local_id(0) != 0 || get_num_groups(0) == 1) return;
     if (atomic_inc(&w->status[DEPARTURES]) == (int) get_num_groups(0) - 1) {
         w->status[ARRIVALS] = 0;
         w->status[DEPARTURES] = 0;
@@ -39,58 +53,59 @@ void leave(const World *w) {
 // Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks only for what nobody
 // writes before the next barrier.
 
-#define EACH(i, count) for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
+// All work-items take the numbers below count in turn. Not unrolled: fetching instructions is much of the time of a stage.
+#define EACH(i, count)                                                                                                 \
+    _Pragma("unroll 1") for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
 
-// Exclusive prefix sum of counts, in place, by all work-groups.
-void scanAll(const World *w, global int *counts, int count, local int *cells) {
-    volatile global int *arrivals = w->status + ARRIVALS;
-    int blocks = (count + RESIDENT_GROUP * SCAN_EACH - 1) / (RESIDENT_GROUP * SCAN_EACH);
-    for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
-        int total = scanBlock(counts, count, block, 0, cells);
-        if (get_local_id(0) == 0) w->blockSums[block] = total;
-    }
-    if (blocks == 1) return;
-    deviceBarrier(arrivals);
-    // Every work-group sums up what stands before its blocks by itself: cheaper than another barrier.
+// Exclusive prefix sum of counts, which the stage that follows must clear; by all work-groups. Each sums up by itself what
+// stands before its blocks: cheaper than a barrier over all.
+void scanAll(const World *w, global const int *counts, global int *starts, int count, local int *cells) {
     int before = 0;
     int summed = 0;
-    for (int block = (int) get_group_id(0); block < blocks; block += (int) get_num_groups(0)) {
+    int step = (int) get_num_groups(0) * RESIDENT_GROUP;
+    for (int first = (int) get_group_id(0) * RESIDENT_GROUP; first < count; first += step) {
         int part = 0;
-        for (int b = summed + (int) get_local_id(0); b < block; b += RESIDENT_GROUP) part += w->blockSums[b];
+        for (int i = summed + (int) get_local_id(0); i < first; i += RESIDENT_GROUP) part += counts[i];
         int total;
         scanGroup(part, cells, &total);
         before += total;
-        summed = block;
-        for (int e = 0; e < SCAN_EACH; e++) {
-            int i = (block * SCAN_EACH + e) * RESIDENT_GROUP + (int) get_local_id(0);
-            if (i < count) counts[i] += before;
-        }
+        summed = first;
+        int i = first + (int) get_local_id(0);
+        int sum = scanGroup(i < count ? counts[i] : 0, cells, &total);
+        if (i < count) starts[i] = before + sum;
     }
 }
 
 // Local memory, as the stages use it one after another.
 typedef union {
-    int cells[RESIDENT_GROUP];
+    int cells[2 * RESIDENT_GROUP];
+    Findings findings;
     Arrangement arrangement;
-    Tile tile;
+    struct {
+        Tile tile;
+        float2 displacement[TILE_CIRCLES]; // of its circles
+    } solving;
 } Local;
+
+// Work-items that look for the neighbours of one circle.
+#define SEEKERS 8
 
 // Stages Grid, Sweep where some circle is fast, and Contacts.
 void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
-    EACH(i, buckets + 1) clearBucket(w, i);
-    deviceBarrier(arrivals);
+    if (get_global_id(0) == 0) startStep(w);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
-    scanAll(w, w->bucketStart, buckets + 1, l->cells);
+    scanAll(w, w->tally, w->bucketStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     EACH(slot, w->slots) scatterSlot(w, slot);
+    EACH(i, buckets) w->tally[i] = 0;
     deviceBarrier(arrivals);
-    EACH(bucket, buckets) sortBucket(w, bucket);
-    deviceBarrier(arrivals);
-    EACH(slot, w->circles) gatherCircle(w, slot);
+    bool fast = false;
+    EACH(i, w->circles) fast |= gatherCircle(w, i);
+    if (fast) w->status[FAST] = 1;
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
     if (w->k.sweeping) {
@@ -101,23 +116,23 @@ void listAll(World *w, local Local *l) {
         }
         deviceBarrier(arrivals);
         EACH(slot, w->circles) layLeash(w, slot);
-        deviceBarrier(arrivals);
     }
-    EACH(slot, w->circles) seekAll(w, slot, COUNTING);
+    if (get_local_id(0) == 0) l->findings.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    // Several work-items a circle: there are more of them than circles.
+    EACH(item, SEEKERS * w->circles) seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, &l->findings);
+    recordFindings(w, &l->findings);
     deviceBarrier(arrivals);
-    scanAll(w, w->groupStart, buckets + 1, l->cells);
+    scanAll(w, w->tally, w->groupStart, buckets + 1, l->cells);
     deviceBarrier(arrivals);
     if (get_global_id(0) == 0) noteContacts(w);
-    if (!lackContactRoom(w) && !tooCrowded(w)) {
-        EACH(slot, w->circles) seekAll(w, slot, LISTING);
-    }
+    EACH(i, buckets) w->tally[i] = 0;
+    bool lists = !lackContactRoom(w) && !tooCrowded(w);
+    EACH(k, lists ? w->groupStart[buckets] : 0) listContact(w, k);
     deviceBarrier(arrivals);
-    if (outOfRoom(w)) return;
+    if (outOfRoom(w) || tooCrowded(w)) return;
     EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
-    bool crowded = tooCrowded(w);
-    deviceBarrier(arrivals);
-    if (crowded) return;
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
@@ -127,7 +142,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t, int contacts) {
+void solveAll(const World *w, local Tile *t, local float2 *displacement) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -137,15 +152,11 @@ void solveAll(const World *w, local Tile *t, int contacts) {
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
-        if (relaxing) {
-            EACH(c, contacts) measureContact(w, c);
-            deviceBarrier(arrivals);
-        }
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, tile, subStep, subStep == w->k.subSteps - 1);
+                relaxTile(w, t, displacement, tile, subStep == w->k.subSteps - 1);
             } else {
                 pushTile(w, t, tile, subStep);
             }
@@ -158,6 +169,7 @@ void solveAll(const World *w, local Tile *t, int contacts) {
 kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
+    w.k.sweeping = 1; // these steps take fast circles
     if (refused(&w)) return;
     // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);
@@ -166,7 +178,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
         listAll(&w, &l);
         if (refused(&w)) break;
         int contacts = groupStart[levels->first[LEVELS]];
-        solveAll(&w, &l.tile, contacts);
+        solveAll(&w, &l.solving.tile, l.solving.displacement);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) rememberHeld(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;

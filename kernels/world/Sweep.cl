@@ -2,7 +2,7 @@
 // the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
 
-#define BLOCK_LOG 2 // blocks are 4 x 4 cells
+#define BLOCK_LOG 2 // blocks are 4 x 4 cells, as many rows as a piece has ranges
 
 // What a fast circle looks ahead with.
 typedef struct {
@@ -21,16 +21,16 @@ void summarize(const World *w, int block) {
     int row = inLevel >> (cl - BLOCK_LOG);
     int column = inLevel & ((1 << (cl - BLOCK_LOG)) - 1);
     float4 range = (float4)(INFINITY, -INFINITY, INFINITY, -INFINITY);
-    for (int v = 0; v < 1 << BLOCK_LOG; v++) {
-        int bucket = levels->first[level] + (((row << BLOCK_LOG) + v) << cl) + (column << BLOCK_LOG);
-        int end = w->bucketStart[bucket + (1 << BLOCK_LOG)];
-        for (int slot = w->bucketStart[bucket]; slot < end; slot++) {
-            float2 path = w->leash[slot].xy;
-            range.x = least(path.x, range.x);
-            range.y = greatest(path.x, range.y);
-            range.z = least(path.y, range.z);
-            range.w = greatest(path.y, range.w);
-        }
+    global const int *from = w->bucketStart + levels->first[level] + (row << BLOCK_LOG << cl) + (column << BLOCK_LOG);
+    global const int *to = from + (1 << BLOCK_LOG);
+    Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
+                                (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
+    for (int i = 0; i < piece.end.w; i++) {
+        float2 path = w->leash[slotInPiece(&piece, i)].xy;
+        range.x = least(path.x, range.x);
+        range.y = greatest(path.x, range.y);
+        range.z = least(path.y, range.z);
+        range.w = greatest(path.y, range.w);
     }
     w->blockRange[block] = range;
 }
@@ -125,7 +125,8 @@ kernel void sweep_look(WORLD_PARAMETERS) {
     if (slot < circles && !refused(&w) && slotIsFast(&w, slot)) lookAhead(&w, slot);
 }
 
-// Lays a leash: the free part of the path, and how far the circle may leave it.
+// Lays a leash: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
+// does it in passing.
 void layLeash(const World *w, int slot) {
     float4 plan = w->leash[slot];
     float r = w->circle[slot].z;
@@ -134,11 +135,4 @@ void layLeash(const World *w, int slot) {
     bool stopped = free < limit;
     float kept = stopped ? free : limit;
     w->leash[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : LEASH * r, plan.w);
-}
-
-// Index space: a working slot a work-item.
-kernel void sweep_leash(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) layLeash(&w, slot);
 }

@@ -1,10 +1,12 @@
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
-#define LONGEST_GROUP 512 // contacts; what is more crowded goes the way of crowds
-
-// Puts a listed contact in its place, measures it for the first sub-step, and links it to its circles.
+// Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
+    if (listed == 0) {
+        w->status[TILE_NUMBERS] = 0;
+        w->status[TILE_COPIES] = 0;
+    }
     int l = w->levels->used[0];
     int first = w->levels->first[l];
     int cl = w->levels->columnsLog[l];
@@ -23,22 +25,17 @@ void linkContact(const World *w, int listed) {
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
-        w->status[CROWDED] = 1;
+        // Only where crowds are thinned out: others have been refused when they were counted.
+        refuseTile(w, NO_TILE);
         return;
     }
     int c = from;
     for (int other = from; other < to; other++) c += w->key[other] < ids;
 
-    float4 ti = w->traits[p.x];
-    float4 tj = w->traits[p.y];
-    float sum = w->circle[p.x].z + w->circle[p.y].z;
     bool carrying;
     float4 n = newContact(w, p, ids, &carrying);
-    w->ordered[c] = p;
-    w->contact[c] = n;
-    w->held[c] = n.w;
-    w->shape[c] = (float4)(greatest(ti.y, tj.y), thresholdOf(w, sum, greatest(ti.y, tj.y)),
-                           pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 1.0f / (ti.x + tj.x));
+    w->impulse[c] = (float2)(n.x * n.w, n.y * n.w);
+    w->masses[c] = n;
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
                         highRow != row, (int) p.y - w->bucketStart[high], carrying);
 }
@@ -47,7 +44,7 @@ void linkContact(const World *w, int listed) {
 // group, and those remembered of a circle.
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
-    if (outOfRoom(&w) || tooFast(&w)) return;
+    if (refused(&w)) return;
     int contacts = groupStart[levels->first[LEVELS]];
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) linkContact(&w, c);
 }

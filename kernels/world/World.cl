@@ -24,6 +24,7 @@ typedef struct {
     int levelOf[LEVELS], columnsLog[LEVELS], rowsLog[LEVELS], used[LEVELS];
     int first[LEVELS + 1];
     int tileColumnsLog, tileRowsLog; // cells of a tile (Tiles.cl)
+    int tilesAcross, tilesDown;      // tiles that may hold circles
 } Levels;
 
 // status
@@ -33,20 +34,27 @@ typedef struct {
 #define FAST 3        // 1 where some circle is fast
 #define CROWDED 4     // 1 where some circle has so many candidates that pairs are to be thinned out
 #define TILE_PEAK 5   // the fullest tile: percent of the room, or NO_TILE
+#define TILE_NUMBERS 6 // contacts that tiles have numbered
+#define TILE_COPIES 7  // copies of contacts that tiles have made
+#define APART 8       // by lanes: 1 where not all work-groups came at once
+#define PLACES 9      // by lanes: end of the places of contacts that the last step has used
+#define MOST_PLACES 10 // by lanes: places that a work-group needs at most
 #define ARRIVALS 32   // of work-groups at barriers over all of them, in a cache line of its own
 #define DEPARTURES 33 // of work-groups
+#define FOUND 48      // contacts found so far, in no order; away from what every work-item reads
+#define MEETING 49    // by lanes: whether all work-groups are here
 
 #define WORLD_PARAMETERS                                                                                               \
     constant StepConstants *k, constant Levels *levels, global int *status, int slots, int circles, int contactRoom,   \
         global float4 *homeCircle, global float4 *homeMotion, global float4 *homeTraits, global int *homeId,           \
-        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int *order,     \
+        global int *homeMemory, global int *slotOf, global int *bucketBefore, global int *rank, global int2 *order,    \
         global int *bucketStart, global int *bucketOf, global float4 *sight, global float4 *circle,                    \
         global float4 *motion, global float4 *traits, global int *id, global int *memory, global float4 *load,         \
         global float2 *wallBounce, global float4 *leash, global int *share, global float *near,                        \
-        global float4 *blockRange, global float4 *pushedTraits, global float4 *pushedVelocity,                         \
-        global float2 *pushedDisplacement, global int *groupStart, global int *groupFill, global ulong *key,           \
+        global float4 *blockRange, global float4 *drive, global float4 *pushedMotion, global float *burden,            \
+        global float *pushedBurden, global int *groupStart, global int *tally, global ulong *key,                  \
         global uint2 *pair, global float4 *base, global float4 *masses, global float4 *contact, global uint *link,     \
-        global uint2 *ordered, global float4 *shape, global float *held, global float2 *impulse, global int4 *old,     \
+        global uint2 *ordered, global float2 *shape, global float *held, global float2 *impulse, global int4 *old,     \
         global int *blockSums, global int *tiles
 
 typedef struct {
@@ -68,7 +76,8 @@ typedef struct {
     // stage Grid: by slot at home, then by bucket, then by working slot
     global int *bucketBefore;
     global int *rank; // later, where crowds are thinned: candidates by working slot
-    global int *order, *bucketStart, *bucketOf;
+    global int2 *order; // id and slot at home, bucket by bucket
+    global int *bucketStart, *bucketOf;
     global float4 *sight; // x, y of the base, reach, inverse mass: what the search for contacts looks at
 
     // by working slot, in the order of buckets
@@ -84,20 +93,24 @@ typedef struct {
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
-    global float4 *pushedTraits;       // every other sub-step's traits
-    global float4 *pushedVelocity;     // between the passes: velocity x, y, inverse mass, 1 where loaded
-    global float2 *pushedDisplacement; // between the passes
+    global float4 *drive;        // as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl
+    global float4 *pushedMotion; // between the passes
+    global float *burden;        // as the biased pass begins: inverse mass, negative where loaded
+    global float *pushedBurden;  // between the passes
 
     // stage Contacts: by group, then by contact
-    global int *groupStart, *groupFill;
+    global int *groupStart;
+    global int *tally;      // counts by bucket, later by group; all 0 when a step begins, and when a scan has used them
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
-    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution
-    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce
-    global float4 *contact; // normal x, y, separation, accumulated impulse
+    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy
+    global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce;
+                            // by tiles, as contacts are listed: contact as the step begins, with its impulse
+    global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse;
+                            // before that, as ints: see recordContact
     global uint *link;      // by tiles: see linkOf
     global uint2 *ordered;  // by tiles: working slots, where pair is in no order within a group
-    global float4 *shape;   // by tiles: restitution, square of the threshold, greatest push-out speed, effective mass
+    global float2 *shape;   // by tiles, by copy: sum of the radii, restitution
     global float *held;     // by tiles: accumulated impulse after a sub-step
     global float2 *impulse; // by tiles, between the passes: accumulated impulse, target speed of a bounce
 
@@ -114,8 +127,8 @@ typedef struct {
     {                                                                                                                  \
         *k, levels, status, slots, circles, contactRoom, homeCircle, homeMotion, homeTraits, homeId, homeMemory,       \
             slotOf, bucketBefore, rank, order, bucketStart, bucketOf, sight, circle, motion, traits, id, memory,     \
-            load, wallBounce, leash, share, near, blockRange, pushedTraits, pushedVelocity, pushedDisplacement,        \
-            groupStart, groupFill, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
+            load, wallBounce, leash, share, near, blockRange, drive, pushedMotion, burden, pushedBurden,               \
+            groupStart, tally, key, pair, base, masses, contact, link, ordered, shape, held, impulse, old,         \
             blockSums, tiles, k->warmScale                                                                             \
     }
 
@@ -129,7 +142,13 @@ bool tooFast(const World *w) { return w->k.sweeping == 0 && w->status[FAST] != 0
 
 bool tooCrowded(const World *w) { return w->k.thinning == 0 && w->status[CROWDED] != 0; }
 
-bool refused(const World *w) { return outOfRoom(w) || tooFast(w) || tooCrowded(w); }
+// All of it at once: one read after another would be a good part of the time of a short kernel.
+bool refused(const World *w) {
+    int room = w->status[OUT_OF_ROOM];
+    int fast = w->k.sweeping ? 0 : w->status[FAST];
+    int crowded = w->k.thinning ? 0 : w->status[CROWDED];
+    return (room | fast | crowded) != 0;
+}
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
 
@@ -154,6 +173,30 @@ int firstOfColour(const World *w, int atLevel, int colour) {
 int groupOf(const World *w, int atLevel, int ox, int oy) {
     int colour = (ox & 1) + 2 * (oy & 1);
     return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
+}
+
+// Up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where i < end.x, else i + offset.y
+// where i < end.y, and so on.
+typedef struct {
+    int4 offset, end;
+    int longest; // slots of the longest range
+} Piece;
+
+// The slots [from.x, to.x), [from.y, to.y) and so on.
+Piece pieceOfRanges(int4 from, int4 to) {
+    int4 count = max(to - from, (int4)(0));
+    Piece p;
+    p.end.x = count.x;
+    p.end.y = p.end.x + count.y;
+    p.end.z = p.end.y + count.z;
+    p.end.w = p.end.z + count.w;
+    p.offset = from - (p.end - count);
+    p.longest = max(max(count.x, count.y), max(count.z, count.w));
+    return p;
+}
+
+int slotInPiece(const Piece *p, int i) {
+    return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
 }
 
 // The square of the bounce threshold of a pair: sum of the radii, restitution.

@@ -128,11 +128,11 @@ class CalibrationTest {
 
     @Test
     void whereTheThreadsTheVersionOrTheFileAreOthersTheRuleHoldsAndSaysWhy() throws IOException {
-        assertThat(statsOf(World.builder()).reason()).contains("2048", "not calibrated");
+        assertThat(statsOf(World.builder()).reason()).contains("1250", "not calibrated");
         calibrate(new FakeMeter());
         assertThat(statsOf(World.builder()).reason()).contains("by calibration");
         assertThat(statsOf(World.builder().threads(THREADS + 1)).reason())
-                .contains("2048", "not of this Java virtual machine");
+                .contains("1250", "not of this Java virtual machine");
 
         Timings other = new Timings(TimingsFile.read(file).entries().stream()
                 .map(entry -> new Timings.Entry(
@@ -144,7 +144,7 @@ class CalibrationTest {
                         entry.curve()))
                 .toList());
         TimingsFile.write(file, other);
-        assertThat(statsOf(World.builder()).reason()).contains("2048", "not of this Java virtual machine");
+        assertThat(statsOf(World.builder()).reason()).contains("1250", "not of this Java virtual machine");
         try (Circles2D engine = engine(TestDevices.all().get(0), 20)) {
             assertThat(engine.indexing()).isNotEqualTo(PairIndexing.ROW_SEARCH);
         }
@@ -152,7 +152,7 @@ class CalibrationTest {
         calibrate(new FakeMeter());
         Calibration.forget();
         assertThat(file).doesNotExist();
-        assertThat(statsOf(World.builder()).reason()).contains("2048", "not calibrated");
+        assertThat(statsOf(World.builder()).reason()).contains("1250", "not calibrated");
     }
 
     @Test
@@ -315,7 +315,7 @@ class CalibrationTest {
                 .option("-D" + PROPERTY + "=" + file)
                 .run(TwiceTheSame.class)
                 .output();
-        assertThat(log).containsOnlyOnce("World on JVM").contains("no GPU is looked for below a capacity of 2048");
+        assertThat(log).containsOnlyOnce("World on JVM").contains("no GPU is looked for below a capacity of 1250");
         assertThat(log).containsOnlyOnce("Circles2D with pair indexing ").contains("not calibrated");
         assertThat(log).containsOnlyOnce("is not used: it does not begin with");
         // A newer JDK warns of native access, too.

@@ -41,27 +41,28 @@ final class ClBuffers {
     static final int SHARE = 26;
     static final int NEAR = 27;
     static final int BLOCK_RANGE = 28;
-    static final int PUSHED_TRAITS = 29;
-    static final int PUSHED_VELOCITY = 30;
-    static final int PUSHED_DISPLACEMENT = 31;
-    static final int GROUP_START = 32;
-    static final int GROUP_FILL = 33;
-    static final int KEY = 34;
-    static final int PAIR = 35;
-    static final int BASE = 36;
-    static final int MASSES = 37;
-    static final int CONTACT = 38;
-    static final int LINK = 39;
-    static final int ORDERED = 40;
-    static final int SHAPE = 41;
-    static final int HELD = 42;
-    static final int IMPULSE = 43;
-    static final int OLD = 44;
-    static final int BLOCK_SUMS = 45;
-    static final int TILES = 46;
+    static final int DRIVE = 29;
+    static final int PUSHED_MOTION = 30;
+    static final int BURDEN = 31;
+    static final int PUSHED_BURDEN = 32;
+    static final int GROUP_START = 33;
+    static final int TALLY = 34;
+    static final int KEY = 35;
+    static final int PAIR = 36;
+    static final int BASE = 37;
+    static final int MASSES = 38;
+    static final int CONTACT = 39;
+    static final int LINK = 40;
+    static final int ORDERED = 41;
+    static final int SHAPE = 42;
+    static final int HELD = 43;
+    static final int IMPULSE = 44;
+    static final int OLD = 45;
+    static final int BLOCK_SUMS = 46;
+    static final int TILES = 47;
 
     /** Number of parameters: the position of the first that is a kernel's own. */
-    static final int COUNT = 47;
+    static final int COUNT = 48;
 
     /** Value of a memory: impulses under this id are not its circle's own. */
     static final int FRESH = -2;
@@ -96,11 +97,12 @@ final class ClBuffers {
         "free shares",
         "shares to contacts",
         "ranges of paths",
-        "pushed traits",
-        "pushed velocities",
-        "pushed displacements",
+        "drives",
+        "pushed motions",
+        "burdens",
+        "pushed burdens",
         "group starts",
-        "group fills",
+        "tally",
         "contact keys",
         "contact pairs",
         "contact bases",
@@ -116,8 +118,14 @@ final class ClBuffers {
         "tiles"
     };
 
+    /** Copies that tiles make of two contacts, as far as there is room for them from the start: 1.5 of each with usual tiles. */
+    static final int COPIES_IN_TWO = 3;
+
     /** Ints of the status. */
     static final int STATUS_INTS = 64;
+
+    /** Slots that no circle has: four at a time are read to the next multiple of four. */
+    private static final int SPARE_SLOTS = 4;
 
     private static final int[] BY_SLOT_KEPT = {HOME_CIRCLE, HOME_MOTION, HOME_TRAITS, HOME_ID, HOME_MEMORY};
     private static final int[] BY_SLOT = {
@@ -137,11 +145,13 @@ final class ClBuffers {
         SHARE,
         NEAR
     };
-    private static final int[] BY_SLOT_TILED = {PUSHED_VELOCITY, PUSHED_TRAITS, PUSHED_DISPLACEMENT};
-    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, GROUP_FILL};
+    private static final int[] BY_SLOT_TILED = {DRIVE, PUSHED_MOTION, BURDEN, PUSHED_BURDEN};
+    private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, TALLY};
     private static final int[] BY_CONTACT_KEPT = {OLD};
-    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES, CONTACT};
-    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, SHAPE, HELD, IMPULSE};
+    private static final int[] BY_CONTACT = {KEY, PAIR, MASSES};
+    private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, HELD, IMPULSE};
+    private static final int[] BY_COPY = {BASE, CONTACT};
+    private static final int[] BY_COPY_TILED = {SHAPE};
     private static final int[] NO_BUFFERS = {};
 
     private final Session session;
@@ -174,6 +184,7 @@ final class ClBuffers {
         if (!tiled) {
             grow(1, 0, NO_BUFFERS, BY_SLOT_TILED);
             grow(1, 0, NO_BUFFERS, BY_CONTACT_TILED);
+            grow(1, 0, NO_BUFFERS, BY_COPY_TILED);
         }
         ensureContacts(4 * Math.max(capacity, 64));
     }
@@ -190,15 +201,14 @@ final class ClBuffers {
                     LOAD,
                     LEASH,
                     BLOCK_RANGE,
-                    PUSHED_TRAITS,
-                    PUSHED_VELOCITY,
+                    DRIVE,
+                    PUSHED_MOTION,
                     BASE,
                     MASSES,
                     CONTACT,
-                    SHAPE,
                     OLD:
                 return 16;
-            case WALL_BOUNCE, PUSHED_DISPLACEMENT, KEY, PAIR, ORDERED, IMPULSE:
+            case ORDER, WALL_BOUNCE, KEY, PAIR, ORDERED, SHAPE, IMPULSE:
                 return 8;
             case TILES:
                 return 4 * ClTiles.RECORD;
@@ -227,7 +237,7 @@ final class ClBuffers {
     void ensureSlots(int slots, int kept) {
         if (slots > slotRoom) {
             int room = grown(slotRoom, slots);
-            grow(room, kept, BY_SLOT_KEPT, BY_SLOT);
+            grow(room + SPARE_SLOTS, kept, BY_SLOT_KEPT, BY_SLOT);
             if (tiled) {
                 grow(room, 0, NO_BUFFERS, BY_SLOT_TILED);
             }
@@ -253,7 +263,9 @@ final class ClBuffers {
         if (buckets > bucketRoom) {
             int room = grown(bucketRoom, buckets);
             // One more element for the end; both scans share the block sums.
-            grow(room + 1, 0, NO_BUFFERS, BY_BUCKET);
+            int elements = ClScan.padded(room + 1);
+            grow(elements, 0, NO_BUFFERS, BY_BUCKET);
+            buffers[TALLY].write(0, IntBuffer.wrap(new int[elements]));
             grow(ClScan.blocks(room + 1), 0, NO_BUFFERS, new int[] {BLOCK_SUMS});
             grow(ClSweep.blocks(room), 0, NO_BUFFERS, new int[] {BLOCK_RANGE});
             bucketRoom = room;
@@ -274,11 +286,25 @@ final class ClBuffers {
         if (contacts > contactRoom) {
             int room = grown(contactRoom, contacts);
             grow(room, contactRoom, BY_CONTACT_KEPT, BY_CONTACT);
+            grow(tiled ? copyRoom(room) : room, 0, NO_BUFFERS, BY_COPY);
             if (tiled) {
                 grow(room, 0, NO_BUFFERS, BY_CONTACT_TILED);
+                grow(copyRoom(room), 0, NO_BUFFERS, BY_COPY_TILED);
             }
             contactRoom = room;
         }
+    }
+
+    /** Makes room for copies that tiles make of contacts. */
+    void ensureCopies(int copies) {
+        if (copies > copyRoom(contactRoom)) {
+            ensureContacts((int) (2L * copies / COPIES_IN_TWO) + 2);
+        }
+    }
+
+    /** Room for copies where there is room for so many contacts; the same in {@code Tiles.cl}. */
+    private static int copyRoom(int contacts) {
+        return (contacts >> 1) * COPIES_IN_TWO;
     }
 
     private static int grown(int room, int needed) {

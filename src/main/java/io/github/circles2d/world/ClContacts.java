@@ -30,8 +30,8 @@ final class ClContacts {
             crowd.run(circles);
         }
         count.run(circles);
-        scan.run(buffers.get(ClBuffers.GROUP_START), levels.buckets() + 1, buffers.get(ClBuffers.BLOCK_SUMS));
-        list.run(circles);
+        scan.run(buffers, levels.buckets() + 1, ClBuffers.GROUP_START);
+        list.run(2L * circles);
         ClColours.run(levels, fill);
     }
 }

@@ -19,10 +19,15 @@ final class ClKernels {
         "Sweep",
         "Contacts",
         "Solver",
+        "TileCircles",
         "Tiles",
         "TileContacts",
         "TileSolver",
         "Readback"
+    };
+
+    private static final String[] LANES_FILES = {
+        "LaneMath", "Together", "LaneContacts", "LaneFinding", "LanePasses", "LaneMover", "LaneGrid", "Lanes"
     };
 
     private final Program program;
@@ -31,8 +36,9 @@ final class ClKernels {
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    ClKernels(Session session, boolean resident) {
-        KernelSource source = source(resident).define("PTX", ClResident.fits(session.device()));
+    ClKernels(Session session, ClPlan plan) {
+        KernelSource source =
+                source(plan == ClPlan.RESIDENT, plan == ClPlan.LANES).define("PTX", ClResident.fits(session.device()));
         program = session.build(source, options(session.device()));
     }
 
@@ -40,14 +46,20 @@ final class ClKernels {
      * The source of all stages; the numbers that host and device share are defined from their one place in Java.
      *
      * @param resident whether to make steps in one launch, which not every device can
+     * @param lanes whether to make them on a processor
      */
-    static KernelSource source(boolean resident) {
+    static KernelSource source(boolean resident, boolean lanes) {
         List<String> files = new ArrayList<>();
         for (String file : FILES) {
             files.add("world/" + file + ".cl");
         }
         if (resident) {
             files.add("world/Resident.cl");
+        }
+        if (lanes) {
+            for (String file : LANES_FILES) {
+                files.add("world/" + file + ".cl");
+            }
         }
         return KernelSource.of(files.toArray(String[]::new))
                 .define("LEVELS", Levels.COUNT)
@@ -63,6 +75,7 @@ final class ClKernels {
                 .define("TILE_ROUNDS", ClTiles.ROUNDS)
                 .define("TILE_PARTS", ClTiles.PARTS)
                 .define("TILE_GROUP", ClTiles.GROUP)
+                .define("TILE_COPIES_IN_TWO", ClBuffers.COPIES_IN_TWO)
                 .define("RESIDENT_GROUP", ClResident.GROUP)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
     }

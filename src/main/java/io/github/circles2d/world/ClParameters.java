@@ -8,7 +8,7 @@ import java.util.Arrays;
 final class ClParameters {
     private static final int FLOATS = 22;
     static final int CONSTANT_INTS = FLOATS + 3;
-    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 3;
+    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 5;
 
     // Positions of single constants.
     private static final int WARM_SCALE = 17;
@@ -18,6 +18,8 @@ final class ClParameters {
 
     private final int[] constants = new int[CONSTANT_INTS];
     private final int[] levels = new int[LEVEL_INTS];
+    private final int[] otherConstants = new int[CONSTANT_INTS];
+    private final int[] otherLevels = new int[LEVEL_INTS];
     private final int[] sentConstants = new int[CONSTANT_INTS];
     private final int[] sentLevels = new int[LEVEL_INTS];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
@@ -25,19 +27,31 @@ final class ClParameters {
 
     /** Takes down what the next steps are made with. */
     void set(StepConstants k, Levels shape) {
-        packConstants(k);
-        packLevels(shape);
+        packConstants(k, constants);
+        packLevels(shape, levels);
     }
 
-    /** Sets the size of a tile: log2 of its columns and rows of cells. */
-    void setTile(int columnsLog, int rowsLog) {
-        levels[LEVEL_INTS - 2] = columnsLog;
-        levels[LEVEL_INTS - 1] = rowsLog;
+    /** Whether what was taken down last is these, but for what is set apart from it. */
+    boolean areOf(StepConstants k, Levels shape) {
+        System.arraycopy(constants, 0, otherConstants, 0, CONSTANT_INTS);
+        System.arraycopy(levels, 0, otherLevels, 0, LEVEL_INTS);
+        packConstants(k, otherConstants);
+        packLevels(shape, otherLevels);
+        otherConstants[WARM_SCALE] = constants[WARM_SCALE];
+        return Arrays.equals(constants, otherConstants) && Arrays.equals(levels, otherLevels);
+    }
+
+    /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
+    void setTile(int columnsLog, int rowsLog, int across, int down) {
+        levels[LEVEL_INTS - 4] = columnsLog;
+        levels[LEVEL_INTS - 3] = rowsLog;
+        levels[LEVEL_INTS - 2] = across;
+        levels[LEVEL_INTS - 1] = down;
     }
 
     /** Sets what impulses of the step before are multiplied by. */
     void setWarmScale(float scale) {
-        pack(WARM_SCALE, scale);
+        pack(constants, WARM_SCALE, scale);
     }
 
     /** Sets whether the step takes fast circles, and crowds. */
@@ -60,37 +74,37 @@ final class ClParameters {
         }
     }
 
-    private void packConstants(StepConstants k) {
-        pack(0, k.dt);
-        pack(1, k.h);
-        pack(2, k.inverseH);
-        pack(3, k.gravityStepX);
-        pack(4, k.gravityStepY);
-        pack(5, k.fallX);
-        pack(6, k.fallY);
-        pack(7, k.biasRate);
-        pack(8, k.massScale);
-        pack(9, k.impulseScale);
-        pack(10, k.wallBiasRate);
-        pack(11, k.wallMassScale);
-        pack(12, k.wallImpulseScale);
-        pack(13, k.thresholdRate);
-        pack(14, k.restRate);
-        pack(15, k.pushPerLength);
-        pack(16, k.pushPerRoot);
-        pack(WARM_SCALE, k.warmScale);
-        pack(18, k.bounds.minX());
-        pack(19, k.bounds.minY());
-        pack(20, k.bounds.maxX());
-        pack(21, k.bounds.maxY());
-        constants[SUB_STEPS] = k.subSteps;
+    private static void packConstants(StepConstants k, int[] to) {
+        pack(to, 0, k.dt);
+        pack(to, 1, k.h);
+        pack(to, 2, k.inverseH);
+        pack(to, 3, k.gravityStepX);
+        pack(to, 4, k.gravityStepY);
+        pack(to, 5, k.fallX);
+        pack(to, 6, k.fallY);
+        pack(to, 7, k.biasRate);
+        pack(to, 8, k.massScale);
+        pack(to, 9, k.impulseScale);
+        pack(to, 10, k.wallBiasRate);
+        pack(to, 11, k.wallMassScale);
+        pack(to, 12, k.wallImpulseScale);
+        pack(to, 13, k.thresholdRate);
+        pack(to, 14, k.restRate);
+        pack(to, 15, k.pushPerLength);
+        pack(to, 16, k.pushPerRoot);
+        pack(to, WARM_SCALE, k.warmScale);
+        pack(to, 18, k.bounds.minX());
+        pack(to, 19, k.bounds.minY());
+        pack(to, 20, k.bounds.maxX());
+        pack(to, 21, k.bounds.maxY());
+        to[SUB_STEPS] = k.subSteps;
     }
 
-    private void pack(int at, float value) {
-        constants[at] = Float.floatToRawIntBits(value);
+    private static void pack(int[] to, int at, float value) {
+        to[at] = Float.floatToRawIntBits(value);
     }
 
-    private void packLevels(Levels shape) {
+    private static void packLevels(Levels shape, int[] levels) {
         levels[0] = Float.floatToRawIntBits(shape.minX);
         levels[1] = Float.floatToRawIntBits(shape.minY);
         levels[2] = Float.floatToRawIntBits(shape.rmax);

@@ -21,6 +21,9 @@ public final class ClPipeline implements Pipeline {
     private static final int FAST = 3;
     private static final int CROWDED = 4;
     private static final int TILE_PEAK = 5;
+    private static final int TILE_COPIES = 7;
+    private static final int PLACES = 9;
+    private static final int APART = 8;
 
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
@@ -48,6 +51,9 @@ public final class ClPipeline implements Pipeline {
     /** Null where the plan is another. */
     private final ClResident resident;
 
+    /** Null where the plan is another. */
+    private final ClLanes lanes;
+
     private final ClReadback readback;
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
@@ -56,7 +62,10 @@ public final class ClPipeline implements Pipeline {
     private int slots;
     private int circles;
 
-    /** Contacts of the last step, which remembered impulses are numbered by. */
+    /** What the steps that were enqueued last are made by; null where they are made in another way. */
+    private ClLanes lanesEnqueued;
+
+    /** Places of contacts in the last step, which remembered impulses are numbered by. */
     private int remembered;
 
     /** The steps that have been enqueued and not been looked at. */
@@ -90,8 +99,8 @@ public final class ClPipeline implements Pipeline {
         this.plan = plan;
         session = Session.open(device, profiling);
         try {
-            buffers = new ClBuffers(session, capacity, plan != ClPlan.COLOURS);
-            kernels = new ClKernels(session, plan == ClPlan.RESIDENT);
+            buffers = new ClBuffers(session, capacity, plan == ClPlan.TILES || plan == ClPlan.RESIDENT);
+            kernels = new ClKernels(session, plan);
             commands = new ClCommands(session, kernels, buffers);
             ClScan scan = new ClScan(kernels);
             grid = new ClGrid(kernels, buffers, scan);
@@ -100,6 +109,7 @@ public final class ClPipeline implements Pipeline {
             solver = new ClSolver(kernels);
             tiles = new ClTiles(kernels, buffers, scan, device);
             resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
+            lanes = plan == ClPlan.LANES ? new ClLanes(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             buffers.get(ClBuffers.STATUS).write(0, statusView);
@@ -115,7 +125,7 @@ public final class ClPipeline implements Pipeline {
      * @return a fingerprint of their source
      */
     public static String kernels() {
-        return ClKernels.source(true).fingerprint();
+        return ClKernels.source(true, true).fingerprint();
     }
 
     /** Sets the size of work-groups, which has no effect on results. */
@@ -124,12 +134,17 @@ public final class ClPipeline implements Pipeline {
         return this;
     }
 
+    /** What makes steps by lanes; null where the plan is another. */
+    ClLanes lanes() {
+        return lanes;
+    }
+
     @Override
     public void apply(Commands changes) {
-        settle();
         if (changes.count() == 0) {
             return;
         }
+        settle();
         int added = 0;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.records()[r * Commands.STRIDE];
@@ -144,39 +159,60 @@ public final class ClPipeline implements Pipeline {
 
     @Override
     public void step(StepConstants constants, Levels shape, int steps) {
-        settle();
         if (circles == 0) {
+            settle();
             slots = 0;
             commands.slotsInOrder();
             return;
         }
-        // Copies: the caller may change both before these steps are known to have found room.
-        levels.copy(shape);
-        subSteps = constants.subSteps;
-        warmScale = constants.warmScale;
-        parameters.set(constants, shape);
-        buffers.ensureBuckets(levels.buckets());
-        for (int left = steps; left > 0; left -= pendingSteps) {
+        if (pendingSteps == 0 || !continues(constants, shape)) {
             settle();
-            pendingSteps = Math.min(left, MOST_PENDING);
-            enqueue();
+            // Copies: the caller may change both before these steps are known to have found room.
+            levels.copy(shape);
+            subSteps = constants.subSteps;
+            warmScale = constants.warmScale;
+            parameters.set(constants, shape);
+            buffers.ensureBuckets(levels.buckets());
+        }
+        for (int left = steps; left > 0; ) {
+            if (pendingSteps == MOST_PENDING) {
+                settle();
+            }
+            int count = Math.min(left, MOST_PENDING - pendingSteps);
+            enqueue(count);
+            left -= count;
         }
     }
 
-    private void enqueue() {
+    /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
+    private boolean continues(StepConstants constants, Levels shape) {
+        return warmScale == 1f && constants.warmScale == 1f && parameters.areOf(constants, shape);
+    }
+
+    private void enqueue(int steps) {
+        int from = pendingSteps == 0 ? slots : circles;
+        pendingSteps += steps;
         parameters.setPlan(sweeping > 0, thinning > 0);
-        boolean small = resident != null && ClResident.suits(circles);
+        lanesEnqueued = lanes != null && thinning == 0 && ClLanes.suits(levels) ? lanes : null;
+        if (lanesEnqueued != null) {
+            parameters.setWarmScale(warmScale);
+            parameters.send(buffers);
+            kernels.bind(buffers, from, circles);
+            lanes.run(levels, circles, steps);
+            return;
+        }
+        boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
         int atOnce = small ? resident.mostGroups() : 0;
-        boolean tiled = plan != ClPlan.COLOURS && thinning == 0 && tiles.choose(levels, parameters, atOnce);
+        boolean tiled =
+                plan != ClPlan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
         if (tiled && small) {
             parameters.setWarmScale(warmScale);
             parameters.send(buffers);
-            kernels.bind(buffers, slots, circles);
-            resident.run(tiles.tiles(), circles, pendingSteps);
+            kernels.bind(buffers, from, circles);
+            resident.run(tiles.tiles(), circles, steps);
             return;
         }
-        int from = slots;
-        for (int step = 0; step < pendingSteps; step++) {
+        for (int step = 0; step < steps; step++) {
             // From the second step on, the length of the step before is that of the step.
             parameters.setWarmScale(step == 0 ? warmScale : 1f);
             parameters.send(buffers);
@@ -186,7 +222,7 @@ public final class ClPipeline implements Pipeline {
                 sweep.sweep(levels, circles);
             }
             if (tiled) {
-                tiles.list(levels, circles);
+                tiles.list(levels, circles, thinning > 0);
                 tiles.solve(circles, subSteps);
             } else {
                 contacts.list(levels, circles, thinning > 0);
@@ -208,15 +244,17 @@ public final class ClPipeline implements Pipeline {
                 warmScale = 1f;
             }
             pendingSteps -= done;
-            tiles.learn(status[TILE_PEAK]);
+            tiles.learn(status[TILE_PEAK], thinning > 0);
             if (pendingSteps == 0) {
-                remembered = status[CONTACTS];
-                stats.stepped(circles, remembered);
+                remembered = Math.max(status[CONTACTS], status[PLACES]);
+                stats.stepped(circles, status[CONTACTS], lanesEnqueued);
                 sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
             } else {
                 adapt();
-                enqueue();
+                int refused = pendingSteps;
+                pendingSteps = 0;
+                enqueue(refused);
             }
         }
     }
@@ -233,9 +271,17 @@ public final class ClPipeline implements Pipeline {
                 buffers.ensureContacts(status[CONTACTS]);
             }
         }
+        if (status[OUT_OF_ROOM] != 0) {
+            buffers.ensureCopies(status[TILE_COPIES]);
+        }
         if (thinning == 0 && status[CROWDED] != 0) {
             thinning = CALM;
         }
+        status[TILE_COPIES] = 0;
+        if (status[APART] != 0) {
+            lanes.calledOff();
+        }
+        status[APART] = 0;
         status[OUT_OF_ROOM] = 0;
         status[FAST] = 0;
         status[CROWDED] = 0;
@@ -293,7 +339,7 @@ public final class ClPipeline implements Pipeline {
         commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
-        stats.stepped(0, 0);
+        stats.stepped(0, 0, null);
     }
 
     @Override

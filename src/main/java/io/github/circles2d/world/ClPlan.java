@@ -11,15 +11,21 @@ enum ClPlan {
     TILES,
 
     /** One launch for many steps of worlds that are not too large, by {@link ClResident}; else tiles. */
-    RESIDENT;
+    RESIDENT,
+
+    /** One launch for many steps of worlds of one level on a processor, by {@link ClLanes}; else colours. */
+    LANES;
 
     private static final System.Logger LOG = System.getLogger(ClPlan.class.getName());
 
     /** The plan that suits a device, with the reason in the log. */
     static ClPlan choose(Device device) {
         ClPlan plan = COLOURS;
-        String reason = "it is no GPU";
-        if (device.kind() == Device.Kind.GPU) {
+        String reason = "it is neither a GPU nor a processor";
+        if (ClLanes.fits(device)) {
+            plan = LANES;
+            reason = "a processor of " + device.computeUnits() + " threads";
+        } else if (device.kind() == Device.Kind.GPU) {
             plan = TILES;
             reason = "a GPU with " + device.localMemoryBytes() + " bytes of local memory";
             if (!ClTiles.fit(device)) {

@@ -3,35 +3,40 @@ package io.github.circles2d.world;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 
-/** Exclusive prefix sums on the device, in place; {@code kernels/world/Scan.cl}. */
+/** Exclusive prefix sums on the device; {@code kernels/world/Scan.cl}. */
 final class ClScan {
     /** Work-items of a work-group. */
     private static final int GROUP = 256;
 
-    /** Elements of a block: eight a work-item. */
-    private static final int BLOCK = 8 * GROUP;
+    /** Elements a work-item. */
+    private static final int EACH = 4;
 
     private final Kernel blocks;
-    private final Kernel sums;
-    private final Kernel add;
+    private final Kernel starts;
 
     ClScan(ClKernels kernels) {
         blocks = kernels.plain("scan_blocks");
-        sums = kernels.plain("scan_sums");
-        add = kernels.plain("scan_add");
+        starts = kernels.plain("scan_starts");
+    }
+
+    /** Number of elements that the arrays of a scan need room for. */
+    static int padded(int elements) {
+        return (elements + EACH - 1) / EACH * EACH;
     }
 
     /** Number of block sums that a scan needs. */
     static int blocks(int elements) {
-        return (elements + BLOCK - 1) / BLOCK;
+        return (elements + EACH * GROUP - 1) / (EACH * GROUP);
     }
 
-    void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums) {
-        int n = blocks(elements);
-        blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run((long) n * GROUP, GROUP);
-        if (n > 1) {
-            sums.arg(0, blockSums).arg(1, n).run(GROUP, GROUP);
-            add.arg(0, counts).arg(1, elements).arg(2, blockSums).run(elements);
-        }
+    /** Sums up the tally into one of the stages' buffers, and clears it. */
+    void run(ClBuffers buffers, int elements, int sums) {
+        run(buffers.get(ClBuffers.TALLY), elements, buffers.get(ClBuffers.BLOCK_SUMS), buffers.get(sums));
+    }
+
+    void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums) {
+        long items = (long) blocks(elements) * GROUP;
+        blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run(items, GROUP);
+        starts.arg(0, counts).arg(1, elements).arg(2, blockSums).arg(3, sums).run(items, GROUP);
     }
 }

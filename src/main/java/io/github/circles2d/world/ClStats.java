@@ -10,6 +10,9 @@ final class ClStats {
     private final Kernel candidates;
     private final Kernel degrees;
 
+    /** What the last step was made by; null where it was made in another way. */
+    private ClLanes lanes;
+
     /** Circles and contacts of the last step. */
     private int circles;
 
@@ -28,7 +31,8 @@ final class ClStats {
     }
 
     /** Takes note of a step. */
-    void stepped(int circlesOfStep, int contactsOfStep) {
+    void stepped(int circlesOfStep, int contactsOfStep, ClLanes lanesOfStep) {
+        lanes = lanesOfStep;
         circles = circlesOfStep;
         contacts = contactsOfStep;
         candidatePairs = -1;
@@ -60,10 +64,15 @@ final class ClStats {
     int greatestContacts() {
         if (greatestContacts < 0) {
             buffers.get(ClBuffers.RANK).write(0, IntBuffer.wrap(new int[circles]));
-            degrees.arg(0, buffers.get(ClBuffers.PAIR))
-                    .arg(1, contacts)
-                    .arg(2, buffers.get(ClBuffers.RANK))
-                    .run(contacts);
+            if (lanes != null) {
+                kernels.bind(buffers, circles, circles);
+                lanes.countDegrees();
+            } else {
+                degrees.arg(0, buffers.get(ClBuffers.PAIR))
+                        .arg(1, contacts)
+                        .arg(2, buffers.get(ClBuffers.RANK))
+                        .run(contacts);
+            }
             greatestContacts = 0;
             for (int degree : ClReadback.ints(buffers.get(ClBuffers.RANK), circles)) {
                 greatestContacts = Math.max(greatestContacts, degree);

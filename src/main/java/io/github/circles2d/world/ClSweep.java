@@ -2,19 +2,20 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.opencl.Kernel;
 
-/** Stage Sweep on a device; {@code kernels/world/Sweep.cl}. The same as {@link JvmSweep}. */
+/**
+ * Stage Sweep on a device; {@code kernels/world/Sweep.cl}. The same as {@link JvmSweep}; the leashes are laid by the first
+ * kernel of stage Contacts.
+ */
 final class ClSweep {
     /** log2 of the cells of a block. */
     private static final int BLOCK_CELLS_LOG = 4;
 
     private final Kernel summarize;
     private final Kernel look;
-    private final Kernel leash;
 
     ClSweep(ClKernels kernels) {
         summarize = kernels.staged("sweep_summarize");
         look = kernels.staged("sweep_look");
-        leash = kernels.staged("sweep_leash");
     }
 
     /** Number of blocks of cells. */
@@ -25,6 +26,5 @@ final class ClSweep {
     void sweep(Levels levels, int circles) {
         summarize.run(blocks(levels.buckets()));
         look.run(circles);
-        leash.run(circles);
     }
 }

@@ -35,6 +35,12 @@ public final class Levels {
     /** log2 of the number of rows, by level. */
     final int[] rowsLog = new int[COUNT];
 
+    /** Columns that circles can be in, by level: less than all of them where the torus is larger than the arena. */
+    final int[] columnsUsed = new int[COUNT];
+
+    /** Rows that circles can be in, by level. */
+    final int[] rowsUsed = new int[COUNT];
+
     /** Number of the first bucket, and of the first group, of each level. */
     final int[] first = new int[COUNT];
 
@@ -112,6 +118,13 @@ public final class Levels {
         }
         columnsLog[level] = columns;
         rowsLog[level] = rows;
+        columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columns);
+        rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rows);
+    }
+
+    /** Cells from the one of the lower wall to the one of the upper, where there are as many: no base is outside the walls. */
+    private int cellsUsed(float max, float min, int level, int sideLog) {
+        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), (1 << sideLog) - 1) + 1;
     }
 
     /**
@@ -138,6 +151,8 @@ public final class Levels {
         System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
         System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
         System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
+        System.arraycopy(other.columnsUsed, 0, columnsUsed, 0, COUNT);
+        System.arraycopy(other.rowsUsed, 0, rowsUsed, 0, COUNT);
         System.arraycopy(other.first, 0, first, 0, COUNT);
         System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
         System.arraycopy(other.used, 0, used, 0, COUNT);

@@ -63,7 +63,7 @@ class CircleMathOnDevicesTest {
     @ParameterizedTest
     @MethodSource("devices")
     void everyFunctionHasTheSameBitsOnTheDeviceAsInJava(Device device) throws Throwable {
-        KernelSource source = ClKernels.source(false);
+        KernelSource source = ClKernels.source(false, false);
         for (Method function : functions()) {
             source = source.and(probe(function));
         }

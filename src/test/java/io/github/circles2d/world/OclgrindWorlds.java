@@ -36,6 +36,10 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(20, 1), 1f, 2, 2));
                 break;
+            case "LANES":
+                kernels.addAll(steps(device, ClPlan.LANES, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
+                kernels.addAll(steps(device, ClPlan.LANES, Scenes.gas(20, 1), 1f, 2, 2));
+                break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
                 kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
@@ -60,6 +64,7 @@ final class OclgrindWorlds {
         try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
             twins.subSteps(subSteps).step(dt, steps);
             twins.assertEqual(scene.name());
+            twins.assertSameFigures();
             return pipeline.kernelNanos().keySet();
         }
     }
@@ -85,20 +90,23 @@ final class OclgrindWorlds {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
 
-    /** Sums up more counts than a small world has: a third block, not full. */
+    /** Sums up more counts than a small world has: a last block that is not full. */
     private static Set<String> scan(Device device) {
         int count = 2 * 2048 + 100;
         int[] counts = new int[count];
         java.util.Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {
-            ClKernels kernels = new ClKernels(session, false);
+            ClKernels kernels = new ClKernels(session, ClPlan.COLOURS);
             DeviceBuffer buffer = session.allocate("counts", 4L * count);
             buffer.write(0, IntBuffer.wrap(counts));
-            new ClScan(kernels).run(buffer, count, session.allocate("sums", 4L * ClScan.blocks(count)));
+            DeviceBuffer starts = session.allocate("starts", 4L * count);
+            new ClScan(kernels).run(buffer, count, session.allocate("sums", 4L * ClScan.blocks(count)), starts);
+            int[] sums = new int[count];
+            starts.read(IntBuffer.wrap(sums));
             buffer.read(IntBuffer.wrap(counts));
             for (int k = 0; k < count; k++) {
-                if (counts[k] != 3 * k) {
-                    throw new IllegalStateException("the sum before " + k + " is " + counts[k]);
+                if (sums[k] != 3 * k || counts[k] != 0) {
+                    throw new IllegalStateException("the sum before " + k + " is " + sums[k] + ", left " + counts[k]);
                 }
             }
             return session.profileNanos().keySet();

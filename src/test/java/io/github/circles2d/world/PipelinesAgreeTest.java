@@ -27,6 +27,9 @@ class PipelinesAgreeTest {
         if (ClResident.fits(device)) {
             pipelines.add(new ClPipeline(device, 0, false, ClPlan.RESIDENT));
         }
+        if (ClLanes.fits(device)) {
+            pipelines.add(new ClPipeline(device, 0, false, ClPlan.LANES));
+        }
         return pipelines.toArray(Pipeline[]::new);
     }
 
@@ -97,6 +100,68 @@ class PipelinesAgreeTest {
         compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
         compare(device, Scenes.onePoint(2000, 1), 3, 1, 1 / 60f);
         compare(device, Scenes.oneCell(1250, 1), 10, 3, 1 / 60f);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        for (int subSteps : new int[] {1, 4, 5}) {
+            Scene scene = Scenes.thesis(1250, 6);
+            try (Twins twins = Twins.load(scene, pipelines(device)).subSteps(subSteps)) {
+                SplittableRandom random = new SplittableRandom(subSteps);
+                for (int k = 0; k < 12; k++) {
+                    for (int changes = 0; changes < 400; changes++) {
+                        makeExtreme(twins.commands(), random.nextInt(scene.size()), random);
+                    }
+                    for (int steps = 0; steps < 3; steps++) {
+                        twins.step(1 / 60f, 1);
+                        twins.assertEqual(subSteps + " sub-steps, change " + k + ", step " + steps);
+                    }
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsThatNobodyLooksAtInBetweenHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        // Among them such as are refused at first, and such as those behind them find other circumstances than.
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6), Scenes.onePoint(200, 6)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 70; k++) {
+                    twins.step(1 / 60f, 1);
+                }
+                twins.assertEqual(scene.name() + " after 70 steps");
+                for (float dt : new float[] {1 / 60f, 1 / 120f, 1 / 120f, 1 / 240f, 0.5f, 0.5f, 1 / 60f, 1 / 60f}) {
+                    twins.step(dt, 2);
+                    twins.step(dt, 1);
+                    if (dt == 0.5f) {
+                        twins.change(scene, random);
+                    }
+                }
+                twins.subSteps(2).step(1 / 60f, 1);
+                twins.subSteps(4).step(1 / 60f, 1);
+                twins.assertEqual(scene.name() + " after steps of several lengths");
+                twins.assertSameFigures();
+            }
+        }
+    }
+
+    /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
+    private static void makeExtreme(Commands commands, int id, SplittableRandom random) {
+        float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);
+        commands.set(Commands.MASS, id, mass, 0);
+        commands.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
+        float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
+        commands.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
+        if (random.nextInt(8) == 0) {
+            commands.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+        }
+    }
+
+    private static float power(SplittableRandom random, double least, double greatest) {
+        return (float) Math.pow(10, least + random.nextDouble() * (greatest - least));
     }
 
     @ParameterizedTest

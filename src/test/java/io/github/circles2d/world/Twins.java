@@ -16,6 +16,7 @@ final class Twins implements AutoCloseable {
     private final float gx;
     private final float gy;
     private int subSteps = 4;
+    private float previousDt;
 
     Twins(Bounds bounds, float gx, float gy, Pipeline... pipelines) {
         this.bounds = bounds;
@@ -46,10 +47,11 @@ final class Twins implements AutoCloseable {
         apply();
         for (Pipeline pipeline : pipelines) {
             StepConstants constants = new StepConstants();
-            constants.set(dt, subSteps, gx, gy, bounds, dt);
+            constants.set(dt, subSteps, gx, gy, bounds, previousDt == 0 ? dt : previousDt);
             levels.layOut(bounds, roster.greatestRadius(), roster.population());
             pipeline.step(constants, levels, steps);
         }
+        previousDt = dt;
     }
 
     void assertEqual(String when) {
@@ -111,6 +113,12 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Asks for another radius of a circle. */
+    void setRadius(int id, float r) {
+        roster.setRadius(id, r);
+        commands.set(Commands.RADIUS, id, r, 0);
+    }
+
     /** Asks for some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
         int id = random.nextInt(roster.end());
@@ -139,10 +147,7 @@ final class Twins implements AutoCloseable {
                             between(random, bounds.minY(), bounds.maxY()));
                 case Commands.VELOCITY, Commands.IMPULSE ->
                     commands.set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
-                case Commands.RADIUS -> {
-                    roster.setRadius(id, r);
-                    commands.set(operation, id, r, 0);
-                }
+                case Commands.RADIUS -> setRadius(id, r);
                 default -> commands.set(operation, id, between(random, 0.1f, 1), 0);
             }
         }

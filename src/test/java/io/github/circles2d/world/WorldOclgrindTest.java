@@ -40,7 +40,7 @@ class WorldOclgrindTest {
         }
         assertThat(Path.of(driver)).as("Oclgrind's driver").exists();
         Set<String> ran = new TreeSet<>();
-        for (String world : List.of("COLOURS", "TILES", "RESIDENT", "wide", "fast", "crowd")) {
+        for (String world : List.of("COLOURS", "TILES", "RESIDENT", "LANES", "wide", "fast", "crowd")) {
             ran.addAll(run(driver, world));
         }
         assertThat(ran).containsAll(kernelsInFiles());
@@ -82,7 +82,14 @@ class WorldOclgrindTest {
             }
         }
         assertThat(kernels)
-                .contains("scan_sums", "grid_gather", "solver_push", "solver_pushTile", "sweep_look", "resident_steps");
+                .contains(
+                        "scan_starts",
+                        "grid_gather",
+                        "solver_push",
+                        "solver_pushTile",
+                        "sweep_look",
+                        "resident_steps",
+                        "lanes_steps");
         return kernels;
     }
 }

@@ -1,0 +1,161 @@
+// Finds the contacts of a row of groups and lays them out in bundles. A group finds the pairs whose lesser column and lesser
+// row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of the same
+// parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn.
+
+#define HITS 512             // pairs of one group; what is more crowded goes the way of crowds
+#define DEALT_TOGETHER 16    // groups
+#define GATHERED (2 * HITS)  // pairs of these
+
+// What a work-group looks for contacts with.
+typedef struct {
+    global const float *x, *y, *reach; // by working slot
+    ulong hit[HITS + 4];               // of the group: slot above slot
+    ulong ids[GATHERED], slots[GATHERED]; // of groups that are dealt together, by group and in order; lower id's first
+    int gathered;
+    int start[DEALT_TOGETHER + 1];
+    int groups;
+    int bundle, endBundle; // where the next bundle goes, and where there is no more room
+    int contacts;
+    bool crowded;
+} Search;
+
+// Where circles are noted for the search, component by component: arrays that stage Grid is done with.
+global float *searchX(const World *w) { return (global float *) w->bucketBefore; }
+global float *searchY(const World *w) { return (global float *) w->rank; }
+global float *searchReach(const World *w) { return (global float *) w->bucketOf; }
+
+// Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
+// whether there are. Returns how many pairs of the group there are then.
+INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
+    if (hits + (to - from) > HITS) {
+        f->crowded = true;
+        return hits;
+    }
+    float x = f->x[slot];
+    float y = f->y[slot];
+    float reach = f->reach[slot];
+    ulong high = (ulong) slot << 32;
+    int other = from;
+    do {
+        float4 dx = vload4(0, f->x + other) - x;
+        float4 dy = vload4(0, f->y + other) - y;
+        float4 limit = reach + vload4(0, f->reach + other);
+        int4 hit = (dx * dx + dy * dy < limit * limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
+        // Whether a pair is near is as good as random: no branch.
+        f->hit[hits] = high | other;
+        hits -= hit.x;
+        f->hit[hits] = high | (other + 1);
+        hits -= hit.y;
+        f->hit[hits] = high | (other + 2);
+        hits -= hit.z;
+        f->hit[hits] = high | (other + 3);
+        hits -= hit.w;
+        other += 4;
+    } while (other < to);
+    return hits;
+}
+
+// Puts the pairs that were hit among those gathered, in order of their ids.
+INLINE void gatherHits(const World *w, Search *f, int hits) {
+    int from = f->gathered;
+    int count = from;
+    for (int k = 0; k < hits; k++) {
+        int slot = (int) (f->hit[k] >> 32);
+        int other = (int) f->hit[k];
+        if (w->traits[slot].x == 0.0f && w->traits[other].x == 0.0f) continue;
+        int id = w->id[slot];
+        int otherId = w->id[other];
+        // Exchanged where the other has the lower id; no branch, which would be taken as if by chance.
+        int exchange = (slot ^ other) & ((otherId - id) >> 31);
+        ulong ids = (ulong) min(id, otherId) << 32 | (uint) max(id, otherId);
+        ulong slots = (ulong) (slot ^ exchange) << 32 | (uint) (other ^ exchange);
+        int p = count++;
+        while (p > from && f->ids[p - 1] > ids) {
+            f->ids[p] = f->ids[p - 1];
+            f->slots[p] = f->slots[p - 1];
+            p--;
+        }
+        f->ids[p] = ids;
+        f->slots[p] = slots;
+    }
+    f->gathered = count;
+    if (count > from) f->start[++f->groups] = count;
+}
+
+// Deals what has been gathered to bundles: the first contact of each group, then the second of each.
+void deal(const World *w, Search *f) {
+    int next[DEALT_TOGETHER], end[DEALT_TOGETHER];
+    int open = f->groups;
+    for (int g = 0; g < open; g++) {
+        next[g] = f->start[g];
+        end[g] = f->start[g + 1];
+    }
+    ulong ids[4], slots[4];
+    while (open > 0) {
+        int left = 0;
+        int lanes = 0;
+        for (int g = 0; g < open; g++) {
+            int from = next[g];
+            ids[lanes] = f->ids[from];
+            slots[lanes++] = f->slots[from];
+            if (lanes == 4 || g == open - 1) {
+                if (f->bundle < f->endBundle) fillBundle(w, f->bundle, ids, slots, lanes);
+                f->bundle++;
+                lanes = 0;
+            }
+            next[left] = from + 1;
+            int last = end[g];
+            end[left] = last;
+            left += from + 1 < last;
+        }
+        open = left;
+    }
+    f->contacts += f->gathered;
+    f->gathered = 0;
+    f->groups = 0;
+}
+
+// Tests the pairs of the group of a row and column; returns how many are near.
+INLINE int findGroup(const World *w, Search *f, int row, int column) {
+    int l = w->levels->used[0];
+    int cl = w->levels->columnsLog[l];
+    int mask = (1 << cl) - 1;
+    global const int *own = w->bucketStart + w->levels->first[l] + (row << cl);
+    global const int *above =
+        w->bucketStart + w->levels->first[l] + (((row + 1) & ((1 << w->levels->rowsLog[l]) - 1)) << cl);
+    int right = (column + 1) & mask;
+    int from = own[column];
+    int to = own[column + 1];
+    int rightFrom = own[right];
+    int rightTo = own[right + 1];
+    int aboveFrom = above[column];
+    int aboveTo = above[column + 1];
+    // Slots from the group's column on, then those of the column to its right; where that is the first of the row, all apart.
+    bool joined = right > 0;
+    int hits = 0;
+    for (int slot = from; slot < to; slot++) {
+        hits = scanSlots(f, hits, slot, slot + 1, joined ? rightTo : to);
+        hits = scanSlots(f, hits, slot, aboveFrom, joined ? above[right + 1] : aboveTo);
+        if (joined) continue;
+        hits = scanSlots(f, hits, slot, rightFrom, rightTo);
+        hits = scanSlots(f, hits, slot, above[right], above[right + 1]);
+    }
+    for (int slot = rightFrom; slot < rightTo; slot++) hits = scanSlots(f, hits, slot, aboveFrom, aboveTo);
+    return hits;
+}
+
+// Finds and fills the contacts of a row of groups.
+void findRow(const World *shared, Search *f, int row) {
+    World own = *shared;
+    const World *w = &own;
+    int first = f->bundle;
+    int columns = 1 << w->levels->columnsLog[w->levels->used[0]];
+    for (int odd = 0; odd < 2; odd++) {
+        for (int column = odd; column < columns && !f->crowded; column += 2) {
+            gatherHits(w, f, findGroup(w, f, row, column));
+            bool full = f->groups == DEALT_TOGETHER || f->gathered > GATHERED - HITS;
+            if (full || column + 2 >= columns) deal(w, f);
+        }
+    }
+    noteRow(w, row, min(first, f->endBundle), min(f->bundle, f->endBundle));
+}

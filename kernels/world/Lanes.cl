@@ -1,0 +1,138 @@
+// Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
+// device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved in bundles of
+// four (LaneContacts.cl). The Java classes JvmContacts and JvmSolver explain rows, bands and sweeps; it is the same here.
+
+bool isIn(int row, int low, int high) { return low <= row && row < high; }
+
+// Stage Contacts. Returns false where the step is refused, the same to all work-groups.
+bool listContacts(const World *w, const Crew *crew, const Band *band) {
+    Search f;
+    f.x = searchX(w);
+    f.y = searchY(w);
+    f.reach = searchReach(w);
+    f.gathered = f.groups = f.start[0] = f.contacts = 0;
+    f.crowded = false;
+    int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
+    int first = crew->group * room;
+    f.bundle = first;
+    f.endBundle = first + room;
+    for (int row = band->from; row <= band->to; row += 2) {
+        for (int r = 0; r < 2 && row < band->to; r++) findRow(w, &f, row + r);
+        if (row == band->to) {
+            if (f.crowded) w->status[CROWDED] = 1;
+            if (f.bundle > f.endBundle) w->status[OUT_OF_ROOM] = 1;
+            atomic_add(&w->status[CONTACTS], f.contacts);
+            atomic_max(&w->status[MOST_PLACES], 4 * (f.bundle - first));
+            atomic_max(&w->status[PLACES], 4 * min(f.bundle, f.endBundle));
+            awaitCrew(w, crew); // the row after the last is another band's
+        }
+        // Sums of impulses: an even row, then the odd one between it and the one before.
+        for (int r = 0; r < 2; r++) {
+            if (isIn(row - r, band->from, band->to)) gatherRow(w, row - r);
+        }
+    }
+    awaitCrew(w, crew);
+    if (outOfRoom(w) && crew->group == 0) {
+        w->status[CONTACTS] = max(w->status[CONTACTS], w->status[MOST_PLACES] * crew->groups);
+    }
+    return !outOfRoom(w) && !tooCrowded(w);
+}
+
+int ringRow(const World *w, int row) { return row & ((1 << w->levels->rowsLog[w->levels->used[0]]) - 1); }
+
+// All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row.
+void visit(const World *w, int row, int low, int high, int inwards, int subStep) {
+    if (isIn(row, low, high)) {
+        for (int r = 0; r < 2; r++) accelerateRow(w, ringRow(w, row + r));
+    }
+    for (int r = 0; r < 2; r++) {
+        if (isIn(row - r, low + r * inwards, high - r * inwards)) pushRow(w, ringRow(w, row - r));
+    }
+    for (int r = 2; r > 0; r--) {
+        if (isIn(row - r, low + inwards, high - inwards)) moveRow(w, ringRow(w, row - r), subStep == 0);
+    }
+    for (int r = 2; r < 4; r++) {
+        if (isIn(row - r, low + r * inwards, high - r * inwards)) {
+            relaxRow(w, ringRow(w, row - r), subStep == w->k.subSteps - 1);
+        }
+    }
+}
+
+// Makes sub-steps [from, to) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
+// (inwards -1, from an empty band at the edge of two).
+void sweepRows(const World *w, int low, int high, int inwards, int from, int to) {
+    int lag = LAG * (to - from);
+    int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
+    for (int front = low; front < end; front += 2) {
+        int behind = 0;
+        for (int subStep = from; subStep < to; subStep++) {
+            visit(w, front - behind, low + inwards * behind, high - inwards * behind, inwards, subStep);
+            behind += LAG;
+        }
+        for (int r = 0; r < 2 && to == w->k.subSteps; r++) {
+            int row = front - lag + r;
+            if (isIn(row, low + inwards * lag, high - inwards * lag)) finishRow(w, ringRow(w, row));
+        }
+    }
+}
+
+#define ROWS_PER_SUB_STEP 24 // of the narrowest band, in a sweep over several sub-steps
+
+// What a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge
+// outwards.
+void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
+    int most = max(1, band->narrowest / ROWS_PER_SUB_STEP);
+    for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
+        int end = min(w->k.subSteps, subStep + most);
+        for (int edges = 0; edges < 2; edges++) {
+            sweepRows(w, edges ? band->to : band->from, band->to, edges ? -1 : 1, subStep, end);
+            awaitCrew(w, crew);
+        }
+    }
+}
+
+// Pass after pass, by one work-group, where there are hardly any rows.
+void solveInPasses(const World *w, int rows) {
+    for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
+        for (int row = 0; row < rows; row++) accelerateRow(w, row);
+        for (int odd = 0; odd < 2; odd++) {
+            for (int row = odd; row < rows; row += 2) pushRow(w, row);
+        }
+        for (int row = 0; row < rows; row++) moveRow(w, row, subStep == 0);
+        for (int odd = 0; odd < 2; odd++) {
+            for (int row = odd; row < rows; row += 2) relaxRow(w, row, subStep == w->k.subSteps - 1);
+        }
+    }
+    for (int row = 0; row < rows; row++) finishRow(w, row);
+}
+
+// Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
+// many there are; patience: how often to look for the others before the launch is called off.
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PARAMETERS, int steps, int groups,
+                                                                        int patience) {
+    World w = WORLD;
+    Crew crew = {groups, (int) get_group_id(0)};
+    if (allHere(&w, &crew, patience)) {
+        bool made = !outOfRoom(&w) && !tooCrowded(&w);
+        awaitCrew(&w, &crew); // nobody may run ahead and be out of room before all have looked
+        for (int step = 0; step < steps && made; step++) {
+            Band band = sortCircles(&w, &crew);
+            awaitCrew(&w, &crew);
+            sweepCircles(&w, &crew);
+            made = listContacts(&w, &crew, &band);
+            if (!made) break;
+            band = bandOf(&w, &crew, true);
+            if (band.narrowest >= 2 * LAG) {
+                solveInSweeps(&w, &crew, &band);
+            } else {
+                solveInPasses(&w, band.to);
+            }
+            if (crew.group == 0) status[STEPS_DONE]++;
+            w.slots = w.circles;
+            w.warmScale = 1.0f;
+        }
+    } else {
+        status[APART] = 1;
+    }
+    disperse(&w);
+}

@@ -1,0 +1,72 @@
+// Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
+// work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
+// drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
+// start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
+
+// How many circles a work-item takes at a time: what it reads of all of them is on its way before it needs the first.
+#define TOGETHER 4
+#define TOGETHER_EACH(n) _Pragma("unroll") for (int n = 0; n < TOGETHER; n++)
+#define TILE_TOGETHER(first, count)                                                                                    \
+    _Pragma("unroll 1") for (int first = 0; first < (count); first += TOGETHER * (int) get_local_size(0))
+
+// The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
+int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
+
+// A circle's inverse mass, negative where it is loaded: of a fixed one it is 0, and that is never loaded.
+float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
+
+bool isLoaded(float burden) { return as_int(burden) < 0; }
+
+// A circle's inverse mass and restitution alone: the other half of its traits its owner may be about to write.
+float2 lastingTraits(const World *w, int slot) { return ((global const float2 *) w->traits)[2 * slot]; }
+
+// Writes a circle's wall impulses alone, where they have changed.
+void storeWalls(const World *w, int slot, float2 old, float2 walls) {
+    if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
+        ((global float2 *) w->traits)[2 * slot + 1] = walls;
+    }
+}
+
+// Whether a wall without an impulse leaves a circle alone in the biased pass: pushFromWall would change no more than the sign
+// of a zero. before: velocity along the axis before any impulse; v: after those of its contacts.
+bool wallIsFar(const World *w, float x, float dx, float before, float v, float r, float min, float max) {
+    float side = wallSide(x, min, max);
+    float gap = wallGap(x, dx, r, side, min, max);
+    return gap > 0.0f && !(gap * w->k.inverseH + side * v < 0.0f) && !(gap + side * before * w->k.h < 0.0f);
+}
+
+// Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. c, m, t: circle, motion, traits;
+// sum: of the impulses of its contacts; carried: whether one of them carries.
+void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+    const StepConstants *k = &w->k;
+    float2 walls = t.zw;
+    float2 before = (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
+    float2 next = (float2)(limitSpeed(before.x + t.x * sum.x), limitSpeed(before.y + t.x * sum.y));
+    float2 bounce = (float2)(0.0f);
+    bool loaded = carried;
+    if (t.x != 0.0f && t.z == 0.0f && t.w == 0.0f &&
+        wallIsFar(w, c.x, m.x, before.x, next.x, c.z, k->minX, k->maxX) &&
+        wallIsFar(w, c.y, m.y, before.y, next.y, c.z, k->minY, k->maxY)) {
+        // As accelerate would leave it, down to the signs of zeros.
+        t.z = wallSide(c.x, k->minX, k->maxX) * 0.0f;
+        t.w = wallSide(c.y, k->minY, k->maxY) * 0.0f;
+        m.z = next.x + t.z;
+        m.w = next.y + t.w;
+    } else {
+        accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    }
+    storeWalls(w, slot, walls, t.zw);
+    w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
+    w->burden[slot] = burdenOf(t.x, loaded);
+    w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
+}
+
+// Ends the biased pass for a circle: its move. started: motion as startCircle has left it; v: velocity.
+void endPush(const World *w, int slot, float4 c, float4 started, float2 v, float4 t, float burden) {
+    float4 m = (float4)(started.x, started.y, v.x, v.y);
+    float2 walls = t.zw;
+    moveCircle(w, slot, c, &m, &t, started.zw, isLoaded(burden));
+    storeWalls(w, slot, walls, t.zw);
+    w->pushedMotion[slot] = m;
+    w->pushedBurden[slot] = burden;
+}

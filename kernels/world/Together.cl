@@ -1,0 +1,78 @@
+// Work-groups of one work-item that run at the same time and wait for each other, on devices whose compute units are the
+// threads of a processor. OpenCL does not promise that they run at once, so a launch begins with a meeting that may fail: who
+// waits too long calls it off for all, and all leave before anything has been changed. Once all have come, all are running,
+// and later meetings cannot fail.
+
+// Who waits looks again and again; after a while he offers the processor to others at each look, for maybe it is him whom
+// the one that he waits for waits for: on a busy machine steps would else take hundreds of times as long. No OpenCL function does
+// that, but a processor's kernels can call the system like any other code.
+#define LOOKS 100
+
+#if defined(__x86_64__)
+#define PAUSE __asm__ volatile("pause")
+#else
+#define PAUSE
+#endif
+
+#if defined(__x86_64__) && defined(__linux__)
+void offerProcessor(void) {
+    long call = 24; // sched_yield
+    __asm__ volatile("syscall" : "+a"(call) : : "rcx", "r11", "memory");
+}
+#else
+void offerProcessor(void) {}
+#endif
+
+// Values of status[MEETING]; 0 while it is not decided.
+#define ALL_HERE 1
+#define CALLED_OFF 2
+
+// Which of how many work-groups this is, and its part of the work.
+typedef struct {
+    int groups, group;
+} Crew;
+
+// The first meeting of a launch. patience: how often to look for the others. Returns the same to all of them.
+bool allHere(const World *w, const Crew *crew, int patience) {
+    if (crew->groups == 1) return true;
+    volatile global int *decision = w->status + MEETING;
+    if (atomic_inc(&w->status[ARRIVALS]) == crew->groups - 1) atomic_cmpxchg(decision, 0, ALL_HERE);
+    for (int looks = 0; *decision == 0; looks++) {
+        if (looks >= patience) atomic_cmpxchg(decision, 0, CALLED_OFF);
+        PAUSE;
+        if (looks % (16 * LOOKS) == 0) offerProcessor();
+    }
+    // An atomic operation, so that nothing that follows is read before.
+    return atomic_add(decision, 0) == ALL_HERE;
+}
+
+// Waits until all work-groups are here, and makes what each has written visible to the others.
+void awaitCrew(const World *w, const Crew *crew) {
+    if (crew->groups == 1) return;
+    volatile global int *arrivals = w->status + ARRIVALS;
+    mem_fence(CLK_GLOBAL_MEM_FENCE);
+    int target = (atomic_inc(arrivals) / crew->groups + 1) * crew->groups;
+    for (int looks = 0; *arrivals < target; looks++) {
+        PAUSE;
+        if (looks >= LOOKS) offerProcessor();
+    }
+    atomic_add(arrivals, 0);
+    mem_fence(CLK_GLOBAL_MEM_FENCE);
+}
+
+// Ends a work-group. The last one makes the counters ready for the next launch.
+void disperse(const World *w) {
+    mem_fence(CLK_GLOBAL_MEM_FENCE);
+    if (atomic_inc(&w->status[DEPARTURES]) == (int) get_num_groups(0) - 1) {
+        w->status[ARRIVALS] = 0;
+        w->status[DEPARTURES] = 0;
+        w->status[MEETING] = 0;
+    }
+}
+
+// Where a work-group's part of [0, count) begins; that of the next one is where it ends.
+int partOf(int count, int group, int groups) { return (int) ((long) count * group / groups); }
+
+#define EACH_OF_PART(i, count, crew)                                                                                   \
+    for (int i = partOf(count, (crew)->group, (crew)->groups), end_##i = partOf(count, (crew)->group + 1, (crew)->groups); \
+         i < end_##i; i++)
