@@ -57,8 +57,7 @@ int countLower(const World *w, int from, int to, int id) {
     return sum;
 }
 
-// Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast. A step that
-// has been refused because of a fast circle may come here again: to the same result.
+// Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast.
 bool gatherCircle(const World *w, int i) {
     int2 listed = w->order[i];
     int from = listed.y;

@@ -33,7 +33,8 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     }
     awaitCrew(w, crew);
     if (outOfRoom(w) && crew->group == 0) {
-        w->status[CONTACTS] = max(w->status[CONTACTS], w->status[MOST_PLACES] * crew->groups);
+        long places = (long) w->status[MOST_PLACES] * crew->groups;
+        w->status[CONTACTS] = max(w->status[CONTACTS], (int) min(places, 1L << 30));
     }
     return !outOfRoom(w) && !tooCrowded(w);
 }
@@ -112,7 +113,8 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PAR
                                                                         int patience) {
     World w = WORLD;
     Crew crew = {groups, (int) get_group_id(0)};
-    if (allHere(&w, &crew, patience)) {
+    // None behind a launch that was called off: it counts on what that one would have left.
+    if (status[APART] == 0 && allHere(&w, &crew, patience)) {
         bool made = !outOfRoom(&w) && !tooCrowded(&w);
         awaitCrew(&w, &crew); // nobody may run ahead and be out of room before all have looked
         for (int step = 0; step < steps && made; step++) {

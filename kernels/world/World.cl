@@ -28,7 +28,7 @@ typedef struct {
 } Levels;
 
 // status
-#define OUT_OF_ROOM 0 // set by a step that found more contacts than there is room for, or no way to tile them
+#define OUT_OF_ROOM 0 // set by a step that lacks room for its contacts or copies of them, or found no way to go on with them
 #define CONTACTS 1    // contacts of the last step, or of one that was out of room
 #define STEPS_DONE 2  // steps written home, since the world was made
 #define FAST 3        // 1 where some circle is fast

@@ -47,6 +47,12 @@ final class ClLanes {
         patience = looks;
     }
 
+    /** Makes launches wait for those that do come, after {@link #waitForNobody}. */
+    void waitForAll() {
+        missing = 0;
+        patience = PATIENCE;
+    }
+
     /** How many work-groups a launch has at most. */
     int mostGroups() {
         return mostGroups;
@@ -78,7 +84,7 @@ final class ClLanes {
                 "{0} work-groups of World did not run at once, as they should on so many compute units; it goes on with one",
                 mostGroups);
         mostGroups = 1;
-        missing = 0;
+        waitForAll();
     }
 
     /** Counts the contacts of each circle, after a step by lanes; ranks are all zeros before. */

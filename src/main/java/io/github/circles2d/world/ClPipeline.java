@@ -265,7 +265,10 @@ public final class ClPipeline implements Pipeline {
             sweeping = CALM;
         }
         if (status[OUT_OF_ROOM] != 0 && status[CONTACTS] > buffers.contactRoom()) {
-            if (thinning == 0 && status[CONTACTS] > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
+            // Lanes ask for room by the fullest band, which is no sign of a crowd; they tell of crowds by themselves.
+            if (thinning == 0
+                    && lanesEnqueued == null
+                    && status[CONTACTS] > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
                 thinning = CALM;
             } else {
                 buffers.ensureContacts(status[CONTACTS]);

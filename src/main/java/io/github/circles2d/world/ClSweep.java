@@ -3,8 +3,8 @@ package io.github.circles2d.world;
 import io.github.circles2d.opencl.Kernel;
 
 /**
- * Stage Sweep on a device; {@code kernels/world/Sweep.cl}. The same as {@link JvmSweep}; the leashes are laid by the first
- * kernel of stage Contacts.
+ * Stage Sweep on a device; {@code kernels/world/Sweep.cl}. The same as {@link JvmSweep}; the leashes are laid by
+ * the kernel of stage Contacts that looks for pairs.
  */
 final class ClSweep {
     /** log2 of the cells of a block. */

@@ -8,6 +8,7 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -44,6 +45,28 @@ class ClLanesTest {
             assertThat(pipeline.lanes().mostGroups()).isOne();
             twins.step(1 / 60f, 3);
             twins.assertEqual("alone");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void launchesBehindOneThatWasCalledOffMakeNoStepsEither(Device device) {
+        Scene scene = Scenes.packed(3000, 2);
+        ClPipeline pipeline = new ClPipeline(device, 0, false, ClPlan.LANES);
+        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+            twins.step(1 / 60f, 2);
+            twins.assertEqual("before");
+            // The next step finds more slots than circles, those behind it count on finding as many.
+            SplittableRandom random = new SplittableRandom(2);
+            for (int k = 0; k < 200; k++) {
+                twins.change(scene, random);
+            }
+            pipeline.lanes().waitForNobody(1000);
+            twins.step(1 / 60f, 1);
+            pipeline.lanes().waitForAll();
+            twins.step(1 / 60f, 1);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("after");
         }
     }
 
