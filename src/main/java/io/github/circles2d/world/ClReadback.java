@@ -36,11 +36,7 @@ final class ClReadback {
 
     void circles(Roster roster, int slots, float[] to) {
         ensureHost(16L * roster.end());
-        circles.arg(0, buffers.get(ClBuffers.HOME_ID))
-                .arg(1, buffers.get(ClBuffers.HOME_CIRCLE))
-                .arg(2, slots)
-                .arg(3, byId)
-                .run(slots);
+        layOut(circles, ClBuffers.HOME_CIRCLE, slots);
         byId.read(0, host, 0, 16L * roster.end());
         FloatBuffer read = host.floats();
         compact(roster, 4, (at, written, length) -> read.get(at, to, written, length));
@@ -48,12 +44,7 @@ final class ClReadback {
 
     void velocities(Roster roster, int slots, float[] to) {
         ensureHost(8L * roster.end());
-        velocities
-                .arg(0, buffers.get(ClBuffers.HOME_ID))
-                .arg(1, buffers.get(ClBuffers.HOME_MOTION))
-                .arg(2, slots)
-                .arg(3, byId)
-                .run(slots);
+        layOut(velocities, ClBuffers.HOME_MOTION, slots);
         byId.read(0, host, 0, 8L * roster.end());
         FloatBuffer read = host.floats();
         compact(roster, 2, (at, written, length) -> read.get(at, to, written, length));
@@ -61,18 +52,22 @@ final class ClReadback {
 
     FloatBuffer positions(Roster roster, int slots) {
         ensureShared(8L * roster.end());
-        positions
-                .arg(0, buffers.get(ClBuffers.HOME_ID))
-                .arg(1, buffers.get(ClBuffers.HOME_CIRCLE))
-                .arg(2, slots)
-                .arg(3, byId)
-                .run(slots);
+        layOut(positions, ClBuffers.HOME_CIRCLE, slots);
         byId.read(0, shared, 0, 8L * roster.end());
         if (roster.size() < roster.end()) {
             FloatBuffer floats = shared.floats();
             compact(roster, 2, (from, to, length) -> floats.put(to, floats, from, length));
         }
         return sharedView.clear().limit(2 * roster.size());
+    }
+
+    /** Lays a buffer of the state out by id, on the device. */
+    private void layOut(Kernel kernel, int state, int slots) {
+        kernel.arg(0, buffers.get(ClBuffers.HOME_ID))
+                .arg(1, buffers.get(state))
+                .arg(2, slots)
+                .arg(3, byId)
+                .run(slots);
     }
 
     /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
