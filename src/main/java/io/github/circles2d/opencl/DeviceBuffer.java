@@ -3,6 +3,7 @@ package io.github.circles2d.opencl;
 import com.nativelibs4java.opencl.CLBuffer;
 import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
+import com.nativelibs4java.opencl.CLQueue;
 import java.lang.ref.Reference;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -12,7 +13,7 @@ import org.bridj.Pointer;
 
 /**
  * Memory of a device. Transfers run in order with the session's kernels, are checked against the sizes of both sides,
- * and have ended when the call returns, except the one that says otherwise.
+ * and have ended when the call returns; a {@link CopyQueue} makes others.
  */
 public final class DeviceBuffer implements AutoCloseable {
     private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};
@@ -145,29 +146,28 @@ public final class DeviceBuffer implements AutoCloseable {
      * @param length number of bytes
      */
     public void read(long offset, HostBuffer target, long targetOffset, long length) {
-        read(offset, target, targetOffset, length, true);
+        read(session.queue(), offset, target, targetOffset, length, true, WITHOUT_EVENT);
     }
 
-    /**
-     * Enqueues a read into transfer memory and does not wait: the data is there after the next {@link Session#finish}
-     * or the next transfer that does wait. Keep the target open and untouched until then.
-     *
-     * @param offset where in this buffer, in bytes
-     * @param target transfer memory of the same session
-     * @param targetOffset where in it, in bytes
-     * @param length number of bytes
-     */
-    public void readLater(long offset, HostBuffer target, long targetOffset, long length) {
-        read(offset, target, targetOffset, length, false);
+    /** Enqueues a read of the first bytes on another queue, behind an event, and does not wait. */
+    void readBehind(CLEvent event, CLQueue queue, HostBuffer target, long length) {
+        read(queue, 0, target, 0, length, false, event, CLEvent.FIRE_AND_FORGET);
     }
 
-    private void read(long offset, HostBuffer target, long targetOffset, long length, boolean blocking) {
+    private void read(
+            CLQueue queue,
+            long offset,
+            HostBuffer target,
+            long targetOffset,
+            long length,
+            boolean blocking,
+            CLEvent... events) {
         check("read", offset, length, target, targetOffset);
         if (length == 0) {
             return;
         }
         try {
-            buffer.read(session.queue(), offset, length, target.at(targetOffset), blocking, WITHOUT_EVENT);
+            buffer.read(queue, offset, length, target.at(targetOffset), blocking, events);
         } catch (CLException e) {
             throw ErrorCodes.failed("read " + length + " bytes of buffer '" + name + "'", session.device(), e);
         }

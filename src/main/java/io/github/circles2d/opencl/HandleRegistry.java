@@ -9,19 +9,22 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
-/** Everything that a session has open. {@link #run} releases it: newest first, then the queue, then the context. */
+/** Everything that a session has open. {@link #run} releases it: newest first, then the queues, then the context. */
 final class HandleRegistry implements Runnable {
     private static final System.Logger LOG = System.getLogger(HandleRegistry.class.getName());
 
-    private final CLQueue queue;
-    private final Handle queueHandle;
+    private final List<CLQueue> queues = new ArrayList<>();
     private final Handle contextHandle;
     private final Set<Handle> handles = new LinkedHashSet<>();
 
     HandleRegistry(CLContext context, CLQueue queue) {
-        this.queue = queue;
-        queueHandle = new Handle(queue::release);
+        queues.add(queue);
         contextHandle = new Handle(context::release);
+    }
+
+    /** Adds a queue of the context, which is finished before anything is released. */
+    synchronized void add(CLQueue queue) {
+        queues.add(queue);
     }
 
     synchronized void add(Handle handle) {
@@ -36,19 +39,23 @@ final class HandleRegistry implements Runnable {
 
     @Override
     public synchronized void run() {
-        if (queueHandle.isReleased()) {
+        if (contextHandle.isReleased()) {
             return;
         }
+        queues.forEach(HandleRegistry::finish);
+        List<Handle> newestFirst = new ArrayList<>(handles);
+        Collections.reverse(newestFirst);
+        newestFirst.forEach(Handle::release);
+        handles.clear();
+        queues.forEach(queue -> new Handle(queue::release).release());
+        contextHandle.release();
+    }
+
+    private static void finish(CLQueue queue) {
         try {
             queue.finish();
         } catch (RuntimeException e) {
             LOG.log(Level.WARNING, "waiting for the device before closing failed", e);
         }
-        List<Handle> newestFirst = new ArrayList<>(handles);
-        Collections.reverse(newestFirst);
-        newestFirst.forEach(Handle::release);
-        handles.clear();
-        queueHandle.release();
-        contextHandle.release();
     }
 }

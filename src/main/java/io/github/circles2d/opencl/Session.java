@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * One context and one in-order queue on one device, and everything made from them.
+ * One context and one in-order queue on one device, and everything made from them; further queues for copies alone.
  *
  * <p>Commands run in the order in which they were given. A session and what it made belong to one thread at a time.
  * {@link #close} closes all of it in the right order, and may be called again; a session that becomes unreachable
@@ -197,7 +197,24 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Waits until the device has done everything that it was given.
+     * Opens a further in-order queue, on which reads run beside the kernels that are enqueued after them.
+     *
+     * @return the queue; closed with the session
+     * @throws OpenClException if the driver refuses
+     */
+    public CopyQueue copyQueue() {
+        requireOpen();
+        try {
+            CLQueue further = device.handle().createQueue(context);
+            registry.add(further);
+            return new CopyQueue(this, further);
+        } catch (CLException e) {
+            throw ErrorCodes.failed("open a queue for copies", device, e);
+        }
+    }
+
+    /**
+     * Waits until the device has done everything that it was given, except what a {@link CopyQueue} copies.
      *
      * @throws OpenClException if one of the commands failed
      */

@@ -65,22 +65,47 @@ class SessionTest {
 
     @ParameterizedTest
     @MethodSource("devices")
-    void transferMemoryKeepsItsContentAcrossLaterReads(Device device) {
+    void aCopyBesideTheKernelsSeesWhatWasEnqueuedBeforeAndLeavesTheRestAsItIs(Device device) {
         try (Session session = Session.open(device);
                 HostBuffer host = session.hostBuffer(64)) {
             DeviceBuffer data = session.allocate("data", 64);
-            for (int i = 0; i < 16; i++) {
-                host.ints().put(i, i * i);
+            DeviceBuffer other = session.allocate("other", 4);
+            other.write(FloatBuffer.wrap(new float[] {1}));
+            Kernel scale = session.build(SCALE).kernel("scale").arg(1, 16).arg(2, 2f);
+            CopyQueue copies = session.copyQueue();
+            for (int round = 0; round < 50; round++) {
+                for (int i = 0; i < 16; i++) {
+                    host.floats().put(i, i + round);
+                }
+                data.write(0, host, 0, 64);
+                scale.arg(0, data).run(16);
+                copies.read(data, host, 32);
+                scale.arg(0, other).run(1);
+                copies.finish();
+                assertThat(host.floats().get(7)).isEqualTo(2f * (7 + round));
+                assertThat(host.floats().get(8)).isEqualTo(8f + round);
             }
-            data.write(0, host, 0, 64);
-            for (int i = 0; i < 16; i++) {
-                host.ints().put(i, -1);
-            }
-            data.readLater(0, host, 32, 32);
-            session.finish();
-            assertThat(host.ints().get(7)).isEqualTo(-1);
-            assertThat(host.ints().get(8 + 5)).isEqualTo(25);
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aCopyBesideTheKernelsIsCheckedAndClosedWithTheSession(Device device) {
+        Session session = Session.open(device);
+        CopyQueue copies = session.copyQueue();
+        DeviceBuffer data = session.allocate("data", 1 << 20);
+        HostBuffer host = session.hostBuffer(1 << 20);
+        try (Session another = Session.open(device)) {
+            assertThatThrownBy(() -> copies.read(another.allocate("foreign", 16), host, 16))
+                    .isInstanceOf(IllegalArgumentException.class);
+            assertThatThrownBy(() -> copies.read(data, another.hostBuffer(16), 16))
+                    .isInstanceOf(IllegalArgumentException.class);
+        }
+        assertThatThrownBy(() -> copies.read(data, host, (1 << 20) + 1)).isInstanceOf(IndexOutOfBoundsException.class);
+        copies.read(data, host, 1 << 20);
+        session.close();
+        assertThatThrownBy(() -> copies.read(data, host, 16)).isInstanceOf(IllegalStateException.class);
+        assertThatThrownBy(copies::finish).isInstanceOf(IllegalStateException.class);
     }
 
     @ParameterizedTest
@@ -297,6 +322,7 @@ class SessionTest {
                 data.copyTo(session.allocate("copy", 4096), 4096);
                 data.read(0, host, 0, 4096);
                 data.read(FloatBuffer.allocate(1024));
+                session.copyQueue().read(data, host, 4096);
                 assertThat(context.count()).isGreaterThan(1);
                 session.close();
                 assertThat(context.countAfterAMoment())
@@ -318,7 +344,7 @@ class SessionTest {
         for (int i = 0; i < sessions; i++) {
             Session session = Session.open(device);
             session.allocate("abandoned", 1 << 20);
-            session.hostBuffer(1 << 16);
+            session.copyQueue().read(session.allocate("copied", 1 << 16), session.hostBuffer(1 << 16), 1 << 16);
             if (i % 10 == 9) {
                 System.gc();
                 Thread.sleep(20);
