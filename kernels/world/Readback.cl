@@ -12,6 +12,14 @@ kernel void readback_positions(global const int *homeId, global const float4 *ho
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot].xy;
 }
 
+// Positions behind the number of steps that led to them, by which the host knows whether they are those that it asked for.
+kernel void readback_request(global const int *homeId, global const float4 *homeCircle, int slots,
+                             global const int *status, global float2 *byId) {
+    int slot = (int) get_global_id(0);
+    if (slot == 0) *(global int *) byId = status[STEPS_DONE];
+    if (slot < slots && homeId[slot] >= 0) byId[1 + homeId[slot]] = homeCircle[slot].xy;
+}
+
 kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
                                 global float2 *byId) {
     int slot = (int) get_global_id(0);

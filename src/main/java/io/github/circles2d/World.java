@@ -95,6 +95,7 @@ public final class World implements AutoCloseable {
     private boolean emptyStep = true;
 
     private boolean savedCurrent;
+    private boolean positionsRequested;
     private boolean closed;
 
     private World(Builder b) {
@@ -694,6 +695,53 @@ public final class World implements AutoCloseable {
         try {
             applyCommands();
             return pipeline.positions(roster);
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Asks for x and y of every circle as they are now, without waiting for them: on an OpenCL device they are copied while the
+     * next step runs. A game that draws one frame while the next is computed makes its frame of
+     *
+     * <pre>{@code
+     * world.requestPositions();
+     * world.step(1 / 60f);
+     * draw(world.takePositions()); // from before the step
+     * }</pre>
+     *
+     * <p>Whatever is called in between, the positions are those of this moment, of the circles of this moment, in the order of
+     * their ids. A request that has not been taken is replaced by the next.
+     */
+    public void requestPositions() {
+        enter();
+        try {
+            applyCommands();
+            pipeline.requestPositions(roster);
+            positionsRequested = true;
+        } finally {
+            exit();
+        }
+    }
+
+    /**
+     * Gives the positions that {@link #requestPositions} asked for last, and waits for them where they are still on their way.
+     * Each request can be taken once.
+     *
+     * @return two elements a circle, from position 0 to the limit, in memory of the world's own. Read-only, and valid until the
+     *     second {@link #requestPositions} from now: the next one leaves it as it is. No other method touches it, and it may be
+     *     kept beyond {@link #close()}.
+     * @throws IllegalStateException where nothing has been requested since the last call
+     */
+    public FloatBuffer takePositions() {
+        enter();
+        try {
+            if (!positionsRequested) {
+                throw new IllegalStateException("no positions have been requested since the last were taken:"
+                        + " call requestPositions before each takePositions");
+            }
+            positionsRequested = false;
+            return pipeline.takePositions();
         } finally {
             exit();
         }

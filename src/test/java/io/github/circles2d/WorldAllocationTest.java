@@ -45,6 +45,9 @@ class WorldAllocationTest {
                 world.readVelocities(velocityBuffer.clear());
                 world.readHandles(handleBuffer.clear());
                 consume(world.positions().get(5));
+                world.requestPositions();
+                world.step(scene.timeStep());
+                consume(world.takePositions().get(5));
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
             };
             for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle

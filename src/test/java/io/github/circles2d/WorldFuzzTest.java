@@ -1,8 +1,10 @@
 package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
 import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -94,6 +96,10 @@ class WorldFuzzTest {
         private ByteBuffer snapshot;
         private Model snapshotModel;
         private List<Long> snapshotStale;
+
+        /** The positions at the last request that has not been taken; null where there is none. */
+        private float[] requested;
+
         private String last = "";
 
         Program(long seed, World twin) {
@@ -145,7 +151,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(18)) {
+            switch (random.nextInt(19)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -157,6 +163,7 @@ class WorldFuzzTest {
                 case 11 -> impulse();
                 case 12 -> setWorld();
                 case 13 -> saveOrRestore();
+                case 18 -> requestOrTakePositions();
                 default -> step();
             }
         }
@@ -277,6 +284,27 @@ class WorldFuzzTest {
             }
         }
 
+        private void requestOrTakePositions() {
+            if (requested == null) {
+                last = "takePositions";
+                assertThatIllegalStateException().isThrownBy(world::takePositions);
+            } else if (random.nextBoolean()) {
+                last = "takePositions";
+                FloatBuffer taken = world.takePositions();
+                assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                requested = null;
+                return;
+            }
+            last = "requestPositions";
+            float[] circles = new float[4 * world.size()];
+            world.read(circles);
+            world.requestPositions();
+            requested = new float[2 * world.size()];
+            for (int i = 0; i < requested.length; i++) {
+                requested[i] = circles[4 * (i / 2) + i % 2];
+            }
+        }
+
         private void saveOrRestore() {
             if (snapshot == null || random.nextBoolean()) {
                 last = "snapshot";
@@ -297,6 +325,7 @@ class WorldFuzzTest {
             if (random.nextBoolean()) {
                 world.close();
                 world = WorldScenes.jvm().threads(1).capacity(0).build();
+                requested = null;
             }
             world.restore(snapshot.duplicate());
             model = snapshotModel.copy();

@@ -309,6 +309,52 @@ class WorldTest {
         assertThat(floats(positions.rewind())).containsExactly(1, 2, 7, 8, 5, 6);
     }
 
+    @Test
+    void requestedPositionsAreThoseOfTheRequestAndStayUntilTheRequestAfterTheNext() {
+        FloatBuffer first;
+        try (World world = builder().build()) {
+            long gone = world.add(1, 2, 0.1f, 1, 3, 0);
+            world.add(5, 6, 0.1f, 1);
+            world.requestPositions();
+            world.remove(gone);
+            world.add(7, 8, 0.1f, 1);
+            world.step(0.01f);
+            first = world.takePositions();
+            assertThat(first.isReadOnly()).isTrue();
+            assertThat(floats(first)).containsExactly(1, 2, 5, 6);
+            world.requestPositions();
+            assertThat(floats(world.positions())).containsExactly(7, 8, 5, 6);
+            world.add(9, 9, 0.1f, 1);
+            FloatBuffer second = world.takePositions();
+            assertThat(floats(second)).containsExactly(7, 8, 5, 6);
+            assertThat(floats(first.rewind())).containsExactly(1, 2, 5, 6);
+            world.requestPositions();
+            world.positions();
+            assertThat(floats(second.rewind())).containsExactly(7, 8, 5, 6);
+            first = world.takePositions();
+        }
+        assertThat(floats(first)).containsExactly(7, 8, 5, 6, 9, 9);
+    }
+
+    @Test
+    void positionsAreTakenOnceARequestAndTheLastRequestCounts() {
+        try (World world = builder().build()) {
+            Runnable refused = () -> assertThatIllegalStateException()
+                    .isThrownBy(world::takePositions)
+                    .withMessageContaining("requestPositions");
+            refused.run();
+            world.requestPositions();
+            assertThat(world.takePositions().remaining()).isZero();
+            refused.run();
+            world.requestPositions();
+            world.add(1, 2, 0.1f, 1);
+            world.requestPositions();
+            assertThat(floats(world.takePositions())).containsExactly(1, 2);
+            refused.run();
+            assertThat(world.size()).isOne(); // and the world is as good as before
+        }
+    }
+
     private static float[] floats(FloatBuffer buffer) {
         float[] floats = new float[buffer.remaining()];
         buffer.get(floats);
@@ -364,6 +410,7 @@ class WorldTest {
         world.add(1, 2, 0.1f, 1);
         world.add(1, 3, 0.1f, 1);
         world.step(0.01f);
+        world.requestPositions();
         world.close();
         world.close();
         Consumer<Runnable> closed =
@@ -389,6 +436,9 @@ class WorldTest {
                 world::subSteps)) {
             closed.accept(read);
         }
+        closed.accept(world::positions);
+        closed.accept(world::requestPositions);
+        closed.accept(world::takePositions);
         closed.accept(world::stats);
         closed.accept(world::snapshotBytes);
         closed.accept(() -> world.restore(ByteBuffer.allocate(100)));

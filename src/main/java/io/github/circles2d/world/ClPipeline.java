@@ -55,6 +55,7 @@ public final class ClPipeline implements Pipeline {
     private final ClLanes lanes;
 
     private final ClReadback readback;
+    private final ClRequestedPositions requested;
     private final ClStats stats;
     private final int[] status = new int[ClBuffers.STATUS_INTS];
     private final IntBuffer statusView = IntBuffer.wrap(status);
@@ -111,6 +112,7 @@ public final class ClPipeline implements Pipeline {
             resident = plan == ClPlan.RESIDENT ? new ClResident(kernels, device) : null;
             lanes = plan == ClPlan.LANES ? new ClLanes(kernels, device) : null;
             readback = new ClReadback(session, kernels, buffers);
+            requested = new ClRequestedPositions(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             buffers.get(ClBuffers.STATUS).write(0, statusView);
         } catch (RuntimeException e) {
@@ -189,13 +191,19 @@ public final class ClPipeline implements Pipeline {
         return warmScale == 1f && constants.warmScale == 1f && parameters.areOf(constants, shape);
     }
 
+    private int slotsBehindPending() {
+        return pendingSteps == 0 ? slots : circles;
+    }
+
     private void enqueue(int steps) {
-        int from = pendingSteps == 0 ? slots : circles;
+        // Behind pending steps the state is as a step leaves it, and the length of the step before is that of the step.
+        int from = slotsBehindPending();
+        float warm = pendingSteps == 0 ? warmScale : 1f;
         pendingSteps += steps;
         parameters.setPlan(sweeping > 0, thinning > 0);
         lanesEnqueued = lanes != null && thinning == 0 && ClLanes.suits(levels) ? lanes : null;
         if (lanesEnqueued != null) {
-            parameters.setWarmScale(warmScale);
+            parameters.setWarmScale(warm);
             parameters.send(buffers);
             kernels.bind(buffers, from, circles);
             lanes.run(levels, circles, steps);
@@ -206,15 +214,14 @@ public final class ClPipeline implements Pipeline {
         boolean tiled =
                 plan != ClPlan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
         if (tiled && small) {
-            parameters.setWarmScale(warmScale);
+            parameters.setWarmScale(warm);
             parameters.send(buffers);
             kernels.bind(buffers, from, circles);
             resident.run(tiles.tiles(), circles, steps);
             return;
         }
         for (int step = 0; step < steps; step++) {
-            // From the second step on, the length of the step before is that of the step.
-            parameters.setWarmScale(step == 0 ? warmScale : 1f);
+            parameters.setWarmScale(step == 0 ? warm : 1f);
             parameters.send(buffers);
             kernels.bind(buffers, from, circles);
             grid.build(levels, from, circles);
@@ -254,7 +261,14 @@ public final class ClPipeline implements Pipeline {
                 adapt();
                 int refused = pendingSteps;
                 pendingSteps = 0;
-                enqueue(refused);
+                int beforeRequest = requested.missing(stepsSeen);
+                if (beforeRequest > 0) {
+                    enqueue(beforeRequest);
+                    requested.layOut(circles);
+                }
+                if (refused > beforeRequest) {
+                    enqueue(refused - beforeRequest);
+                }
             }
         }
     }
@@ -303,6 +317,21 @@ public final class ClPipeline implements Pipeline {
     public FloatBuffer positions(Roster roster) {
         settle();
         return readback.positions(roster, slots);
+    }
+
+    @Override
+    public void requestPositions(Roster roster) {
+        requested.request(roster, slotsBehindPending(), stepsSeen + pendingSteps);
+    }
+
+    @Override
+    public FloatBuffer takePositions() {
+        if (!requested.arrived()) {
+            // A step before the request had been refused. Now it is made, and the positions are laid out behind it.
+            settle();
+            requested.arrived();
+        }
+        return requested.take();
     }
 
     @Override

@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
+import java.util.function.IntPredicate;
 
 /** Reads the state back in the order of ids; {@code kernels/world/Readback.cl}. */
 final class ClReadback {
@@ -39,7 +40,7 @@ final class ClReadback {
         layOut(circles, ClBuffers.HOME_CIRCLE, slots);
         byId.read(0, host, 0, 16L * roster.end());
         FloatBuffer read = host.floats();
-        compact(roster, 4, (at, written, length) -> read.get(at, to, written, length));
+        compact(roster::lives, roster.end(), 4, (at, written, length) -> read.get(at, to, written, length));
     }
 
     void velocities(Roster roster, int slots, float[] to) {
@@ -47,7 +48,7 @@ final class ClReadback {
         layOut(velocities, ClBuffers.HOME_MOTION, slots);
         byId.read(0, host, 0, 8L * roster.end());
         FloatBuffer read = host.floats();
-        compact(roster, 2, (at, written, length) -> read.get(at, to, written, length));
+        compact(roster::lives, roster.end(), 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
     FloatBuffer positions(Roster roster, int slots) {
@@ -55,8 +56,7 @@ final class ClReadback {
         layOut(positions, ClBuffers.HOME_CIRCLE, slots);
         byId.read(0, shared, 0, 8L * roster.end());
         if (roster.size() < roster.end()) {
-            FloatBuffer floats = shared.floats();
-            compact(roster, 2, (from, to, length) -> floats.put(to, floats, from, length));
+            closeGaps(roster::lives, roster.end(), shared.floats());
         }
         return sharedView.clear().limit(2 * roster.size());
     }
@@ -70,16 +70,21 @@ final class ClReadback {
                 .run(slots);
     }
 
+    /** Moves the positions of the ids that live together, in place. */
+    static void closeGaps(IntPredicate lives, int end, FloatBuffer positions) {
+        compact(lives, end, 2, (from, to, length) -> positions.put(to, positions, from, length));
+    }
+
     /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
-    private static void compact(Roster roster, int floats, Copy copy) {
+    private static void compact(IntPredicate lives, int end, int floats, Copy copy) {
         int written = 0;
-        for (int id = 0; id < roster.end(); ) {
-            if (!roster.lives(id)) {
+        for (int id = 0; id < end; ) {
+            if (!lives.test(id)) {
                 id++;
                 continue;
             }
             int first = id;
-            while (id < roster.end() && roster.lives(id)) {
+            while (id < end && lives.test(id)) {
                 id++;
             }
             int length = (id - first) * floats;
@@ -120,7 +125,8 @@ final class ClReadback {
         }
     }
 
-    private static long roomier(long bytes) {
+    /** Room for so many bytes on the host, and for some growth. */
+    static long roomier(long bytes) {
         return Math.min(bytes + (bytes >> 1), Integer.MAX_VALUE - 4096);
     }
 

@@ -103,6 +103,24 @@ public final class GuardedPipeline implements Pipeline {
     }
 
     @Override
+    public void requestPositions(Roster roster) {
+        try {
+            pipeline.requestPositions(roster);
+        } catch (RuntimeException | Error e) {
+            throw failed(e);
+        }
+    }
+
+    @Override
+    public FloatBuffer takePositions() {
+        try {
+            return pipeline.takePositions();
+        } catch (RuntimeException | Error e) {
+            throw failed(e);
+        }
+    }
+
+    @Override
     public void readVelocities(Roster roster, float[] to) {
         try {
             pipeline.readVelocities(roster, to);

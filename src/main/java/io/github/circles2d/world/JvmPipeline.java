@@ -30,10 +30,12 @@ public final class JvmPipeline implements Pipeline {
     private int steps;
     private boolean failed;
 
-    /** What callers look into. */
-    private FloatBuffer positions = FloatBuffer.allocate(0);
+    private final JvmPositions positions = new JvmPositions();
 
-    private FloatBuffer positionsView = positions.asReadOnlyBuffer();
+    /** The positions requested last, and those that a caller may still look into. */
+    private JvmPositions requested = new JvmPositions();
+
+    private JvmPositions requestedBefore = new JvmPositions();
 
     /**
      * An empty world.
@@ -149,19 +151,21 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public FloatBuffer positions(Roster roster) {
-        if (positions.capacity() < 2 * roster.size()) {
-            positions = FloatBuffer.allocate(3 * roster.size());
-            positionsView = positions.asReadOnlyBuffer();
-        }
-        int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
-                int s = 4 * state.slotOf[id];
-                positions.put(k++, state.circle[s]);
-                positions.put(k++, state.circle[s + 1]);
-            }
-        }
-        return positionsView.clear().limit(k);
+        positions.copy(state, roster);
+        return positions.view();
+    }
+
+    @Override
+    public void requestPositions(Roster roster) {
+        JvmPositions next = requestedBefore;
+        requestedBefore = requested;
+        requested = next;
+        requested.copy(state, roster);
+    }
+
+    @Override
+    public FloatBuffer takePositions() {
+        return requested.view();
     }
 
     @Override

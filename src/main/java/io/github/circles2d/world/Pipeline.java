@@ -58,6 +58,22 @@ public interface Pipeline extends AutoCloseable {
     FloatBuffer positions(Roster roster);
 
     /**
+     * Asks for x and y of every circle as of now, which come while further steps are made. Takes the place of an earlier
+     * request that has not been taken.
+     *
+     * @param roster which ids live; not kept
+     */
+    void requestPositions(Roster roster);
+
+    /**
+     * Waits for the positions that were requested last.
+     *
+     * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the request
+     *     after the next
+     */
+    FloatBuffer takePositions();
+
+    /**
      * Reads velocities.
      *
      * @param roster which ids live

@@ -64,6 +64,19 @@ public final class Roster {
     }
 
     /**
+     * Copies which ids belong to circles.
+     *
+     * @param to takes a bit for each id less than {@link #end()}: id k is bit k % 64 of element k / 64
+     * @return the array, or a new one where it was too short
+     */
+    public long[] copyLiving(long[] to) {
+        int words = (end + 63) >>> 6;
+        long[] copy = to.length < words ? new long[live.length] : to;
+        System.arraycopy(live, 0, copy, 0, words);
+        return copy;
+    }
+
+    /**
      * The handle of a circle.
      *
      * @param id its id

@@ -187,6 +187,37 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
+        // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 8), Scenes.mixed(600, 8), Scenes.onePoint(200, 8)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(9);
+                twins.requestPositions();
+                twins.assertSameRequestedPositions();
+                for (int k = 0; k < 80; k++) {
+                    float dt = k % 20 == 19 ? 0.5f : 1 / 60f;
+                    twins.step(dt, 1 + k % 3);
+                    if (k % 7 == 0) {
+                        twins.requestPositions();
+                        twins.step(dt, 2);
+                    }
+                    twins.requestPositions();
+                    twins.step(k % 20 == 10 ? 0.5f : dt, 1);
+                    for (int changes = 0; changes < k % 4; changes++) {
+                        twins.change(scene, random);
+                    }
+                    if (k % 9 == 8) {
+                        twins.exchange();
+                    }
+                    twins.assertSameRequestedPositions();
+                }
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void aStateSavedOnOneGoesOnTheSameOnAnother(Device device) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {

@@ -18,6 +18,9 @@ final class Twins implements AutoCloseable {
     private int subSteps = 4;
     private float previousDt;
 
+    /** The circles at the last request for positions. */
+    private float[] requested;
+
     Twins(Bounds bounds, float gx, float gy, Pipeline... pipelines) {
         this.bounds = bounds;
         this.gx = gx;
@@ -78,6 +81,26 @@ final class Twins implements AutoCloseable {
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
             assertPositions(pipelines[k].positions(roster), circles[0]);
+        }
+        requestPositions();
+        assertSameRequestedPositions();
+    }
+
+    /** Asks every pipeline for the positions as they are now. */
+    void requestPositions() {
+        apply();
+        requested = new float[4 * roster.size()];
+        // Of the first pipeline alone: the others are not to come to rest before they are asked.
+        pipelines[0].readCircles(roster, requested);
+        for (Pipeline pipeline : pipelines) {
+            pipeline.requestPositions(roster);
+        }
+    }
+
+    /** Takes the positions from every pipeline: those of the request. */
+    void assertSameRequestedPositions() {
+        for (Pipeline pipeline : pipelines) {
+            assertPositions(pipeline.takePositions(), requested);
         }
     }
 
