@@ -71,6 +71,19 @@ public class WorldBenchmark {
         }
     }
 
+    /** Requests the positions of all circles after every step, and takes them once the next step has been asked for. */
+    @Benchmark
+    public void requestPositions(LookRun run) {
+        for (int step = 0; step < run.steps; step++) {
+            run.world.step(run.timeStep);
+            if (step > 0) {
+                run.positions = run.world.takePositions();
+            }
+            run.world.requestPositions();
+        }
+        run.positions = run.world.takePositions();
+    }
+
     /** As {@link #steps}, with an event for every kernel. */
     @Benchmark
     public void profiled(ProfiledRun run) {

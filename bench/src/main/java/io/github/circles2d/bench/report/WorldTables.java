@@ -15,7 +15,7 @@ import java.util.stream.Collectors;
 /** World's figures, for the console and for the page. */
 final class WorldTables {
     /** How the circles can be read, by mode. */
-    static final List<String> READS = List.of("readPositions", "readArray", "readBuffer");
+    static final List<String> READS = List.of("readPositions", "requestPositions", "readArray", "readBuffer");
 
     private WorldTables() {}
 
@@ -55,6 +55,7 @@ final class WorldTables {
                 "ms a step",
                 "one step a call",
                 "positions shared",
+                "positions requested",
                 "read into an array",
                 "read into a buffer",
                 "ns a circle",
@@ -75,6 +76,7 @@ final class WorldTables {
                         Tables.millis(run(folder, engine, n, READS.get(0))),
                         Tables.millis(run(folder, engine, n, READS.get(1))),
                         Tables.millis(run(folder, engine, n, READS.get(2))),
+                        Tables.millis(run(folder, engine, n, READS.get(3))),
                         ok ? Numbers.brief(1e6 * number(run, "mean_ms") / n) : "-",
                         ok ? Numbers.brief(number(run, "contacts") / n) : "-",
                         ok ? Numbers.brief(number(run, "mean_depth")) : "-",

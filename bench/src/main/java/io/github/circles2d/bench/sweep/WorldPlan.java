@@ -90,10 +90,11 @@ final class WorldPlan {
             return List.of("steps", "profiled");
         }
         if (n > LARGE) {
-            return List.of("steps", "readPositions", "readArray", "profiled");
+            return List.of("steps", "readPositions", "requestPositions", "readArray", "profiled");
         }
         if (gpu) {
-            return List.of("steps", "frames", "readPositions", "readArray", "readBuffer", "profiled");
+            return List.of(
+                    "steps", "frames", "readPositions", "requestPositions", "readArray", "readBuffer", "profiled");
         }
         return engine.equals(Engines.WORLD_JVM)
                 ? List.of("steps", "readArray", "profiled")

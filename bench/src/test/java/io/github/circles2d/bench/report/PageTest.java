@@ -209,7 +209,7 @@ class PageTest {
         assertThat(Page.of(temporary))
                 .contains("## World\n", "### box\n")
                 .contains(
-                        "| world@gpu | 15,000 | 0.09 ± 0.001 | 0.2 ± 0.001 | - | - | 0.5 ± 0.001 | 6 | 1.8 | 0.0037 | 12 | 300 | 89abcdef |")
+                        "| world@gpu | 15,000 | 0.09 ± 0.001 | 0.2 ± 0.001 | - | - | - | 0.5 ± 0.001 | 6 | 1.8 | 0.0037 | 12 | 300 | 89abcdef |")
                 .contains("| 15,000 | Grid | 10 | 1.7 | 1,000 | 1.7 | 17 % |")
                 .contains("| 15,000 | Scan | 3 | - | - | - | - |")
                 .contains("| Grid | 112 | 0 |")
