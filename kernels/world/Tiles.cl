@@ -122,6 +122,7 @@ typedef struct {
     int contacts;
     int overfull; // 1 where there are too many contacts or rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
+    int idle;     // 1 where the step had been refused when the work-group looked
 } Arrangement;
 
 // A circle's progress: the first round in which it is free, its contacts so far, of which there are no more than rounds, and
@@ -514,9 +515,8 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle) {
 TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
     World w = WORLD;
     local Arrangement arrangement;
-    local int no;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
-    if (get_local_id(0) == 0) no = refusedMeanwhile(&w);
+    if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);
     barrier(CLK_LOCAL_MEM_FENCE);
-    arrangeTile(&w, &arrangement, (int) get_group_id(0), no);
+    arrangeTile(&w, &arrangement, (int) get_group_id(0), arrangement.idle);
 }
