@@ -136,6 +136,11 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Asks for another circle. */
+    void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
+        commands.add(roster.add(r), x, y, r, mass, restitution, vx, vy);
+    }
+
     /** Asks for another radius of a circle. */
     void setRadius(int id, float r) {
         roster.setRadius(id, r);
@@ -153,8 +158,7 @@ final class Twins implements AutoCloseable {
         if (random.nextInt(4) > 0) {
             float x = between(random, bounds.minX(), bounds.maxX());
             float y = between(random, bounds.minY(), bounds.maxY());
-            int added = roster.add(r);
-            commands.add(added, x, y, r, between(random, 1, 2), 0.5f, between(random, -r, r), between(random, -r, r));
+            add(x, y, r, between(random, 1, 2), 0.5f, between(random, -r, r), between(random, -r, r));
         }
         for (int operation = Commands.POSITION; operation <= Commands.IMPULSE; operation++) {
             id = random.nextInt(roster.end());
@@ -196,9 +200,7 @@ final class Twins implements AutoCloseable {
                 pipelines);
         for (int i = 0; i < scene.size(); i++) {
             float m = scene.fixed()[i] ? Float.POSITIVE_INFINITY : scene.mass()[i];
-            int id = twins.roster.add(scene.radius()[i]);
-            twins.commands.add(
-                    id,
+            twins.add(
                     scene.x()[i],
                     scene.y()[i],
                     scene.radius()[i],
