@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.io.PrintStream;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -46,9 +47,20 @@ public final class Charts {
 
     private Charts() {}
 
-    /** Draws what there are figures for. Where this JVM cannot draw (a machine without fonts) it says so and goes on. */
+    /**
+     * Draws what there are figures for, and says where. Where this JVM cannot draw (a machine without fonts) it says so and goes
+     * on.
+     */
     public static void draw(ResultsFolder folder, PrintStream out) throws IOException {
-        tryTo(() -> draw(folder), folder.path(), out);
+        tryTo(
+                () -> {
+                    draw(folder);
+                    try (DirectoryStream<Path> pictures = Files.newDirectoryStream(folder.path(), "*.png")) {
+                        pictures.forEach(picture -> out.println("chart " + picture));
+                    }
+                },
+                folder.path(),
+                out);
     }
 
     private static void draw(ResultsFolder folder) throws IOException {

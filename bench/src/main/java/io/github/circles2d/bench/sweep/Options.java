@@ -46,7 +46,8 @@ public final class Options {
             "  --engine NAMES       only these engines, such as world-jvm,gdx-box2d",
             "  --sizes NUMBERS      only these numbers of circles",
             "  --machine NAME       name of the results folder (default: processor, cores and graphics processor)",
-            "  --out DIR            parent of the results folder (default: bench/results, or results)",
+            "  --out DIR            parent of the results folder (default: bench/results, or results; in it the folder quick",
+            "                       for a short look)",
             "  --no-charts          writes no charts",
             "  --missing            only what has no figure yet in the results folder",
             "  --list               prints the devices and the runs that there would be",
@@ -64,7 +65,7 @@ public final class Options {
     private List<String> engines = List.of();
     private List<Integer> sizes = List.of();
     private String machine = "";
-    private Path out = Path.of(Files.isDirectory(Path.of("bench")) ? "bench/results" : "results");
+    private Path out;
 
     private Options() {}
 
@@ -81,6 +82,11 @@ public final class Options {
         }
         if (options.quick && options.budgetSeconds == Double.POSITIVE_INFINITY) {
             options.budgetSeconds = 165;
+        }
+        if (options.out == null) {
+            Path results = Path.of(Files.isDirectory(Path.of("bench")) ? "bench/results" : "results");
+            // A short look must not take the place of a sweep that is kept.
+            options.out = options.quick ? results.resolve("quick") : results;
         }
         return options;
     }

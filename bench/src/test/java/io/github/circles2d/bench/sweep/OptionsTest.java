@@ -3,6 +3,9 @@ package io.github.circles2d.bench.sweep;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -19,6 +22,14 @@ class OptionsTest {
     @Test
     void quickEndsInLessThanThreeMinutes() {
         assertThat(Options.parse(List.of("--quick")).budgetSeconds()).isLessThan(180);
+    }
+
+    @Test
+    void aShortLookGoesWhereItCannotTakeThePlaceOfASweepAndIsNotCommitted() throws IOException {
+        Path results = Options.parse(List.of()).out();
+        assertThat(Options.parse(List.of("--quick")).out()).isEqualTo(results.resolve("quick"));
+        assertThat(Files.readAllLines(Path.of("../.gitignore"))).contains("/bench/results/quick/");
+        assertThat(Options.parse(List.of("--out", "here", "--quick")).out()).isEqualTo(Path.of("here"));
     }
 
     @Test
