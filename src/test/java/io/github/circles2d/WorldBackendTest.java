@@ -12,6 +12,7 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -69,6 +70,34 @@ class WorldBackendTest {
                 back.step(scene.timeStep());
                 world.step(scene.timeStep(), 2);
                 assertThat(back.hash()).isEqualTo(world.hash());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void positionsRequestedAreWhatTheJvmReadsAtTheRequestWhoeverComesAndGoesBehindIt(Backend backend) {
+        Scene scene = Scenes.packed(800, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
+                World jvm = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            for (int frame = 0; frame < 40; frame++) {
+                FloatBuffer expected = FloatBuffer.allocate(2 * jvm.size());
+                expected.put(jvm.positions()).flip();
+                world.requestPositions();
+                for (World each : new World[] {world, jvm}) {
+                    long[] handles = new long[each.size()];
+                    each.readHandles(handles);
+                    each.remove(handles[7 * frame % handles.length]);
+                    if (frame % 3 == 0) {
+                        each.step(scene.timeStep());
+                    }
+                    each.add(0.2f + 0.01f * frame, 0.95f, 0.002f, 1);
+                    each.add(0.2f + 0.01f * frame, 0.9f, 0.002f, 1);
+                    if (frame % 2 == 0) {
+                        each.step(scene.timeStep(), 2);
+                    }
+                }
+                assertThat(world.takePositions()).as("frame " + frame).isEqualTo(expected);
             }
         }
     }
