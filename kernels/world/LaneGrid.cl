@@ -9,10 +9,13 @@ typedef struct {
     int narrowest; // rows of the narrowest band
 } Band;
 
-// Work for a row: its circles and, where they have been listed, its contacts.
-int weightOf(const World *w, int row, bool listed) {
+// Work for a row, in parts of what a circle takes: in the solver where contacts have been listed, else in the search for them,
+// which takes the longer the closer the circles stand.
+long weightOf(const World *w, int row, bool listed) {
     Cells cells = cellsOf(w, row);
-    return cells.to - cells.from + (listed ? 4 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]) : 0);
+    long circles = cells.to - cells.from;
+    if (listed) return circles + 3 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]);
+    return circles + (2 * circles * circles >> w->levels->columnsLog[w->levels->used[0]]);
 }
 
 // The host sees to it that several work-groups have 2 * LAG rows each.
@@ -26,8 +29,11 @@ Band bandOf(const World *w, const Crew *crew, bool listed) {
     int row = 0;
     int before = 0;
     for (int next = 1; next <= crew->groups; next++) {
-        for (; row < rows && sum < all * next / crew->groups; row += 2) {
-            sum += weightOf(w, row, listed) + weightOf(w, row + 1, listed);
+        long share = all * next / crew->groups;
+        for (; row < rows; row += 2) {
+            long two = weightOf(w, row, listed) + weightOf(w, row + 1, listed);
+            if (sum + two / 2 >= share) break; // it is nearer to the share without them
+            sum += two;
         }
         int edge = next == crew->groups ? rows : min(max(row, before + 2 * LAG), rows - 2 * LAG * (crew->groups - next));
         if (next - 1 == crew->group) {
