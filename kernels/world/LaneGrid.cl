@@ -14,7 +14,7 @@ typedef struct {
 long weightOf(const World *w, int row, bool listed) {
     Cells cells = cellsOf(w, row);
     long circles = cells.to - cells.from;
-    if (listed) return circles + 3 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]);
+    if (listed) return circles + 2 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]);
     return circles + (2 * circles * circles >> w->levels->columnsLog[w->levels->used[0]]);
 }
 
