@@ -46,6 +46,34 @@ Band bandOf(const World *w, const Crew *crew, bool listed) {
     return band;
 }
 
+// Counts the circles of each bucket. Circles lie in the order of the step before, so hardly any bucket has some of two parts:
+// atomic operations, which take longer than all the rest, are for those that may.
+void countPart(const World *w, const Crew *crew) {
+    global int *ends = w->groupStart; // free until contacts are listed
+    int least = INT_MAX;
+    int most = NONE;
+    EACH_OF_PART(slot, w->slots, crew) {
+        int bucket = w->homeId[slot] < 0 ? NONE : bucketIn(w, w->levels->used[0], w->homeCircle[slot]);
+        w->bucketBefore[slot] = bucket;
+        if (bucket == NONE) continue;
+        least = min(least, bucket);
+        most = max(most, bucket);
+    }
+    ends[2 * crew->group] = least;
+    ends[2 * crew->group + 1] = most;
+    awaitCrew(w, crew);
+    int from = 0;
+    int to = INT_MAX;
+    for (int g = 0; g < crew->group; g++) from = max(from, ends[2 * g + 1] + 1);
+    for (int g = crew->group + 1; g < crew->groups; g++) to = min(to, ends[2 * g]);
+    EACH_OF_PART(slot, w->slots, crew) {
+        int bucket = w->bucketBefore[slot];
+        if (bucket == NONE) continue;
+        bool own = from <= bucket && bucket < to;
+        w->rank[slot] = own ? w->tally[bucket]++ : atomic_inc(&w->tally[bucket]);
+    }
+}
+
 // Where the circles of each bucket start, from the counts in the tally, which is cleared.
 void sumUp(const World *w, const Crew *crew) {
     int count = w->levels->first[LEVELS] + 1;
@@ -79,7 +107,7 @@ Band sortCircles(World *w, const Crew *crew) {
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
     }
-    EACH_OF_PART(slot, w->slots, crew) countSlot(w, slot);
+    countPart(w, crew);
     awaitCrew(w, crew);
     sumUp(w, crew);
     awaitCrew(w, crew);
