@@ -12,14 +12,18 @@ void startStep(const World *w) {
     w->status[FOUND] = 0;
 }
 
+// The bucket of a circle of a level.
+int bucketIn(const World *w, int l, float4 c) {
+    return w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+}
+
 void countSlot(const World *w, int slot) {
     if (w->homeId[slot] < 0) {
         w->bucketBefore[slot] = NONE;
         return;
     }
     float4 c = w->homeCircle[slot];
-    int l = levelOf(w, c.z);
-    int bucket = w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+    int bucket = bucketIn(w, levelOf(w, c.z), c);
     w->bucketBefore[slot] = bucket;
     w->rank[slot] = atomic_inc(&w->tally[bucket]);
 }

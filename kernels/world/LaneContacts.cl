@@ -228,7 +228,9 @@ void noteRow(const World *w, int row, int firstBundle, int endBundle) {
     w->groupStart[2 * row + 1] = endBundle;
 }
 
-void gatherRow(const World *w, int row) {
+void gatherRow(const World *shared, int row) {
+    World own = *shared;
+    const World *w = &own;
     int end = w->groupStart[2 * row + 1];
     bool crowded = false;
     for (int bundle = w->groupStart[2 * row]; bundle < end; bundle++) crowded |= gatherBundle(w, bundle);

@@ -1,10 +1,11 @@
 // Finds the contacts of a row of groups and lays them out in bundles. A group finds the pairs whose lesser column and lesser
 // row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of the same
-// parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn.
+// parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn. The more groups are
+// dealt together, the fewer lanes stay empty.
 
-#define HITS 512             // pairs of one group; what is more crowded goes the way of crowds
-#define DEALT_TOGETHER 16    // groups
-#define GATHERED (2 * HITS)  // pairs of these
+#define HITS 512            // pairs of one group; what is more crowded goes the way of crowds
+#define DEALT_TOGETHER 64   // groups
+#define GATHERED (2 * HITS) // pairs of these
 
 // What a work-group looks for contacts with.
 typedef struct {
@@ -69,20 +70,25 @@ INLINE void gatherHits(const World *w, Search *f, int hits) {
         int exchange = (slot ^ other) & ((otherId - id) >> 31);
         ulong ids = (ulong) min(id, otherId) << 32 | (uint) max(id, otherId);
         ulong slots = (ulong) (slot ^ exchange) << 32 | (uint) (other ^ exchange);
-        int p = count++;
-        while (p > from && f->ids[p - 1] > ids) {
-            f->ids[p] = f->ids[p - 1];
-            f->slots[p] = f->slots[p - 1];
-            p--;
+        // Exchanged with every pair that comes after it. No branch: where it comes to stand is as good as random.
+        for (int p = from; p < count; p++) {
+            ulong nextIds = f->ids[p];
+            ulong nextSlots = f->slots[p];
+            bool before = ids < nextIds;
+            f->ids[p] = before ? ids : nextIds;
+            f->slots[p] = before ? slots : nextSlots;
+            ids = before ? nextIds : ids;
+            slots = before ? nextSlots : slots;
         }
-        f->ids[p] = ids;
-        f->slots[p] = slots;
+        f->ids[count] = ids;
+        f->slots[count++] = slots;
     }
     f->gathered = count;
     if (count > from) f->start[++f->groups] = count;
 }
 
-// Deals what has been gathered to bundles: the first contact of each group, then the second of each.
+// Deals what has been gathered to bundles: the first contact of each group, then the second of each. A bundle may hold the end
+// of one round and the start of the next, as long as so many groups are left that none of them is in it twice.
 void deal(const World *w, Search *f) {
     int next[DEALT_TOGETHER], end[DEALT_TOGETHER];
     int open = f->groups;
@@ -91,22 +97,22 @@ void deal(const World *w, Search *f) {
         end[g] = f->start[g + 1];
     }
     ulong ids[4], slots[4];
+    int lanes = 0;
     while (open > 0) {
         int left = 0;
-        int lanes = 0;
         for (int g = 0; g < open; g++) {
             int from = next[g];
             ids[lanes] = f->ids[from];
             slots[lanes++] = f->slots[from];
-            if (lanes == 4 || g == open - 1) {
-                if (f->bundle < f->endBundle) fillBundle(w, f->bundle, ids, slots, lanes);
-                f->bundle++;
-                lanes = 0;
-            }
             next[left] = from + 1;
             int last = end[g];
             end[left] = last;
             left += from + 1 < last;
+            if (lanes == 4 || (g == open - 1 && left < 4)) {
+                if (f->bundle < f->endBundle) fillBundle(w, f->bundle, ids, slots, lanes);
+                f->bundle++;
+                lanes = 0;
+            }
         }
         open = left;
     }
@@ -132,6 +138,7 @@ INLINE int findGroup(const World *w, Search *f, int row, int column) {
     int aboveTo = above[column + 1];
     // Slots from the group's column on, then those of the column to its right; where that is the first of the row, all apart.
     bool joined = right > 0;
+    if (joined && from == rightTo) return 0; // every pair has a circle in the group's own row
     int hits = 0;
     for (int slot = from; slot < to; slot++) {
         hits = scanSlots(f, hits, slot, slot + 1, joined ? rightTo : to);
@@ -149,7 +156,9 @@ void findRow(const World *shared, Search *f, int row) {
     World own = *shared;
     const World *w = &own;
     int first = f->bundle;
-    int columns = 1 << w->levels->columnsLog[w->levels->used[0]];
+    Cells cells = cellsOf(w, row);
+    // A row without circles has no groups with contacts: an arena that is smaller than its torus leaves many empty.
+    int columns = cells.from < cells.to ? 1 << w->levels->columnsLog[w->levels->used[0]] : 0;
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
             gatherHits(w, f, findGroup(w, f, row, column));

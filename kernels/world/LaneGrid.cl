@@ -9,10 +9,13 @@ typedef struct {
     int narrowest; // rows of the narrowest band
 } Band;
 
-// Work for a row: its circles and, where they have been listed, its contacts.
-int weightOf(const World *w, int row, bool listed) {
+// Work for a row, in parts of what a circle takes: in the solver where contacts have been listed, else in the search for them,
+// which takes the longer the closer the circles stand.
+long weightOf(const World *w, int row, bool listed) {
     Cells cells = cellsOf(w, row);
-    return cells.to - cells.from + (listed ? 4 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]) : 0);
+    long circles = cells.to - cells.from;
+    if (listed) return circles + 2 * (w->groupStart[2 * row + 1] - w->groupStart[2 * row]);
+    return circles + (2 * circles * circles >> w->levels->columnsLog[w->levels->used[0]]);
 }
 
 // The host sees to it that several work-groups have 2 * LAG rows each.
@@ -26,8 +29,11 @@ Band bandOf(const World *w, const Crew *crew, bool listed) {
     int row = 0;
     int before = 0;
     for (int next = 1; next <= crew->groups; next++) {
-        for (; row < rows && sum < all * next / crew->groups; row += 2) {
-            sum += weightOf(w, row, listed) + weightOf(w, row + 1, listed);
+        long share = all * next / crew->groups;
+        for (; row < rows; row += 2) {
+            long two = weightOf(w, row, listed) + weightOf(w, row + 1, listed);
+            if (sum + two / 2 >= share) break; // it is nearer to the share without them
+            sum += two;
         }
         int edge = next == crew->groups ? rows : min(max(row, before + 2 * LAG), rows - 2 * LAG * (crew->groups - next));
         if (next - 1 == crew->group) {
@@ -38,6 +44,34 @@ Band bandOf(const World *w, const Crew *crew, bool listed) {
         before = edge;
     }
     return band;
+}
+
+// Counts the circles of each bucket. Circles lie in the order of the step before, so hardly any bucket has some of two parts:
+// atomic operations, which take longer than all the rest, are for those that may.
+void countPart(const World *w, const Crew *crew) {
+    global int *ends = w->groupStart; // free until contacts are listed
+    int least = INT_MAX;
+    int most = NONE;
+    EACH_OF_PART(slot, w->slots, crew) {
+        int bucket = w->homeId[slot] < 0 ? NONE : bucketIn(w, w->levels->used[0], w->homeCircle[slot]);
+        w->bucketBefore[slot] = bucket;
+        if (bucket == NONE) continue;
+        least = min(least, bucket);
+        most = max(most, bucket);
+    }
+    ends[2 * crew->group] = least;
+    ends[2 * crew->group + 1] = most;
+    awaitCrew(w, crew);
+    int from = 0;
+    int to = INT_MAX;
+    for (int g = 0; g < crew->group; g++) from = max(from, ends[2 * g + 1] + 1);
+    for (int g = crew->group + 1; g < crew->groups; g++) to = min(to, ends[2 * g]);
+    EACH_OF_PART(slot, w->slots, crew) {
+        int bucket = w->bucketBefore[slot];
+        if (bucket == NONE) continue;
+        bool own = from <= bucket && bucket < to;
+        w->rank[slot] = own ? w->tally[bucket]++ : atomic_inc(&w->tally[bucket]);
+    }
 }
 
 // Where the circles of each bucket start, from the counts in the tally, which is cleared.
@@ -73,7 +107,7 @@ Band sortCircles(World *w, const Crew *crew) {
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
     }
-    EACH_OF_PART(slot, w->slots, crew) countSlot(w, slot);
+    countPart(w, crew);
     awaitCrew(w, crew);
     sumUp(w, crew);
     awaitCrew(w, crew);

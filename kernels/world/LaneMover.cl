@@ -1,5 +1,6 @@
 // The circles' part of stage Solver for a row of cells: accelerate, moveCircle and goHome of Solver.cl, but for circles that
-// are out of reach of the walls, with what is left of them there.
+// are out of reach of the walls, with what is left of them there. Loops have a copy of the World of their own, whose pointers
+// stay in registers; what is called for circles at walls gets the shared one: a copy that others know stays in memory.
 
 typedef struct {
     int from, to; // slots
@@ -21,7 +22,9 @@ void nearerWalls(const StepConstants *k, float4 c, float2 d, float2 *side, float
 }
 
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls.
-void accelerateRow(const World *w, int row) {
+void accelerateRow(const World *shared, int row) {
+    World own = *shared;
+    const World *w = &own;
     const StepConstants *k = &w->k;
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
@@ -44,7 +47,7 @@ void accelerateRow(const World *w, int row) {
             m.zw = v + side * 0.0f;
             t.zw = side * 0.0f;
         } else {
-            accelerate(w, c, &m, &t, l, &before, &bounce, &loaded);
+            accelerate(shared, c, &m, &t, l, &before, &bounce, &loaded);
         }
         w->motion[slot] = m;
         w->traits[slot] = t;
@@ -55,7 +58,9 @@ void accelerateRow(const World *w, int row) {
 
 // Moves circles, keeps them within the walls, and makes the relaxing pass over the walls. first: forgets the impulses of the
 // step before, which have been recalled.
-void moveRow(const World *w, int row, bool first) {
+void moveRow(const World *shared, int row, bool first) {
+    World own = *shared;
+    const World *w = &own;
     const StepConstants *k = &w->k;
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
@@ -77,7 +82,7 @@ void moveRow(const World *w, int row, bool first) {
         if (clear) {
             w->motion[slot] = (float4)(d.x, d.y, v.x, v.y);
         } else {
-            moveCircle(w, slot, c, &m, &t, bounce, loaded > 0.0f);
+            moveCircle(shared, slot, c, &m, &t, bounce, loaded > 0.0f);
             w->motion[slot] = m;
             w->traits[slot] = t;
         }
@@ -87,7 +92,9 @@ void moveRow(const World *w, int row, bool first) {
 }
 
 // Ends the step for circles.
-void finishRow(const World *w, int row) {
+void finishRow(const World *shared, int row) {
+    World own = *shared;
+    const World *w = &own;
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
         goHome(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);

@@ -62,10 +62,11 @@ INLINE void pushBundle(const World *w, int bundle) {
     apply(w, i, j, &vi, &vj, nx, ny, masses[0], masses[1], p, ~leaves);
 }
 
-// Remembers the impulse of a contact for the step to come.
-void rememberPlace(const World *w, int place, int lo, int hi, float lambda) {
-    w->old[place] = (int4)(w->id[hi], as_int(lambda), w->memory[lo], 0);
-    w->memory[lo] = place;
+// Remembers the impulse of a contact for the step to come, where it presses. No branch: whether it does is hard to guess.
+INLINE void rememberPlace(const World *w, int place, int lo, int hi, float lambda, int presses) {
+    int before = w->memory[lo];
+    w->old[place] = (int4)(w->id[hi], as_int(lambda), before, 0);
+    w->memory[lo] = presses ? place : before;
 }
 
 // Measures a bundle anew. This needs no velocities, so it runs ahead of what changes those: roots and divisions take long, but
@@ -97,7 +98,6 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
     float4 lambda = contact[3], bounce = masses[3];
     // not those that have a gap and no impulse, and do not bounce
     int4 open = ~((s > 0.0f) & (lambda == 0.0f) & (bounce == 0.0f));
-    if (!any(open)) return;
 
     Halves vi = takeHalves(w->motion, i, ZW);
     Halves vj = takeHalves(w->motion, j, ZW);
@@ -118,14 +118,13 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
     contact[3] = choose4(solved, next, lambda);
     if (last) {
         int4 pressing = solved & (next > 0.0f);
-        if (pressing.x) rememberPlace(w, 4 * bundle, i.x, j.x, next.x);
-        if (pressing.y) rememberPlace(w, 4 * bundle + 1, i.y, j.y, next.y);
-        if (pressing.z) rememberPlace(w, 4 * bundle + 2, i.z, j.z, next.z);
-        if (pressing.w) rememberPlace(w, 4 * bundle + 3, i.w, j.w, next.w);
+        rememberPlace(w, 4 * bundle, i.x, j.x, next.x, pressing.x);
+        rememberPlace(w, 4 * bundle + 1, i.y, j.y, next.y, pressing.y);
+        rememberPlace(w, 4 * bundle + 2, i.z, j.z, next.z, pressing.z);
+        rememberPlace(w, 4 * bundle + 3, i.w, j.w, next.w, pressing.w);
         return;
     }
     int4 carrying = solved & carries4(next, s, vn + p * (wi + wj), thr2);
-    if (!any(carrying)) return;
     float4 gathered = choose4(carrying, next, zero);
     addToLoads(w, i, j, nx * gathered, ny * gathered, zero, choose4(carrying, (float4)(1.0f), zero));
 }

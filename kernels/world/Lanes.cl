@@ -4,6 +4,10 @@
 
 bool isIn(int row, int low, int high) { return low <= row && row < high; }
 
+// The sub-step up to which a work-group has made its lowest rows, for which the one below it waits. In a cache line each, of an
+// array that is free once contacts have been found.
+volatile global int *lowestRowsDone(const World *w, int group) { return w->bucketBefore + 16 * group; }
+
 // Stage Contacts. Returns false where the step is refused, the same to all work-groups.
 bool listContacts(const World *w, const Crew *crew, const Band *band) {
     Search f;
@@ -25,6 +29,7 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
             atomic_max(&w->status[MOST_PLACES], 4 * (f.bundle - first));
             atomic_max(&w->status[PLACES], 4 * min(f.bundle, f.endBundle));
             awaitCrew(w, crew); // the row after the last is another band's
+            *lowestRowsDone(w, crew->group) = 0;
         }
         // Sums of impulses: an even row, then the odd one between it and the one before.
         for (int r = 0; r < 2; r++) {
@@ -60,8 +65,9 @@ void visit(const World *w, int row, int low, int high, int inwards, int subStep)
 }
 
 // Makes sub-steps [from, to) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
-// (inwards -1, from an empty band at the edge of two).
-void sweepRows(const World *w, int low, int high, int inwards, int from, int to) {
+// (inwards -1, from an empty band at the edge of two). The former announces when the band below may go on with its edge: from
+// front low + 2 * lag on, it comes to no row below low + lag. Bands are so high that all come to that.
+void sweepRows(const World *w, const Crew *crew, int low, int high, int inwards, int from, int to) {
     int lag = LAG * (to - from);
     int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
     for (int front = low; front < end; front += 2) {
@@ -74,21 +80,22 @@ void sweepRows(const World *w, int low, int high, int inwards, int from, int to)
             int row = front - lag + r;
             if (isIn(row, low + inwards * lag, high - inwards * lag)) finishRow(w, ringRow(w, row));
         }
+        if (inwards > 0 && front == low + 2 * lag - 2) announce(lowestRowsDone(w, crew->group), to);
     }
 }
 
 #define ROWS_PER_SUB_STEP 24 // of the narrowest band, in a sweep over several sub-steps
 
 // What a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge
-// outwards.
+// outwards: each work-group at the upper edge of its band, where the next one has long been, as it begins there.
 void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
     int most = max(1, band->narrowest / ROWS_PER_SUB_STEP);
     for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
         int end = min(w->k.subSteps, subStep + most);
-        for (int edges = 0; edges < 2; edges++) {
-            sweepRows(w, edges ? band->to : band->from, band->to, edges ? -1 : 1, subStep, end);
-            awaitCrew(w, crew);
-        }
+        sweepRows(w, crew, band->from, band->to, 1, subStep, end);
+        awaitCount(lowestRowsDone(w, (crew->group + 1) % crew->groups), end);
+        sweepRows(w, crew, band->to, band->to, -1, subStep, end);
+        awaitCrew(w, crew);
     }
 }
 
@@ -113,8 +120,10 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PAR
                                                                         int patience) {
     World w = WORLD;
     Crew crew = {groups, (int) get_group_id(0)};
+    noteStack(&w, &crew);
     // None behind a launch that was called off: it counts on what that one would have left.
     if (status[APART] == 0 && allHere(&w, &crew, patience)) {
+        crew.group = numberByStack(&w, &crew);
         bool made = !outOfRoom(&w) && !tooCrowded(&w);
         awaitCrew(&w, &crew); // nobody may run ahead and be out of room before all have looked
         for (int step = 0; step < steps && made; step++) {

@@ -46,18 +46,43 @@ bool allHere(const World *w, const Crew *crew, int patience) {
     return atomic_add(decision, 0) == ALL_HERE;
 }
 
+// Work-groups are handed out to threads in any order, but a thread has in its cache what it worked on in the launch before. So
+// they take their numbers in the order in which the stacks of their threads lie: each notes that of its own before the first
+// meeting, and counts those below it afterwards. Any order would do.
+global uint *stacks(const World *w) { return (global uint *) w->groupStart; } // free until contacts are listed
+
+void noteStack(const World *w, const Crew *crew) { stacks(w)[crew->group] = (uint) ((ulong) crew >> 12); }
+
+int numberByStack(const World *w, const Crew *crew) {
+    global const uint *stack = stacks(w);
+    uint own = stack[crew->group];
+    int below = 0;
+    for (int g = 0; g < crew->groups; g++) below += stack[g] < own || (stack[g] == own && g < crew->group);
+    return below;
+}
+
+// Waits until a count has come to a number, and sees what was written before it did.
+void awaitCount(volatile global int *count, int number) {
+    for (int looks = 0; *count < number; looks++) {
+        PAUSE;
+        if (looks >= LOOKS) offerProcessor();
+    }
+    atomic_add(count, 0);
+    mem_fence(CLK_GLOBAL_MEM_FENCE);
+}
+
+// Brings a count to a number, and makes what was written visible to those who wait for that.
+void announce(volatile global int *count, int number) {
+    mem_fence(CLK_GLOBAL_MEM_FENCE);
+    atomic_xchg(count, number);
+}
+
 // Waits until all work-groups are here, and makes what each has written visible to the others.
 void awaitCrew(const World *w, const Crew *crew) {
     if (crew->groups == 1) return;
     volatile global int *arrivals = w->status + ARRIVALS;
     mem_fence(CLK_GLOBAL_MEM_FENCE);
-    int target = (atomic_inc(arrivals) / crew->groups + 1) * crew->groups;
-    for (int looks = 0; *arrivals < target; looks++) {
-        PAUSE;
-        if (looks >= LOOKS) offerProcessor();
-    }
-    atomic_add(arrivals, 0);
-    mem_fence(CLK_GLOBAL_MEM_FENCE);
+    awaitCount(arrivals, (atomic_inc(arrivals) / crew->groups + 1) * crew->groups);
 }
 
 // Ends a work-group. The last one makes the counters ready for the next launch.

@@ -27,7 +27,7 @@ final class ClKernels {
     };
 
     private static final String[] LANES_FILES = {
-        "LaneMath", "Together", "LaneContacts", "LaneFinding", "LanePasses", "LaneMover", "LaneGrid", "Lanes"
+        "LaneMath", "Together", "LaneMover", "LaneContacts", "LaneFinding", "LanePasses", "LaneGrid", "Lanes"
     };
 
     private final Program program;
