@@ -227,14 +227,24 @@ void noteContacts(const World *w) {
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
+// By tiles, contacts as they are listed: ids as in key, slots as in pair. Together, since a store of 16 bytes to a place of its
+// own takes no longer than one of 8.
+global ulong2 *listedOf(const World *w) { return (global ulong2 *) w->base; }
+
 // Lists a contact that was found.
 void listContact(const World *w, int k) {
     int4 found = ((global const int4 *) w->contact)[k];
     int place = w->groupStart[found.z] + found.w;
     uint own = (uint) w->id[found.x];
     uint other = (uint) w->id[found.y];
-    w->key[place] = (ulong) min(own, other) << 32 | max(own, other);
-    w->pair[place] = own < other ? (uint2)((uint) found.x, (uint) found.y) : (uint2)((uint) found.y, (uint) found.x);
+    ulong ids = (ulong) min(own, other) << 32 | max(own, other);
+    uint2 slots = own < other ? (uint2)((uint) found.x, (uint) found.y) : (uint2)((uint) found.y, (uint) found.x);
+    if (w->k.tiled) {
+        listedOf(w)[place] = (ulong2)(ids, as_ulong(slots));
+    } else {
+        w->key[place] = ids;
+        w->pair[place] = slots;
+    }
 }
 
 // Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.

@@ -76,20 +76,21 @@ bool gatherCircle(const World *w, int i) {
     float px = plan(m.z, w->k.dt, fixed ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, fixed ? 0.0f : w->k.fallY);
     float path = norm(px, py);
+    bool fast = !fixed && isFast(path, c.z);
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->id[slot] = listed.x;
     w->memory[slot] = memory;
     w->bucketOf[slot] = bucket;
-    w->load[slot] = (float4)(0.0f);
+    if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
     w->leash[slot] = (float4)(px, py, LEASH * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
     if (w->k.sweeping) {
         w->share[slot] = as_int(1.0f);
-        w->near[slot] = 1.0f;
+        w->near[slot] = fast ? 1.0f : NOT_FAST;
     }
-    return !fixed && isFast(path, c.z);
+    return fast;
 }
 
 // Whether nothing has been counted: the step was refused before.

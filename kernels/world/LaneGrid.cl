@@ -140,7 +140,7 @@ void sweepCircles(World *w, const Crew *crew) {
     EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->circles, crew) {
-        if (slotIsFast(w, slot)) lookAhead(w, slot);
+        if (looksAhead(w, slot)) lookAhead(w, slot);
     }
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->circles, crew) layLeash(w, slot);

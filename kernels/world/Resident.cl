@@ -81,10 +81,7 @@ typedef union {
     int cells[2 * RESIDENT_GROUP];
     Findings findings;
     Arrangement arrangement;
-    struct {
-        Tile tile;
-        float2 displacement[TILE_CIRCLES]; // of its circles
-    } solving;
+    Tile tile;
 } Local;
 
 // Work-items that look for the neighbours of one circle.
@@ -112,7 +109,7 @@ void listAll(World *w, local Local *l) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
         EACH(slot, w->circles) {
-            if (slotIsFast(w, slot)) lookAhead(w, slot);
+            if (looksAhead(w, slot)) lookAhead(w, slot);
         }
         deviceBarrier(arrivals);
         EACH(slot, w->circles) layLeash(w, slot);
@@ -136,13 +133,13 @@ void listAll(World *w, local Local *l) {
     int tiles = tileCount(w);
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
-        arrangeTile(w, &l->arrangement, tile, false);
+        arrangeTile(w, &l->arrangement, tile, false, 3);
     }
     deviceBarrier(arrivals);
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t, local float2 *displacement) {
+void solveAll(const World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -156,9 +153,9 @@ void solveAll(const World *w, local Tile *t, local float2 *displacement) {
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, displacement, tile, subStep == w->k.subSteps - 1);
+                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3);
             } else {
-                pushTile(w, t, tile, subStep);
+                pushTile(w, t, tile, subStep, 2);
             }
         }
         deviceBarrier(arrivals);
@@ -170,6 +167,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
     World w = WORLD;
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
+    w.k.tiled = 1;
     if (refused(&w)) return;
     // Nobody may run ahead and be out of room before all have looked.
     deviceBarrier(status + ARRIVALS);
@@ -178,7 +176,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
         listAll(&w, &l);
         if (refused(&w)) break;
         int contacts = groupStart[levels->first[LEVELS]];
-        solveAll(&w, &l.solving.tile, l.solving.displacement);
+        solveAll(&w, &l.tile);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) rememberHeld(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;

@@ -196,38 +196,50 @@ float2 onLeash(const World *w, int slot, float r, float dx, float dy) {
     return (float2)(share * leash.x + keep * offX, share * leash.y + keep * offY);
 }
 
-// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
-// impulses in traits t.
-void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+// Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
+float4 displace(const World *w, int slot, float4 c, float4 m, bool fixed) {
     const StepConstants *k = &w->k;
-    float vx = limitSpeed(m->z);
-    float vy = limitSpeed(m->w);
-    float2 d = (float2)(m->x + vx * k->h, m->y + vy * k->h);
-    if (t->x != 0.0f) d = onLeash(w, slot, c.z, d.x, d.y);
-    float edge = t->x == 0.0f ? 0.0f : c.z;
+    float vx = limitSpeed(m.z);
+    float vy = limitSpeed(m.w);
+    float2 d = (float2)(m.x + vx * k->h, m.y + vy * k->h);
+    if (!fixed) d = onLeash(w, slot, c.z, d.x, d.y);
+    float edge = fixed ? 0.0f : c.z;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
-    if (t->x == 0.0f) {
+    if (fixed) {
         // a fixed circle that is stopped has stopped: what lies on it must not see it go on
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
-    } else {
+    }
+    return (float4)(dx, dy, vx, vy);
+}
+
+// The relaxing pass over the walls for a circle that has moved: changes the velocity in motion m and the wall impulses in
+// traits t.
+void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+    const StepConstants *k = &w->k;
 #pragma unroll 1
-        for (int axis = 0; axis < 2; axis++) {
-            bool y = axis != 0;
-            float wall = y ? t->w : t->z;
-            float next = relaxAtWall(w, y ? c.y : c.x, y ? dy : dx, y ? vy : vx, c.z, t->y, loaded,
-                                     y ? bounce.y : bounce.x, y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall);
-            if (y) {
-                vy = next;
-                t->w = wall;
-            } else {
-                vx = next;
-                t->z = wall;
-            }
+    for (int axis = 0; axis < 2; axis++) {
+        bool y = axis != 0;
+        float wall = y ? t->w : t->z;
+        float next = relaxAtWall(w, y ? c.y : c.x, y ? m->y : m->x, y ? m->w : m->z, c.z, t->y, loaded,
+                                 y ? bounce.y : bounce.x, y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall);
+        if (y) {
+            m->w = next;
+            t->w = wall;
+        } else {
+            m->z = next;
+            t->z = wall;
         }
     }
-    *m = (float4)(dx, dy, vx, vy);
+}
+
+// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
+// impulses in traits t.
+void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+    bool fixed = t->x == 0.0f;
+    *m = displace(w, slot, c, *m, fixed);
+    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
 }
 
 // Index space: a working slot a work-item.

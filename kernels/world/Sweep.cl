@@ -42,7 +42,11 @@ kernel void sweep_summarize(WORLD_PARAMETERS) {
     if (block < levels->first[LEVELS] >> (2 * BLOCK_LOG) && !refused(&w)) summarize(&w, block);
 }
 
-bool slotIsFast(const World *w, int slot) {
+// Whether a circle looks ahead: whether it is fast.
+bool looksAhead(const World *w, int slot) { return w->near[slot] < NOT_FAST; }
+
+// The same for one that may be looking at the same time.
+bool otherLooksAhead(const World *w, int slot) {
     return w->traits[slot].x != 0.0f && isFast(w->leash[slot].w, w->circle[slot].z);
 }
 
@@ -62,7 +66,7 @@ void meet(const World *w, const Runner *s, int other) {
         if (t < 1.0f) {
             // Floats from 0 to 1 sort like their bits.
             atomic_min(&w->share[s->slot], as_int(t));
-            if (slotIsFast(w, other)) atomic_min(&w->share[other], as_int(t));
+            if (otherLooksAhead(w, other)) atomic_min(&w->share[other], as_int(t));
         }
     }
 }
@@ -122,7 +126,7 @@ void lookAhead(const World *w, int slot) {
 kernel void sweep_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w) && slotIsFast(&w, slot)) lookAhead(&w, slot);
+    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot);
 }
 
 // Lays a leash: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts

@@ -3,11 +3,13 @@
 // drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
 // start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
 
-// How many circles a work-item takes at a time: what it reads of all of them is on its way before it needs the first.
-#define TOGETHER 4
-#define TOGETHER_EACH(n) _Pragma("unroll") for (int n = 0; n < TOGETHER; n++)
-#define TILE_TOGETHER(first, count)                                                                                    \
-    _Pragma("unroll 1") for (int first = 0; first < (count); first += TOGETHER * (int) get_local_size(0))
+// A work-item takes several circles, or contacts, at a time: what it reads of all of them is on its way before it needs the
+// first. How many, up to MOST_TOGETHER, is a matter of registers, and was tried out; compilers know the number everywhere.
+#define MOST_TOGETHER 4
+#define TOGETHER_EACH(n, together)                                                                                     \
+    _Pragma("unroll") for (int n = 0; n < MOST_TOGETHER; n++) if (n < (together))
+#define TILE_TOGETHER(first, count, together)                                                                          \
+    _Pragma("unroll 1") for (int first = 0; first < (count); first += (together) * (int) get_local_size(0))
 
 // The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
 int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
@@ -27,6 +29,18 @@ void storeWalls(const World *w, int slot, float2 old, float2 walls) {
     }
 }
 
+// Wall impulses of a circle that no wall pushes, down to the signs of zeros. They are the same for the whole step.
+float2 noWalls(const World *w, float4 c) {
+    const StepConstants *k = &w->k;
+    return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
+}
+
+// Whether a circle has impulses of walls; most have none, and need not look at their traits.
+bool hasWalls(const World *w, float4 c, float2 walls) {
+    float2 none = noWalls(w, c);
+    return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);
+}
+
 // Whether a wall without an impulse leaves a circle alone in the biased pass: pushFromWall would change no more than the sign
 // of a zero. before: velocity along the axis before any impulse; v: after those of its contacts.
 bool wallIsFar(const World *w, float x, float dx, float before, float v, float r, float min, float max) {
@@ -35,38 +49,61 @@ bool wallIsFar(const World *w, float x, float dx, float before, float v, float r
     return gap > 0.0f && !(gap * w->k.inverseH + side * v < 0.0f) && !(gap + side * before * w->k.h < 0.0f);
 }
 
-// Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. c, m, t: circle, motion, traits;
-// sum: of the impulses of its contacts; carried: whether one of them carries.
-void startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+// Whether walls without impulses leave a circle that has moved alone in the relaxing pass.
+bool wallsAreApart(const World *w, float4 c, float4 m) {
     const StepConstants *k = &w->k;
-    float2 walls = t.zw;
+    return wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX) > 0.0f &&
+           wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY) > 0.0f;
+}
+
+// Begins a sub-step for a circle without impulses of walls: gravity, the impulses of the sub-step before. Returns false where
+// that is not all. c, m: circle, motion; sum: of the impulses of its contacts; carried: whether one of them carries.
+bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum, bool carried) {
+    const StepConstants *k = &w->k;
     float2 before = (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
-    float2 next = (float2)(limitSpeed(before.x + t.x * sum.x), limitSpeed(before.y + t.x * sum.y));
-    float2 bounce = (float2)(0.0f);
-    bool loaded = carried;
-    if (t.x != 0.0f && t.z == 0.0f && t.w == 0.0f &&
-        wallIsFar(w, c.x, m.x, before.x, next.x, c.z, k->minX, k->maxX) &&
-        wallIsFar(w, c.y, m.y, before.y, next.y, c.z, k->minY, k->maxY)) {
-        // As accelerate would leave it, down to the signs of zeros.
-        t.z = wallSide(c.x, k->minX, k->maxX) * 0.0f;
-        t.w = wallSide(c.y, k->minY, k->maxY) * 0.0f;
-        m.z = next.x + t.z;
-        m.w = next.y + t.w;
-    } else {
-        accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    float2 next = (float2)(limitSpeed(before.x + inverseMass * sum.x), limitSpeed(before.y + inverseMass * sum.y));
+    if (inverseMass == 0.0f || !wallIsFar(w, c.x, m.x, before.x, next.x, c.z, k->minX, k->maxX) ||
+        !wallIsFar(w, c.y, m.y, before.y, next.y, c.z, k->minY, k->maxY)) {
+        return false;
     }
+    float2 none = noWalls(w, c);
+    w->drive[slot] = (float4)(next.x + none.x, next.y + none.y, before.x, before.y);
+    w->burden[slot] = burdenOf(inverseMass, carried);
+    w->motion[slot] = (float4)(m.x, m.y, 0.0f, 0.0f);
+    return true;
+}
+
+// Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. t: its traits. Returns whether it is
+// at a wall.
+bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
+    float2 walls = t.zw;
+    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.x, sum, carried)) {
+        storeWalls(w, slot, walls, noWalls(w, c));
+        return false;
+    }
+    float2 before, bounce;
+    bool loaded;
+    accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
     storeWalls(w, slot, walls, t.zw);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);
     w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
+    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.zw);
 }
 
-// Ends the biased pass for a circle: its move. started: motion as startCircle has left it; v: velocity.
-void endPush(const World *w, int slot, float4 c, float4 started, float2 v, float4 t, float burden) {
-    float4 m = (float4)(started.x, started.y, v.x, v.y);
-    float2 walls = t.zw;
-    moveCircle(w, slot, c, &m, &t, started.zw, isLoaded(burden));
-    storeWalls(w, slot, walls, t.zw);
+// Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
+// Returns whether it is at a wall.
+bool endPush(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
+    bool fixed = burden == 0.0f;
+    float4 m = displace(w, slot, c, (float4)(started.x, started.y, v.x, v.y), fixed);
+    if (!fixed && (atWall || !wallsAreApart(w, c, m))) {
+        float4 t = w->traits[slot];
+        float2 walls = t.zw;
+        relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));
+        storeWalls(w, slot, walls, t.zw);
+        atWall = hasWalls(w, c, t.zw);
+    }
     w->pushedMotion[slot] = m;
     w->pushedBurden[slot] = burden;
+    return atWall;
 }

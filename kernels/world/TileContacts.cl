@@ -1,6 +1,19 @@
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
+// A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
+// bits) and the cell (column, row); and whether the contact carries as the step begins.
+#define LINK_PLACE 0x1fff
+#define LINK_COLUMN 0x2000
+#define LINK_ROW 0x4000
+#define LINK_CARRYING 0x8000
+
+uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow, int highPlace, bool carrying) {
+    return (uint) (lowPlace & LINK_PLACE) | (lowColumn ? LINK_COLUMN : 0) | (lowRow ? LINK_ROW : 0) |
+           (carrying ? LINK_CARRYING : 0) |
+           (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
+}
+
 // Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
@@ -11,8 +24,9 @@ void linkContact(const World *w, int listed) {
     int first = w->levels->first[l];
     int cl = w->levels->columnsLog[l];
     int columnMask = (1 << cl) - 1;
-    uint2 p = w->pair[listed];
-    ulong ids = w->key[listed];
+    ulong2 own = listedOf(w)[listed];
+    ulong ids = own.x;
+    uint2 p = as_uint2(own.y);
     int low = w->bucketOf[p.x];
     int high = w->bucketOf[p.y];
     int lowColumn = (low - first) & columnMask;
@@ -30,7 +44,7 @@ void linkContact(const World *w, int listed) {
         return;
     }
     int c = from;
-    for (int other = from; other < to; other++) c += w->key[other] < ids;
+    for (int other = from; other < to; other++) c += listedOf(w)[other].x < ids;
 
     bool carrying;
     float4 n = newContact(w, p, ids, &carrying);

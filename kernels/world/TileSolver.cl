@@ -1,8 +1,8 @@
 // Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and
 // held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
 // goes back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, and how much they
-// read, so: few registers, and what is quickly worked out is not stored; no branches in the chain of contacts that wait for
-// each other.
+// read, so: few registers, little local memory, and what is quickly worked out is not stored; no branches in the chain of
+// contacts that wait for each other, and nothing that could be done outside of it.
 
 // The circle of contacts that are none: at rest, never written.
 #define NO_CIRCLE TILE_CIRCLES
@@ -10,11 +10,12 @@
 // A tile in local memory, by the numbers of its record.
 typedef struct {
     float2 velocity[TILE_CIRCLES + 1];
-    float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse, in the relaxing pass sums of impulses
+    float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
+                                   // while contacts are measured, then sums of impulses
     float burden[TILE_CIRCLES + 1];
     uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
-    int partStart[TILE_PARTS + 2]; // by part of a round
-    int circles, parts;
+    int partStart[TILE_PARTS + 2];          // by part of a round, and the end
+    int circles, parts, contacts;
     int firstCopy;
 } Tile;
 
@@ -27,6 +28,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     if (get_local_id(0) == 0) {
         t->circles = circles;
         t->parts = parts;
+        t->contacts = circles > 0 ? record[RECORD_STARTS + parts] : 0;
         t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
         t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
         t->burden[NO_CIRCLE] = 0.0f;
@@ -34,22 +36,6 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     TILE_EACH(part, parts + 1) t->partStart[part] = circles > 0 ? record[RECORD_STARTS + part] : 0;
     barrier(CLK_LOCAL_MEM_FENCE);
 }
-
-// What a pass reads of a contact.
-typedef struct {
-    int2 contact; // as in the record, or NO_CONTACT
-    int copy;     // where the tile has its copy
-    float4 normal; // normal, separation, effective mass; in the relaxing pass the base: it is measured anew
-    float2 shape;  // in the biased pass: sum of the radii, restitution
-    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
-} Reading;
-
-// In a reading, where there is none.
-#define NO_CONTACT ((int2)(0, (int) (0x80000000u | NO_CIRCLE << 16 | NO_CIRCLE)))
-
-int lowerOf(int2 contact) { return contact.y & 0x7fff; }
-
-int higherOf(int2 contact) { return contact.y >> 16 & 0x7fff; }
 
 // The part of a round of which a work-item looks its contact up next.
 typedef struct {
@@ -62,11 +48,15 @@ void setCursor(local const Tile *t, Cursor *cursor, int part) {
     cursor->to = t->partStart[min(part + 1, t->parts)];
 }
 
-// A contact that is to be read.
+// A contact that is to be read: as in the record, or NO_CONTACT; where the tile has its copy.
 typedef struct {
     int2 contact;
     int copy;
 } Entry;
+
+#define NO_CONTACT ((int2)(0, (int) 0x80000000 | circlesOf(NO_CIRCLE, NO_CIRCLE, 0)))
+
+bool isContact(int2 contact) { return contact.y >= 0; }
 
 // Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
 #if PTX
@@ -76,15 +66,15 @@ typedef struct {
 #endif
 
 // The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
-Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, bool relaxing, Cursor *cursor) {
-    int k = cursor->from + (int) get_local_id(0);
+Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, Cursor *cursor) {
+    int place = cursor->from + (int) get_local_id(0);
     Entry entry;
     entry.contact = NO_CONTACT;
-    entry.copy = t->firstCopy + k;
-    if (k < cursor->to) {
-        entry.contact = contacts[k];
-        PREFETCH(relaxing ? w->base + entry.copy : w->contact + entry.copy);
-        if (!relaxing) PREFETCH(w->shape + entry.copy);
+    entry.copy = t->firstCopy + place;
+    if (place < cursor->to) {
+        entry.contact = contacts[place];
+        PREFETCH(w->contact + entry.copy);
+        PREFETCH(w->shape + entry.copy);
     }
     cursor->part++;
     cursor->from = cursor->to;
@@ -92,13 +82,20 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
     return entry;
 }
 
+// What a pass reads of a contact.
+typedef struct {
+    int2 contact;   // as in the record, or NO_CONTACT
+    float4 normal;  // normal, separation, effective mass
+    float2 shape;   // sum of the radii, restitution
+    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
+} Reading;
+
 void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->contact = entry.contact;
-    reading->copy = entry.copy;
-    if (entry.contact.y < 0) return;
+    if (!isContact(entry.contact)) return;
     int c = entry.contact.x & ~NOT_OWN;
-    reading->normal = relaxing ? w->base[entry.copy] : w->contact[entry.copy];
-    if (!relaxing) reading->shape = w->shape[entry.copy];
+    reading->normal = w->contact[entry.copy];
+    reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
@@ -121,8 +118,8 @@ typedef struct {
 // Makes a contact ready for the biased pass.
 void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v) {
     const StepConstants *k = &w->k;
-    int i = lowerOf(r->contact);
-    int j = higherOf(r->contact);
+    int i = lowerOf(r->contact.y);
+    int j = higherOf(r->contact.y);
     float2 bi = t->load[i];
     float2 bj = t->load[j];
     float wi = t->burden[i];
@@ -156,40 +153,23 @@ void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v
     v->still = false;
 }
 
-// Measures a contact after the circles have moved. displacement: of the circles of the tile; mass: effective.
-float4 measureInTile(const World *w, local const float2 *displacement, const Reading *r, float mass, bool last) {
-    float4 b = r->normal;
-    float4 n = (float4)(0.0f);
-    if (r->contact.y < 0) return n;
-    if (!measure(&n, b.x, b.y, b.z, displacement[lowerOf(r->contact)], displacement[higherOf(r->contact)])) {
-        n.xy = w->contact[r->copy].xy;
-    }
-    n.w = mass;
-    if (!last) w->contact[r->copy] = n;
-    return n;
-}
-
 // Makes a contact ready for the relaxing pass.
-void readyToRelax(const World *w, local const Tile *t, local const float2 *displacement, const Reading *r, bool last,
-                  Visit *v) {
-    int i = lowerOf(r->contact);
-    int j = higherOf(r->contact);
-    float wi = t->burden[i];
-    float wj = t->burden[j];
+void readyToRelax(const World *w, local const Tile *t, const Reading *r, Visit *v) {
+    float wi = t->burden[lowerOf(r->contact.y)];
+    float wj = t->burden[higherOf(r->contact.y)];
     bool loaded = isLoaded(wi) || isLoaded(wj);
-    v->mass = 1.0f / (fabs(wi) + fabs(wj));
-    float4 n = measureInTile(w, displacement, r, v->mass, last);
-    float s = n.z;
-    float e = r->normal.w;
-    float thr2 = thresholdOf(w, r->normal.z, e);
+    float s = r->normal.z;
+    float e = r->shape.y;
+    float thr2 = thresholdOf(w, r->shape.x, e);
     float lambda = r->impulse.x;
     float bounce = r->impulse.y;
     bool idle = lambda == 0.0f && bounce == 0.0f;
     v->contact = r->contact;
-    v->nx = n.x;
-    v->ny = n.y;
+    v->nx = r->normal.x;
+    v->ny = r->normal.y;
     v->wi = fabs(wi);
     v->wj = fabs(wj);
+    v->mass = r->normal.w;
     v->lambda = lambda;
     v->scale = 1.0f;
     v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
@@ -204,8 +184,8 @@ void readyToRelax(const World *w, local const Tile *t, local const float2 *displ
 
 // Visits a contact, without branches: they would be most of the time.
 void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, bool last) {
-    int i = lowerOf(v->contact);
-    int j = higherOf(v->contact);
+    int i = lowerOf(v->contact.y);
+    int j = higherOf(v->contact.y);
     float2 vi = t->velocity[i];
     float2 vj = t->velocity[j];
     float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
@@ -219,7 +199,7 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
     float impulse = bounces ? v->gain * vn * v->mass : solved ? next - v->lambda : 0.0f;
     if (relaxing && v->bounce > 0.0f) next = 0.0f;
     if (!solved) next = v->lambda;
-    bool there = v->contact.y >= 0;
+    bool there = isContact(v->contact);
     if (there && !leaves) {
         t->velocity[i] = (float2)(vi.x - v->nx * (v->wi * impulse), vi.y - v->ny * (v->wi * impulse));
         t->velocity[j] = (float2)(vj.x + v->nx * (v->wj * impulse), vj.y + v->ny * (v->wj * impulse));
@@ -241,10 +221,9 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
     }
 }
 
-void readyContact(const World *w, local const Tile *t, local const float2 *displacement, const Reading *reading,
-                  bool relaxing, bool last, Visit *visit) {
+void readyContact(const World *w, local const Tile *t, const Reading *reading, bool relaxing, Visit *visit) {
     if (relaxing) {
-        readyToRelax(w, t, displacement, reading, last, visit);
+        readyToRelax(w, t, reading, visit);
     } else {
         readyToPush(w, t, reading, visit);
     }
@@ -252,18 +231,17 @@ void readyContact(const World *w, local const Tile *t, local const float2 *displ
 
 // Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
 // and looks up those of the third.
-void solvePart(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
-               bool relaxing, bool last, Visit *visit, Reading *reading, Entry *next, Cursor *cursor) {
+void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit, Reading *reading,
+               Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
     visitContact(w, t, visit, relaxing, last);
-    readyContact(w, t, displacement, reading, relaxing, last, visit);
+    readyContact(w, t, reading, relaxing, visit);
     readContact(w, *next, relaxing, reading);
-    *next = nextContact(w, t, contacts, relaxing, cursor);
+    *next = nextContact(w, t, contacts, cursor);
 }
 
 // Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
-void solveParts(const World *w, local Tile *t, local const float2 *displacement, global const int2 *contacts,
-                bool relaxing, bool last) {
+void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
     int parts = t->parts;
     Cursor cursor;
     setCursor(t, &cursor, 0);
@@ -271,33 +249,46 @@ void solveParts(const World *w, local Tile *t, local const float2 *displacement,
     Visit visit;
     reading.normal = (float4)(0.0f);
     reading.shape = reading.impulse = (float2)(0.0f);
-    readContact(w, nextContact(w, t, contacts, relaxing, &cursor), relaxing, &reading);
+    readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);
-    readyContact(w, t, displacement, &reading, relaxing, last, &visit);
-    readContact(w, nextContact(w, t, contacts, relaxing, &cursor), relaxing, &reading);
-    Entry next = nextContact(w, t, contacts, relaxing, &cursor);
+    readyContact(w, t, &reading, relaxing, &visit);
+    readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
+    Entry next = nextContact(w, t, contacts, &cursor);
 #pragma unroll 1
     for (int part = 0; part < parts; part++) {
-        solvePart(w, t, displacement, contacts, relaxing, last, &visit, &reading, &next, &cursor);
+        solvePart(w, t, contacts, relaxing, last, &visit, &reading, &next, &cursor);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The biased pass of a tile.
-void pushTile(const World *w, local Tile *t, int tile, int subStep) {
-    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
+// How many circles or contacts a work-item takes at a time as a pass begins.
+#define TAKEN 4
+
+// The entry of a circle of a region that is the tile's own, or a negative number.
+int ownEntry(global const int *entries, int i, int circles) { return i < circles ? entries[i] : NOT_OWN; }
+
+// Notes whether a circle is at a wall.
+void noteWall(global int *entries, int i, int entry, bool atWall) {
+    int next = atWall ? entry | AT_WALL : entry & ENTRY_SLOT;
+    if (next != entry) entries[i] = next;
+}
+
+// The biased pass of a tile. together: how many circles a work-item moves at a time.
+void pushTile(const World *w, local Tile *t, int tile, int subStep, int together) {
+    global int *record = recordOf(w, tile);
+    global int *entries = record + RECORD_SLOTS;
     int circles = t->circles;
-    findNumbers(w, recordOf(w, tile), subStep == 0 ? t->partStart[t->parts] : 0);
-    TILE_TOGETHER(first, circles) {
-        int slot[TOGETHER];
-        float4 drive[TOGETHER];
-        float burden[TOGETHER];
-        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)] & ~NOT_OWN;
-        TOGETHER_EACH(n) {
+    findNumbers(w, record, subStep == 0 ? t->contacts : 0);
+    TILE_TOGETHER(first, circles, TAKEN) {
+        int slot[MOST_TOGETHER];
+        float4 drive[MOST_TOGETHER];
+        float burden[MOST_TOGETHER];
+        TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
+        TOGETHER_EACH(n, TAKEN) {
             drive[n] = w->drive[slot[n]];
             burden[n] = w->burden[slot[n]];
         }
-        TOGETHER_EACH(n) {
+        TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
             t->velocity[i] = drive[n].xy;
@@ -305,53 +296,106 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep) {
             t->burden[i] = burden[n];
         }
     }
-    solveParts(w, t, 0, contactsOf(recordOf(w, tile)), false, false);
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        endPush(w, slot, w->circle[slot], w->motion[slot], t->velocity[i], w->traits[slot], t->burden[i]);
-        if (subStep == 0) w->homeMemory[slot] = NONE;
+    solveParts(w, t, contactsOf(record), false, false);
+    TILE_TOGETHER(first, circles, together) {
+        int entry[MOST_TOGETHER];
+        float4 c[MOST_TOGETHER], started[MOST_TOGETHER];
+        TOGETHER_EACH(n, together) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
+        TOGETHER_EACH(n, together) {
+            if (entry[n] < 0) continue;
+            c[n] = w->circle[entry[n] & ENTRY_SLOT];
+            started[n] = w->motion[entry[n] & ENTRY_SLOT];
+        }
+        TOGETHER_EACH(n, together) {
+            if (entry[n] < 0) continue;
+            int i = togetherItem(first, n);
+            int slot = entry[n] & ENTRY_SLOT;
+            bool atWall = endPush(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
+            noteWall(entries, i, entry[n], atWall);
+            if (subStep == 0) w->homeMemory[slot] = NONE;
+        }
+    }
+}
+
+// Measures the contacts of a tile after the circles have moved. Before the pass, since nothing waits for it: work-items have
+// nearly no contact too few here, in the parts of rounds half of them.
+void measureContacts(const World *w, local Tile *t, global int *record) {
+    global const int2 *placed = contactsOf(record);
+    int contacts = t->contacts;
+    TILE_TOGETHER(first, contacts, TAKEN) {
+        int circles[MOST_TOGETHER];
+        float2 base[MOST_TOGETHER];
+        float sum[MOST_TOGETHER];
+        TOGETHER_EACH(n, TAKEN) {
+            int place = min(togetherItem(first, n), contacts - 1);
+            circles[n] = placed[place].y;
+            base[n] = basesOf(w)[t->firstCopy + place];
+            sum[n] = w->shape[t->firstCopy + place].x;
+        }
+        TOGETHER_EACH(n, TAKEN) {
+            int copy = t->firstCopy + togetherItem(first, n);
+            if (togetherItem(first, n) >= contacts) continue;
+            int i = lowerOf(circles[n]);
+            int j = higherOf(circles[n]);
+            float4 c = (float4)(0.0f, 0.0f, 0.0f, 1.0f / (fabs(t->burden[i]) + fabs(t->burden[j])));
+            if (!measure(&c, base[n].x, base[n].y, sum[n], t->load[i], t->load[j])) c.xy = w->contact[copy].xy;
+            w->contact[copy] = c;
+        }
     }
 }
 
 // The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
-// home.
-void relaxTile(const World *w, local Tile *t, local float2 *displacement, int tile, bool last) {
-    global const int *slots = recordOf(w, tile) + RECORD_SLOTS;
+// home. together: how many of them a work-item starts at a time.
+void relaxTile(const World *w, local Tile *t, int tile, bool last, int together) {
+    global int *record = recordOf(w, tile);
+    global int *entries = record + RECORD_SLOTS;
     int circles = t->circles;
-    TILE_TOGETHER(first, circles) {
-        int slot[TOGETHER];
-        float4 m[TOGETHER];
-        float burden[TOGETHER];
-        TOGETHER_EACH(n) slot[n] = slots[min(togetherItem(first, n), circles - 1)] & ~NOT_OWN;
-        TOGETHER_EACH(n) {
+    TILE_TOGETHER(first, circles, TAKEN) {
+        int slot[MOST_TOGETHER];
+        float4 m[MOST_TOGETHER];
+        float burden[MOST_TOGETHER];
+        TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
+        TOGETHER_EACH(n, TAKEN) {
             m[n] = w->pushedMotion[slot[n]];
             burden[n] = w->pushedBurden[slot[n]];
         }
-        TOGETHER_EACH(n) {
+        TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            displacement[i] = m[n].xy;
+            t->load[i] = m[n].xy;
             t->velocity[i] = m[n].zw;
-            t->load[i] = (float2)(0.0f);
             t->burden[i] = burden[n];
             if ((i & 31) == 0) t->carried[i >> 5] = 0;
         }
     }
-    solveParts(w, t, displacement, contactsOf(recordOf(w, tile)), true, last);
-#pragma unroll 1
-    TILE_EACH(i, circles) {
-        int slot = slots[i];
-        if (slot < 0) continue;
-        float2 d = displacement[i];
-        float2 v = t->velocity[i];
-        float4 m = (float4)(d.x, d.y, v.x, v.y);
-        if (last) {
-            goHome(w, slot, w->circle[slot], m, w->traits[slot]);
-        } else {
-            startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i],
-                        (t->carried[i >> 5] >> (i & 31) & 1) != 0);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    measureContacts(w, t, record);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+    TILE_EACH(i, circles) t->load[i] = (float2)(0.0f);
+    solveParts(w, t, contactsOf(record), true, last);
+    TILE_TOGETHER(first, circles, together) {
+        int entry[MOST_TOGETHER];
+        float4 c[MOST_TOGETHER];
+        float2 d[MOST_TOGETHER];
+        TOGETHER_EACH(n, together) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
+        TOGETHER_EACH(n, together) {
+            if (entry[n] < 0) continue;
+            c[n] = w->circle[entry[n] & ENTRY_SLOT];
+            d[n] = w->pushedMotion[entry[n] & ENTRY_SLOT].xy;
+        }
+        TOGETHER_EACH(n, together) {
+            if (entry[n] < 0) continue;
+            int i = togetherItem(first, n);
+            int slot = entry[n] & ENTRY_SLOT;
+            float2 v = t->velocity[i];
+            float4 m = (float4)(d[n].x, d[n].y, v.x, v.y);
+            bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
+            if (last) {
+                goHome(w, slot, c[n], m, w->traits[slot]);
+            } else if ((entry[n] & AT_WALL) != 0 ||
+                       !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i], carried)) {
+                noteWall(entries, i, entry[n], startCircle(w, slot, c[n], m, w->traits[slot], t->load[i], carried));
+            }
         }
     }
 }
@@ -381,16 +425,15 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
-    pushTile(&w, &t, tile, subStep);
+    pushTile(&w, &t, tile, subStep, 4);
 }
 
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
     World w = WORLD;
     local Tile t;
-    local float2 displacement[TILE_CIRCLES];
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
     takeTile(&w, &t, tile, idle);
-    relaxTile(&w, &t, displacement, tile, last);
+    relaxTile(&w, &t, tile, last, 2);
 }

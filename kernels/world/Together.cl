@@ -5,16 +5,20 @@
 
 // Who waits looks again and again; after a while he offers the processor to others at each look, for maybe it is him whom
 // the one that he waits for waits for: on a busy machine steps would else take hundreds of times as long. No OpenCL function does
-// that, but a processor's kernels can call the system like any other code.
+// that. A kernel on a processor can call the system like any other code, in assembler, where the compiler is known to take that
+// (YIELDS, from the host).
 #define LOOKS 100
 
-#if defined(__x86_64__)
-#define PAUSE __asm__ volatile("pause")
-#else
+#if defined(__x86_64__) && defined(__has_builtin)
+#if __has_builtin(__builtin_ia32_pause)
+#define PAUSE __builtin_ia32_pause()
+#endif
+#endif
+#ifndef PAUSE
 #define PAUSE
 #endif
 
-#if defined(__x86_64__) && defined(__linux__)
+#if YIELDS && defined(__x86_64__) && defined(__linux__)
 void offerProcessor(void) {
     long call = 24; // sched_yield
     __asm__ volatile("syscall" : "+a"(call) : : "rcx", "r11", "memory");

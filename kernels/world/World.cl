@@ -14,6 +14,7 @@ typedef struct {
     int subSteps;
     int sweeping; // 1 where the step has the stage Sweep, else it does not take fast circles
     int thinning; // 1 where the step thins crowds out, else it does not take them
+    int tiled;    // 1 where the step is made by tiles
 } StepConstants;
 
 // Filled by the host class ClParameters, in this order.
@@ -89,7 +90,7 @@ typedef struct {
     // stage Sweep, by working slot
     global float4 *leash;      // what it moves if nothing is in its way x, y, allowance, length; later what is free of that
     global int *share;         // bits of the share of its path that it can go
-    global float *near;        // the share up to where it touches one that it has a contact with
+    global float *near;        // the share up to where it touches one that it has a contact with; NOT_FAST where it is not
     global float4 *blockRange; // by block of cells: least and greatest x, least and greatest y of the paths there
 
     // by tiles, by working slot
@@ -103,7 +104,8 @@ typedef struct {
     global int *tally;      // counts by bucket, later by group; all 0 when a step begins, and when a scan has used them
     global ulong *key;      // lower id, higher id
     global uint2 *pair;     // working slots, in the same order
-    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles, by copy
+    global float4 *base;    // difference of the bases x, y, sum of the radii, restitution; by tiles see listedOf,
+                            // later basesOf
     global float4 *masses;  // inverse masses, greatest push-out speed, target speed of a bounce;
                             // by tiles, as contacts are listed: contact as the step begins, with its impulse
     global float4 *contact; // normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse;
@@ -134,6 +136,7 @@ typedef struct {
 
 #define NONE (-1)
 #define FRESH (-2)
+#define NOT_FAST 2.0f // more than any share
 
 // Why a step is refused. A kernel does not ask for what it may set itself.
 bool outOfRoom(const World *w) { return w->status[OUT_OF_ROOM] != 0; }

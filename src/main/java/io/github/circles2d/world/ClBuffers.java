@@ -148,9 +148,9 @@ final class ClBuffers {
     private static final int[] BY_SLOT_TILED = {DRIVE, PUSHED_MOTION, BURDEN, PUSHED_BURDEN};
     private static final int[] BY_BUCKET = {BUCKET_START, GROUP_START, TALLY};
     private static final int[] BY_CONTACT_KEPT = {OLD};
-    private static final int[] BY_CONTACT = {KEY, PAIR, MASSES};
+    private static final int[] BY_CONTACT = {KEY, PAIR, BASE, MASSES};
     private static final int[] BY_CONTACT_TILED = {LINK, ORDERED, HELD, IMPULSE};
-    private static final int[] BY_COPY = {BASE, CONTACT};
+    private static final int[] BY_COPY = {CONTACT};
     private static final int[] BY_COPY_TILED = {SHAPE};
     private static final int[] NO_BUFFERS = {};
 

@@ -22,6 +22,7 @@ final class ClKernels {
         "TileCircles",
         "Tiles",
         "TileContacts",
+        "TileOrder",
         "TileSolver",
         "Readback"
     };
@@ -37,8 +38,9 @@ final class ClKernels {
     private int boundCircles = -1;
 
     ClKernels(Session session, ClPlan plan) {
-        KernelSource source =
-                source(plan == ClPlan.RESIDENT, plan == ClPlan.LANES).define("PTX", ClResident.fits(session.device()));
+        KernelSource source = source(plan == ClPlan.RESIDENT, plan == ClPlan.LANES)
+                .define("PTX", ClResident.fits(session.device()))
+                .define("YIELDS", ClLanes.yields(session.device()));
         program = session.build(source, options(session.device()));
     }
 

@@ -41,6 +41,15 @@ final class ClLanes {
         return device.kind() == Device.Kind.CPU;
     }
 
+    /**
+     * Whether kernels may call the system while they wait, in assembler: POCL 3 compiles that, POCL 5 ends the process, and no
+     * other is known. Elsewhere who waits keeps his processor.
+     */
+    static boolean yields(Device device) {
+        return device.platform().equals("Portable Computing Language")
+                && device.driverVersion().startsWith("3.");
+    }
+
     /** Makes launches wait for a work-group that does not come, until one is called off. */
     void waitForNobody(int looks) {
         missing = 1;

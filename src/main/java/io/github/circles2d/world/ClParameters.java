@@ -7,7 +7,7 @@ import java.util.Arrays;
 /** Packs the constants of a step and the shape of the grids as the structs of {@code World.cl}, and sends what changed. */
 final class ClParameters {
     private static final int FLOATS = 22;
-    static final int CONSTANT_INTS = FLOATS + 3;
+    static final int CONSTANT_INTS = FLOATS + 4;
     static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 5;
 
     // Positions of single constants.
@@ -15,6 +15,7 @@ final class ClParameters {
     private static final int SUB_STEPS = FLOATS;
     private static final int SWEEPING = FLOATS + 1;
     private static final int THINNING = FLOATS + 2;
+    private static final int TILED = FLOATS + 3;
 
     private final int[] constants = new int[CONSTANT_INTS];
     private final int[] levels = new int[LEVEL_INTS];
@@ -54,10 +55,11 @@ final class ClParameters {
         pack(constants, WARM_SCALE, scale);
     }
 
-    /** Sets whether the step takes fast circles, and crowds. */
-    void setPlan(boolean sweeping, boolean thinning) {
+    /** Sets whether the step takes fast circles, and crowds, and whether it is made by tiles. */
+    void setPlan(boolean sweeping, boolean thinning, boolean tiled) {
         constants[SWEEPING] = sweeping ? 1 : 0;
         constants[THINNING] = thinning ? 1 : 0;
+        constants[TILED] = tiled ? 1 : 0;
     }
 
     /** Sends both, in the order of the device's commands, where they are not there yet. */

@@ -66,6 +66,9 @@ public final class ClPipeline implements Pipeline {
     /** What the steps that were enqueued last are made by; null where they are made in another way. */
     private ClLanes lanesEnqueued;
 
+    /** Whether the steps that were enqueued last are made by tiles. */
+    private boolean tiled;
+
     /** Places of contacts in the last step, which remembered impulses are numbered by. */
     private int remembered;
 
@@ -200,8 +203,11 @@ public final class ClPipeline implements Pipeline {
         int from = slotsBehindPending();
         float warm = pendingSteps == 0 ? warmScale : 1f;
         pendingSteps += steps;
-        parameters.setPlan(sweeping > 0, thinning > 0);
         lanesEnqueued = lanes != null && thinning == 0 && ClLanes.suits(levels) ? lanes : null;
+        boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
+        int atOnce = small ? resident.mostGroups() : 0;
+        tiled = plan != ClPlan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
+        parameters.setPlan(sweeping > 0, thinning > 0, tiled);
         if (lanesEnqueued != null) {
             parameters.setWarmScale(warm);
             parameters.send(buffers);
@@ -209,10 +215,6 @@ public final class ClPipeline implements Pipeline {
             lanes.run(levels, circles, steps);
             return;
         }
-        boolean small = resident != null && thinning == 0 && ClResident.suits(circles);
-        int atOnce = small ? resident.mostGroups() : 0;
-        boolean tiled =
-                plan != ClPlan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
         if (tiled && small) {
             parameters.setWarmScale(warm);
             parameters.send(buffers);
@@ -254,7 +256,7 @@ public final class ClPipeline implements Pipeline {
             tiles.learn(status[TILE_PEAK], thinning > 0);
             if (pendingSteps == 0) {
                 remembered = Math.max(status[CONTACTS], status[PLACES]);
-                stats.stepped(circles, status[CONTACTS], lanesEnqueued);
+                stats.stepped(circles, status[CONTACTS], tiled, lanesEnqueued);
                 sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
             } else {
@@ -371,7 +373,7 @@ public final class ClPipeline implements Pipeline {
         commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
-        stats.stepped(0, 0, null);
+        stats.stepped(0, 0, false, null);
     }
 
     @Override

@@ -10,6 +10,9 @@ final class ClStats {
     private final Kernel candidates;
     private final Kernel degrees;
 
+    /** Whether the last step was made by tiles. */
+    private boolean tiled;
+
     /** What the last step was made by; null where it was made in another way. */
     private ClLanes lanes;
 
@@ -31,7 +34,8 @@ final class ClStats {
     }
 
     /** Takes note of a step. */
-    void stepped(int circlesOfStep, int contactsOfStep, ClLanes lanesOfStep) {
+    void stepped(int circlesOfStep, int contactsOfStep, boolean tiledStep, ClLanes lanesOfStep) {
+        tiled = tiledStep;
         lanes = lanesOfStep;
         circles = circlesOfStep;
         contacts = contactsOfStep;
@@ -68,7 +72,7 @@ final class ClStats {
                 kernels.bind(buffers, circles, circles);
                 lanes.countDegrees();
             } else {
-                degrees.arg(0, buffers.get(ClBuffers.PAIR))
+                degrees.arg(0, buffers.get(tiled ? ClBuffers.ORDERED : ClBuffers.PAIR))
                         .arg(1, contacts)
                         .arg(2, buffers.get(ClBuffers.RANK))
                         .run(contacts);

@@ -1,0 +1,392 @@
+// Stage Contacts for tiles: puts the contacts of each tile in order, once a step, starts its circles, and writes its record.
+// Cost: the circles of a region, and its contacts one after another in their groups.
+
+// What is known of a region while its contacts are put in order.
+typedef struct {
+    union {
+        uint met[TILE_CONTACTS]; // contacts as they are met: see meeting
+        struct {                 // when all have been placed
+            float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
+            int slot[TILE_CIRCLES];
+        } circle;
+    } of;
+    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
+    int rowStart[TILE_ROWS + 1];      // by row: its first circle
+    int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
+    float2 load[TILE_CIRCLES];        // by circle: sums of impulses, in order; when all have been placed, its base
+    ushort progress[TILE_CIRCLES];     // by circle: see below
+    int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
+    uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
+    int ownPlace[TILE_ROUNDS + 1];     // by round: the place in the record of its next own contact
+    int otherPlace[TILE_ROUNDS + 1];   // and of its next other one
+    int ownNumber[TILE_ROUNDS + 1];    // by round: what makes of the place of an own contact its number
+    int firstNumber; // of the tile's own contacts
+    int firstCopy;
+    int contacts;
+    int overfull; // 1 where there are too many contacts or rounds
+    int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
+    int idle;     // 1 where the step had been refused when the work-group looked
+} Arrangement;
+
+// A circle's progress: the first round in which it is free, its contacts so far, of which there are no more than rounds, and
+// whether one carries.
+#define FREE_ROUND 0x7f
+#define MET_ONE 0x80
+#define MET_SHIFT 7
+#define HAS_CARRIED 0x4000
+
+// The bucket in which a row of a region begins on the torus, at column 0.
+int bucketOfRow(const World *w, const Region *r, int row) {
+    return w->levels->first[w->levels->used[0]] + (((r->firstRow + row) & r->rowMask) << r->columnsLog);
+}
+
+// The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
+int4 slotsInRow(const World *w, const Region *r, int row) {
+    int bucket = bucketOfRow(w, r, row);
+    int width = 1 << r->columnsLog;
+    int end = r->firstColumn + r->columns;
+    int wrapped = w->bucketStart[bucket];
+    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], wrapped,
+                  end <= width ? wrapped : w->bucketStart[bucket + end - width]);
+}
+
+// Numbers the circles of a region, where there is room for them. All work-items of the work-group; returns how many there are.
+int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
+    int item = (int) get_local_id(0);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item < r->rows) a->rowSlots[item] = slotsInRow(w, r, item);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item <= r->rows) {
+        int sum = 0;
+#pragma unroll 4
+        for (int before = 0; before < item; before++) {
+            int4 slots = a->rowSlots[before];
+            sum += slots.y - slots.x + slots.w - slots.z;
+        }
+        a->rowStart[item] = sum;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int circles = a->rowStart[r->rows];
+    int cells = circles > TILE_CIRCLES ? 0 : r->columns * r->rows;
+#pragma unroll 1
+    TILE_EACH(cell, cells) {
+        int row = cell / r->columns;
+        int inRow = cell - row * r->columns;
+        int column = (r->firstColumn + inRow) & r->columnMask;
+        int4 slots = a->rowSlots[row];
+        int bucket = bucketOfRow(w, r, row) + column;
+        int from = w->bucketStart[bucket];
+        int to = w->bucketStart[bucket + 1];
+        int i = a->rowStart[row] + from - (column >= r->firstColumn ? slots.x : slots.z - (slots.y - slots.x));
+        a->cellStart[cell] = (ushort) i;
+        int own = owns(r, inRow, row) ? 0 : NOT_OWN;
+        for (int slot = from; slot < to; slot++) record[RECORD_SLOTS + i++] = slot | own;
+    }
+    TILE_EACH(i, min(circles, TILE_CIRCLES)) {
+        a->load[i] = (float2)(0.0f);
+        a->progress[i] = 0;
+    }
+    TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
+    if (item == 0) {
+        a->contacts = 0;
+        a->overfull = 0;
+        a->crowded = 0;
+    }
+    return circles;
+}
+
+int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
+    if (part & LINK_COLUMN) column++;
+    if (part & LINK_ROW) row++;
+    if (r->ringX) column &= r->columnMask;
+    if (r->ringY) row &= r->rowMask;
+    return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
+}
+
+// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (9 bits),
+// its round.
+#define MET_COLUMN(met) ((int) ((met) & 0x3f))
+#define MET_ROW(met) ((int) ((met) >> 6 & 0x1f))
+#define MET_IN_GROUP(met) ((int) ((met) >> 11 & 0x1ff))
+#define MET_ROUND(met) ((int) ((met) >> 20))
+
+uint meeting(int column, int row, int inGroup, int round) {
+    return (uint) (column | row << 6 | inGroup << 11 | round << 20);
+}
+
+// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
+// among those met.
+void takeContact(const Region *r, local Arrangement *a, int k, int column, int row, int inGroup, uint link, float2 impulse) {
+    int lo = circleOfLink(r, a, column, row, link);
+    int hi = circleOfLink(r, a, column, row, link >> 16);
+    int progressLo = a->progress[lo];
+    int progressHi = a->progress[hi];
+    float2 loadLo = a->load[lo];
+    float2 loadHi = a->load[hi];
+    a->load[lo] = loadLo - impulse;
+    a->load[hi] = loadHi + impulse;
+    int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
+    if (round >= TILE_ROUNDS) {
+        a->overfull = 1;
+        return;
+    }
+    int carried = link & LINK_CARRYING ? HAS_CARRIED : 0;
+    progressLo = ((progressLo & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
+    progressHi = ((progressHi & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
+    a->progress[lo] = (ushort) progressLo;
+    a->progress[hi] = (ushort) progressHi;
+    if ((max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT) > CROWD) a->crowded = 1;
+    a->of.met[k] = meeting(column, row, inGroup, round);
+    atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
+}
+
+// How many contacts a work-item takes at a time.
+#define ARRANGED 3
+
+// How many contacts of a group are read at a time.
+#define GROUP_TOGETHER 6
+
+// Takes all contacts that a tile depends on, or none.
+void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
+#pragma unroll 1
+    for (int colour = 0; colour < 4; colour++) {
+        barrier(CLK_LOCAL_MEM_FENCE);
+        int px = colour & 1;
+        int py = colour >> 1;
+        int across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
+        int down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - py;
+        int groups = any ? across * down : 0;
+#pragma unroll 1
+        TILE_EACH(g, groups) {
+            int line = g / across;
+            int column = (r->ringX ? px : colour) + 2 * (g - line * across);
+            int row = py + 2 * line;
+            int group = groupAt(w, r, column, row);
+            int first = w->groupStart[group];
+            int size = w->groupStart[group + 1] - first;
+            int k0 = size > 0 ? atomic_add(&a->contacts, size) : 0;
+            if (k0 + size > TILE_CONTACTS) {
+                a->overfull = 1;
+                size = 0;
+            }
+#pragma unroll 1
+            for (int from = 0; from < size; from += GROUP_TOGETHER) {
+                uint link[GROUP_TOGETHER];
+                float2 impulse[GROUP_TOGETHER];
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    int c = first + min(from + k, size - 1);
+                    link[k] = w->link[c];
+                    impulse[k] = w->impulse[c];
+                }
+#pragma unroll
+                for (int k = 0; k < GROUP_TOGETHER; k++) {
+                    if (from + k < size) takeContact(r, a, k0 + from + k, column, row, from + k, link[k], impulse[k]);
+                }
+            }
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Copies in a cache line: each tile's begin with one.
+#define LINE_COPIES 8
+
+int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
+
+// Finds where the contacts of each round begin, in the record and in the numbers of all contacts. rounds: as many as there is
+// room for and one more, or 0 where there is nothing to do.
+void placeRounds(const World *w, local Arrangement *a, global int *record, int rounds) {
+    int size = (int) get_local_size(0);
+    TILE_EACH(round, rounds) a->roundParts[round] = (uchar) ((contactsOfRound(a->roundCount[round]) + size - 1) / size);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    TILE_EACH(round, rounds) {
+        // No round is empty but those behind the last one.
+        if (round > 0 && a->roundCount[round - 1] == 0) continue;
+        int sums = 0;
+        int part = 0;
+#pragma unroll 4
+        for (int before = 0; before < round; before++) {
+            sums += a->roundCount[before];
+            part += a->roundParts[before];
+        }
+        int start = contactsOfRound(sums);
+        int own = sums & 0xffff;
+        int count = a->roundCount[round];
+        a->ownPlace[round] = start;
+        a->otherPlace[round] = start + (count & 0xffff);
+        a->ownNumber[round] = own - start;
+        for (int first = 0; first < contactsOfRound(count); first += size) record[RECORD_STARTS + part++] = start + first;
+        if (count > 0) continue;
+        record[RECORD_STARTS + part] = start;
+        record[RECORD_PARTS] = part;
+        a->firstNumber = atomic_add(&w->status[TILE_NUMBERS], own);
+        a->firstCopy = atomic_add(&w->status[TILE_COPIES], (start + LINE_COPIES - 1) & ~(LINE_COPIES - 1));
+        record[RECORD_COPIES] = a->firstCopy;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// How many copies there is room for.
+int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
+
+// Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
+// ones their numbers. circles: 0 where there is nothing to do.
+void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
+    global int2 *placed = contactsOf(record);
+    placeRounds(w, a, record, circles > 0 ? TILE_ROUNDS + 1 : 0);
+    if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
+    int contacts = circles > 0 ? a->contacts : 0;
+    TILE_TOGETHER(first, contacts, ARRANGED) {
+        uint met[MOST_TOGETHER];
+        int c[MOST_TOGETHER];
+        uint link[MOST_TOGETHER];
+        TOGETHER_EACH(n, ARRANGED) {
+            if (togetherItem(first, n) >= contacts) continue;
+            met[n] = a->of.met[togetherItem(first, n)];
+            c[n] = w->groupStart[groupAt(w, r, MET_COLUMN(met[n]), MET_ROW(met[n]))] + MET_IN_GROUP(met[n]);
+        }
+        TOGETHER_EACH(n, ARRANGED) {
+            if (togetherItem(first, n) < contacts) link[n] = w->link[c[n]];
+        }
+        TOGETHER_EACH(n, ARRANGED) {
+            if (togetherItem(first, n) >= contacts) continue;
+            int column = MET_COLUMN(met[n]);
+            int row = MET_ROW(met[n]);
+            int round = MET_ROUND(met[n]);
+            int lo = circleOfLink(r, a, column, row, link[n]);
+            int hi = circleOfLink(r, a, column, row, link[n] >> 16);
+            bool own = owns(r, column, row);
+            int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
+            if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
+            placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
+}
+
+// Starts the tile's own circles, and keeps at hand what is to be known of all for their contacts. together: how many a work-item
+// takes at a time.
+void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
+    global int *entry = record + RECORD_SLOTS;
+    TILE_TOGETHER(first, circles, together) {
+        int taken[MOST_TOGETHER];
+        float4 c[MOST_TOGETHER], t[MOST_TOGETHER], m[MOST_TOGETHER];
+        TOGETHER_EACH(n, together) {
+            if (togetherItem(first, n) < circles) taken[n] = entry[togetherItem(first, n)];
+        }
+        TOGETHER_EACH(n, together) {
+            if (togetherItem(first, n) >= circles) continue;
+            int slot = taken[n] & ENTRY_SLOT;
+            c[n] = w->circle[slot];
+            t[n] = (float4)(lastingTraits(w, slot), 0.0f, 0.0f);
+            if (taken[n] >= 0) {
+                t[n] = w->traits[slot];
+                m[n] = w->motion[slot];
+            }
+        }
+        TOGETHER_EACH(n, together) {
+            int i = togetherItem(first, n);
+            if (i >= circles) continue;
+            int slot = taken[n] & ENTRY_SLOT;
+            if (taken[n] >= 0) {
+                bool carried = (a->progress[i] & HAS_CARRIED) != 0;
+                if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
+            }
+            a->load[i] = c[n].xy;
+            a->of.circle.radius[i] = c[n].z;
+            a->of.circle.inverseMass[i] = t[n].x;
+            a->of.circle.restitution[i] = t[n].y;
+            a->of.circle.slot[i] = slot;
+        }
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+}
+
+// Copies what passes read of the contacts of a region, in the order of the record. Refuses the step where there is no room.
+void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
+    global int2 *placed = contactsOf(record);
+    int room = copyRoom(w);
+    TILE_TOGETHER(first, contacts, ARRANGED) {
+        int2 contact[MOST_TOGETHER];
+        float4 normal[MOST_TOGETHER];
+        TOGETHER_EACH(n, ARRANGED) {
+            if (togetherItem(first, n) < contacts) contact[n] = placed[togetherItem(first, n)];
+        }
+        TOGETHER_EACH(n, ARRANGED) {
+            if (togetherItem(first, n) < contacts) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+        }
+        TOGETHER_EACH(n, ARRANGED) {
+            int place = togetherItem(first, n);
+            int copy = a->firstCopy + place;
+            if (place >= contacts || copy >= room) continue;
+            int i = lowerOf(contact[n].y);
+            int j = higherOf(contact[n].y);
+            basesOf(w)[copy] = a->load[j] - a->load[i];
+            w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
+                                      greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
+            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
+                                        1.0f / (a->of.circle.inverseMass[i] + a->of.circle.inverseMass[j]));
+            if (contact[n].x < 0) continue;
+            int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
+            placed[place].x = number;
+            w->held[number] = normal[n].w;
+            w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
+        }
+    }
+    if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
+}
+
+// Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
+// tiles have given theirs. contacts: of the tile's record.
+void findNumbers(const World *w, global int *record, int contacts) {
+    global int2 *placed = contactsOf(record);
+    TILE_EACH(place, contacts) {
+        int c = placed[place].x;
+        if (c < 0) placed[place].x = newNumbers(w)[c & ~NOT_OWN] | NOT_OWN;
+    }
+    barrier(CLK_GLOBAL_MEM_FENCE);
+}
+
+// Whether the step has been refused, asked while others may refuse it.
+bool refusedMeanwhile(const World *w) {
+    return tooFast(w) || atomic_or(&w->status[OUT_OF_ROOM], 0) != 0 ||
+           (w->k.thinning == 0 && atomic_or(&w->status[CROWDED], 0) != 0);
+}
+
+// Writes the tile's record, and starts its own circles, each work-item so many together. Refuses the step where they do not
+// fit. idle: do nothing.
+void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int together) {
+    Region r = regionOf(w, tile);
+    global int *record = recordOf(w, tile);
+    int found = numberCircles(w, &r, a, record);
+    bool any = !idle && found > 0 && found <= TILE_CIRCLES;
+    takeContacts(w, &r, a, any);
+    int contacts = a->contacts;
+    bool crowded = a->crowded && w->k.thinning == 0;
+    bool fits = any && !a->overfull && !crowded;
+    int circles = fits ? found : 0;
+    recordContacts(w, &r, a, record, circles);
+    takeCircles(w, a, record, circles, together);
+    copyContacts(w, a, record, circles > 0 ? contacts : 0);
+    if (get_local_id(0) != 0 || idle) return;
+    if (fits) {
+        atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
+    } else if (found > TILE_CIRCLES) {
+        refuseTile(w, 100 * found / TILE_CIRCLES + 1);
+    } else if (found > 0 && crowded) {
+        atomic_or(&w->status[CROWDED], 1);
+    } else if (found > 0) {
+        refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);
+    }
+}
+
+// Index space: a work-group a tile.
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Arrangement arrangement;
+    // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
+    if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    arrangeTile(&w, &arrangement, (int) get_group_id(0), arrangement.idle, 2);
+}
