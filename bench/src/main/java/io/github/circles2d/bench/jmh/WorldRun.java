@@ -34,9 +34,6 @@ public class WorldRun {
     @Param("100")
     public int skipped;
 
-    /** Steps before all others. */
-    private static final int FIRST_STEPS = 4;
-
     World world;
     float timeStep;
     int steps;
