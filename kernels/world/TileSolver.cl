@@ -317,8 +317,8 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep, int together
     }
 }
 
-// Measures the contacts of a tile after the circles have moved. Before the pass, since nothing waits for it: work-items have
-// nearly no contact too few here, in the parts of rounds half of them.
+// Measures the contacts of a tile after the circles have moved. Before the pass, since no contact has to wait for another here:
+// hardly a work-item is idle, while in the parts of rounds half of them are.
 void measureContacts(const World *w, local Tile *t, global int *record) {
     global const int2 *placed = contactsOf(record);
     int contacts = t->contacts;
@@ -418,7 +418,7 @@ kernel void solver_remember(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
 }
 
-// Index space of each: a work-group a tile. Cost: see Tiles.cl.
+// Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
 
 TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;

@@ -3,10 +3,10 @@
 // waits too long calls it off for all, and all leave before anything has been changed. Once all have come, all are running,
 // and later meetings cannot fail.
 
-// Who waits looks again and again; after a while he offers the processor to others at each look, for maybe it is him whom
-// the one that he waits for waits for: on a busy machine steps would else take hundreds of times as long. No OpenCL function does
-// that. A kernel on a processor can call the system like any other code, in assembler, where the compiler is known to take that
-// (YIELDS, from the host).
+// A work-group that waits looks again and again; after a while it offers its processor to others at each look, since the one that
+// it waits for may have none: on a busy machine steps would else take hundreds of times as long. No OpenCL function does that. A
+// kernel on a processor can call the system like any other code, in assembler, where the compiler is known to take that (YIELDS,
+// from the host).
 #define LOOKS 100
 
 #if defined(__x86_64__) && defined(__has_builtin)

@@ -13,7 +13,7 @@ import org.bridj.Pointer;
 
 /**
  * Memory of a device. Transfers run in order with the session's kernels, are checked against the sizes of both sides,
- * and have ended when the call returns; a {@link CopyQueue} makes others.
+ * and have ended when the call returns, but for {@link #copyTo}; a {@link CopyQueue} makes others.
  */
 public final class DeviceBuffer implements AutoCloseable {
     private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};

@@ -302,7 +302,7 @@ final class ClBuffers {
         }
     }
 
-    /** Room for copies where there is room for so many contacts; the same in {@code Tiles.cl}. */
+    /** Room for copies where there is room for so many contacts; the same in {@code TileOrder.cl}. */
     private static int copyRoom(int contacts) {
         return (contacts >> 1) * COPIES_IN_TWO;
     }

@@ -66,7 +66,7 @@ public interface Pipeline extends AutoCloseable {
     void requestPositions(Roster roster);
 
     /**
-     * Waits for the positions that were requested last.
+     * Waits for the positions that were requested last. Once a request.
      *
      * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the request
      *     after the next
