@@ -731,7 +731,7 @@ public final class World implements AutoCloseable {
      * @return two elements a circle, from position 0 to the limit, in memory of the world's own. Read-only, and valid until the
      *     second {@link #requestPositions} from now: the next one leaves it as it is. No other method touches it, and it may be
      *     kept beyond {@link #close()}.
-     * @throws IllegalStateException where nothing has been requested since the last call
+     * @throws IllegalStateException where nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
         enter();
