@@ -15,6 +15,9 @@ import javax.swing.SwingUtilities;
  * does, and leaves it to the JVM to end.
  */
 final class WindowProgram {
+    /** What was seen last where the disc was not lit, so that a failure can be told from a screen that shows nothing. */
+    private static String lastOtherColour = "nothing";
+
     private WindowProgram() {}
 
     public static void main(String[] arguments) throws Exception {
@@ -67,6 +70,7 @@ final class WindowProgram {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
         while (!condition.call()) {
             if (System.nanoTime() > deadline) {
+                System.out.println("still waiting after 30 s; last seen in place of the disc: " + lastOtherColour);
                 return false;
             }
             Thread.sleep(20);
@@ -81,6 +85,11 @@ final class WindowProgram {
         int x = corner.x + (int) arena.x(0.5);
         int y = corner.y + (int) arena.y(0.9);
         Robot robot = new Robot();
-        return (robot.getPixelColor(x, y).getRGB() & 0xffffff) == Palette.ramp(10)[Palette.ramp(10).length - 1];
+        int seen = robot.getPixelColor(x, y).getRGB() & 0xffffff;
+        int lit = Palette.ramp(10)[Palette.ramp(10).length - 1];
+        if (seen != lit) {
+            lastOtherColour = String.format("%06x at %d, %d", seen, x, y);
+        }
+        return seen == lit;
     }
 }
