@@ -231,8 +231,8 @@ void readyContact(const World *w, local const Tile *t, const Reading *reading, b
 
 // Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
 // and looks up those of the third.
-void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit, Reading *reading,
-               Entry *next, Cursor *cursor) {
+void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit,
+               Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
     visitContact(w, t, visit, relaxing, last);
     readyContact(w, t, reading, relaxing, visit);
