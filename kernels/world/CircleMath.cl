@@ -83,7 +83,7 @@ int sizeClass(float r, float rmax) {
 // Java's conversion of a float to an int saturates.
 int cell(float x, float min, float inverseEdge) { return convert_int_sat(greatest((x - min) * inverseEdge, 0.0f)); }
 
-int ringFirst(int a, int b, int mask) { return ((b + 1) & mask) == a ? b : a; }
+int ringFirst(int a, int b, int size) { return (b + 1 == size ? 0 : b + 1) == a ? b : a; }
 
 uint mixBits(uint h) {
     h = (h ^ (h >> 16)) * 0x85ebca6bu;

@@ -40,8 +40,8 @@ void recordContact(const World *w, int k, int slot, int other) {
     float4 own = w->sight[slot];
     int cl = levels->columnsLog[level];
     int bucket = w->bucketOf[other] - levels->first[level];
-    int ox = ringFirst(columnOf(w, level, own.x), bucket & ((1 << cl) - 1), (1 << cl) - 1);
-    int oy = ringFirst(rowOf(w, level, own.y), bucket >> cl, (1 << levels->rowsLog[level]) - 1);
+    int ox = ringFirst(columnOf(w, level, own.x), bucket & ((1 << cl) - 1), levels->columnCount[level]);
+    int oy = ringFirst(rowOf(w, level, own.y), bucket >> cl, levels->rowCount[level]);
     int group = groupOf(w, level, ox, oy);
     int rank = atomic_inc(&w->tally[group]);
     if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
@@ -73,9 +73,9 @@ bool keepsPair(const World *w, const Seeker *s, int other) {
 Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
     global const int *start = w->bucketStart;
     int cl = w->levels->columnsLog[s->level];
-    int last = (1 << cl) - 1;
+    int last = w->levels->columnCount[s->level] - 1;
     int first = w->levels->first[s->level];
-    int row = first + (((s->row + v) & ((1 << w->levels->rowsLog[s->level]) - 1)) << cl);
+    int row = first + (neighbour(s->row, v, w->levels->rowCount[s->level]) << cl);
     int ownRow = first + (s->row << cl);
     int4 from = (int4)(0);
     int4 to = (int4)(0);
@@ -191,9 +191,9 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
         seekIn(&w, &s, levels->used[l]);
         int cl = levels->columnsLog[s.level];
         for (int v = -1; v <= 1; v++) {
-            int row = levels->first[s.level] + (((s.row + v) & ((1 << levels->rowsLog[s.level]) - 1)) << cl);
+            int row = levels->first[s.level] + (neighbour(s.row, v, levels->rowCount[s.level]) << cl);
             for (int u = -1; u <= 1; u++) {
-                int b = row + ((s.column + u) & ((1 << cl) - 1));
+                int b = row + neighbour(s.column, u, levels->columnCount[s.level]);
                 sum += candidatesIn(&w, &s, bucketStart[b], bucketStart[b + 1]);
             }
         }

@@ -242,7 +242,7 @@ void gatherRow(const World *shared, int row) {
 kernel void lanes_degrees(WORLD_PARAMETERS) {
     World w = WORLD;
     int row = (int) get_global_id(0);
-    if (row >= 1 << levels->rowsLog[levels->used[0]]) return;
+    if (row >= levels->rowCount[levels->used[0]]) return;
     for (int place = 4 * groupStart[2 * row]; place < 4 * groupStart[2 * row + 1]; place++) {
         int bundle = place >> 2;
         uint lo = pairOf(&w, bundle)[place & 3];

@@ -125,11 +125,10 @@ void deal(const World *w, Search *f) {
 INLINE int findGroup(const World *w, Search *f, int row, int column) {
     int l = w->levels->used[0];
     int cl = w->levels->columnsLog[l];
-    int mask = (1 << cl) - 1;
     global const int *own = w->bucketStart + w->levels->first[l] + (row << cl);
     global const int *above =
-        w->bucketStart + w->levels->first[l] + (((row + 1) & ((1 << w->levels->rowsLog[l]) - 1)) << cl);
-    int right = (column + 1) & mask;
+        w->bucketStart + w->levels->first[l] + (neighbour(row, 1, w->levels->rowCount[l]) << cl);
+    int right = neighbour(column, 1, w->levels->columnCount[l]);
     int from = own[column];
     int to = own[column + 1];
     int rightFrom = own[right];
@@ -158,7 +157,7 @@ void findRow(const World *shared, Search *f, int row) {
     int first = f->bundle;
     Cells cells = cellsOf(w, row);
     // A row without circles has no groups with contacts: an arena that is smaller than its torus leaves many empty.
-    int columns = cells.from < cells.to ? 1 << w->levels->columnsLog[w->levels->used[0]] : 0;
+    int columns = cells.from < cells.to ? w->levels->columnCount[w->levels->used[0]] : 0;
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
             gatherHits(w, f, findGroup(w, f, row, column));

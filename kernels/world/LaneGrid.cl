@@ -20,7 +20,7 @@ long weightOf(const World *w, int row, bool listed) {
 
 // The host sees to it that several work-groups have 2 * LAG rows each.
 Band bandOf(const World *w, const Crew *crew, bool listed) {
-    int rows = 1 << w->levels->rowsLog[w->levels->used[0]];
+    int rows = w->levels->rowCount[w->levels->used[0]];
     Band band = {0, rows, rows};
     if (crew->groups == 1) return band;
     long all = 0;

@@ -44,7 +44,7 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     return !outOfRoom(w) && !tooCrowded(w);
 }
 
-int ringRow(const World *w, int row) { return row & ((1 << w->levels->rowsLog[w->levels->used[0]]) - 1); }
+int ringRow(const World *w, int row) { return onRing(row, w->levels->rowCount[w->levels->used[0]]); }
 
 // All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row.
 void visit(const World *w, int row, int low, int high, int inwards, int subStep) {

@@ -71,29 +71,42 @@ void meet(const World *w, const Runner *s, int other) {
     }
 }
 
+// How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many behind it.
+int inBlock(int column, int side, int most) {
+    int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
+    return min(min(blockEnd, side) - column, most + 1);
+}
+
+void meetAll(const World *w, const Runner *s, int from, int to) {
+    for (int other = from; other < to; other++) {
+        if (other != s->slot) meet(w, s, other);
+    }
+}
+
 // Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block.
 void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1) {
     int cl = w->levels->columnsLog[level];
-    int mask = (1 << cl) - 1;
-    int rowMask = (1 << w->levels->rowsLog[level]) - 1;
+    int columns = w->levels->columnCount[level];
+    int rows = w->levels->rowCount[level];
     int first = w->levels->first[level];
     float half_ = 0.5f * s->r;
-    for (int v = r0 >> BLOCK_LOG; v <= r1 >> BLOCK_LOG; v++) {
-        for (int u = c0 >> BLOCK_LOG; u <= c1 >> BLOCK_LOG; u++) {
-            int block = (first >> (2 * BLOCK_LOG)) + ((v & (rowMask >> BLOCK_LOG)) << (cl - BLOCK_LOG)) +
-                        (u & (mask >> BLOCK_LOG));
-            float4 range = w->blockRange[block];
-            if (!differ(s->px, s->py, range.x, range.y, range.z, range.w, half_)) continue;
-            int lastRow = min(r1, (v << BLOCK_LOG) + 3);
-            int lastColumn = min(c1, (u << BLOCK_LOG) + 3);
-            for (int row = max(r0, v << BLOCK_LOG); row <= lastRow; row++) {
-                int rowStart = first + ((row & rowMask) << cl);
-                int end = w->bucketStart[rowStart + (lastColumn & mask) + 1];
-                for (int other = w->bucketStart[rowStart + (max(c0, u << BLOCK_LOG) & mask)]; other < end; other++) {
-                    if (other != s->slot) meet(w, s, other);
+    for (int v = r0; v <= r1;) {
+        int row = onRing(v, rows);
+        int rowsOfBlock = inBlock(row, rows, r1 - v);
+        for (int u = c0; u <= c1;) {
+            int column = onRing(u, columns);
+            int columnsOfBlock = inBlock(column, columns, c1 - u);
+            float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
+                                         (column >> BLOCK_LOG)];
+            if (differ(s->px, s->py, range.x, range.y, range.z, range.w, half_)) {
+                for (int r = row; r < row + rowsOfBlock; r++) {
+                    global const int *start = w->bucketStart + first + (r << cl) + column;
+                    meetAll(w, s, start[0], start[columnsOfBlock]);
                 }
             }
+            u += columnsOfBlock;
         }
+        v += rowsOfBlock;
     }
 }
 
@@ -116,8 +129,8 @@ void lookAhead(const World *w, int slot) {
         int c1 = cell(greatest(s.x, s.x + px) + margin, minX, edge);
         int r0 = cell(least(s.y, s.y + py) - margin, minY, edge);
         int r1 = cell(greatest(s.y, s.y + py) + margin, minY, edge);
-        lookAt(w, &s, level, c0, min(c1, c0 + (1 << w->levels->columnsLog[level]) - 1), r0,
-               min(r1, r0 + (1 << w->levels->rowsLog[level]) - 1));
+        lookAt(w, &s, level, c0, min(c1, c0 + w->levels->columnCount[level] - 1), r0,
+               min(r1, r0 + w->levels->rowCount[level] - 1));
     }
 }
 

@@ -33,8 +33,8 @@ void linkContact(const World *w, int listed) {
     int highColumn = (high - first) & columnMask;
     int lowRow = (low - first) >> cl;
     int highRow = (high - first) >> cl;
-    int column = ringFirst(lowColumn, highColumn, columnMask);
-    int row = ringFirst(lowRow, highRow, (1 << w->levels->rowsLog[l]) - 1);
+    int column = ringFirst(lowColumn, highColumn, w->levels->columnCount[l]);
+    int row = ringFirst(lowRow, highRow, w->levels->rowCount[l]);
     int group = groupOf(w, l, column, row);
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];

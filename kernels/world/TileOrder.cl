@@ -37,17 +37,17 @@ typedef struct {
 
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
-    return w->levels->first[w->levels->used[0]] + (((r->firstRow + row) & r->rowMask) << r->columnsLog);
+    return w->levels->first[w->levels->used[0]] + (wrapped(r->firstRow + row, r->torusRows) << r->columnsLog);
 }
 
 // The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
 int4 slotsInRow(const World *w, const Region *r, int row) {
     int bucket = bucketOfRow(w, r, row);
-    int width = 1 << r->columnsLog;
+    int width = r->torusColumns;
     int end = r->firstColumn + r->columns;
-    int wrapped = w->bucketStart[bucket];
-    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], wrapped,
-                  end <= width ? wrapped : w->bucketStart[bucket + end - width]);
+    int first = w->bucketStart[bucket];
+    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], first,
+                  end <= width ? first : w->bucketStart[bucket + end - width]);
 }
 
 // Numbers the circles of a region, where there is room for them. All work-items of the work-group; returns how many there are.
@@ -72,7 +72,7 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
     TILE_EACH(cell, cells) {
         int row = cell / r->columns;
         int inRow = cell - row * r->columns;
-        int column = (r->firstColumn + inRow) & r->columnMask;
+        int column = wrapped(r->firstColumn + inRow, r->torusColumns);
         int4 slots = a->rowSlots[row];
         int bucket = bucketOfRow(w, r, row) + column;
         int from = w->bucketStart[bucket];
@@ -98,8 +98,8 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
 int circleOfLink(const Region *r, local const Arrangement *a, int column, int row, uint part) {
     if (part & LINK_COLUMN) column++;
     if (part & LINK_ROW) row++;
-    if (r->ringX) column &= r->columnMask;
-    if (r->ringY) row &= r->rowMask;
+    if (r->ringX) column = wrapped(column, r->torusColumns);
+    if (r->ringY) row = wrapped(row, r->torusRows);
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 

@@ -9,7 +9,7 @@
 // pass reads one copy of the state and writes another. A tile that spans the torus has no border on that axis.
 //
 // The first tiles begin at column and row -1, and there are as many as it takes to reach the last column and row that a circle
-// can be in, or once around the torus where the arena does.
+// can be in, or once around the torus where the arena does; the last of those are smaller where the torus is no multiple of a tile.
 //
 // Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
 // others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
@@ -76,38 +76,42 @@ int roundOf(int circles) { return circles >> 22 & 0x7f; }
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
-    int columnsLog, columnMask, rowMask; // of the torus
-    int firstColumn, firstRow;           // where the region begins
-    int columns, rows;                   // of the region
-    int left, bottom;                    // where the tile begins in the region
-    int width, height;                   // of the tile
-    bool ringX, ringY;                   // whether it spans the torus
+    int columnsLog, torusColumns, torusRows; // of the torus
+    int firstColumn, firstRow;               // where the region begins
+    int columns, rows;                       // of the region
+    int left, bottom;                        // where the tile begins in the region
+    int width, height;                       // of the tile
+    bool ringX, ringY;                       // whether it spans the torus
 } Region;
+
+// The column (or row) of the torus of one that may lie beyond its end, by less than once around.
+int wrapped(int column, int side) { return column < side ? column : column - side; }
 
 int tileCount(const World *w) { return w->levels->tilesAcross * w->levels->tilesDown; }
 
 Region regionOf(const World *w, int tile) {
     int l = w->levels->used[0];
     int cl = w->levels->columnsLog[l];
-    int rl = w->levels->rowsLog[l];
     int wl = w->levels->tileColumnsLog;
     int hl = w->levels->tileRowsLog;
     Region r;
     r.columnsLog = cl;
-    r.columnMask = (1 << cl) - 1;
-    r.rowMask = (1 << rl) - 1;
+    r.torusColumns = w->levels->columnCount[l];
+    r.torusRows = w->levels->rowCount[l];
     r.ringX = wl == cl;
-    r.ringY = hl == rl;
-    r.width = 1 << wl;
-    r.height = 1 << hl;
+    r.ringY = hl == w->levels->rowsLog[l];
+    int ty = tile / w->levels->tilesAcross;
+    int tx = tile - ty * w->levels->tilesAcross;
+    r.width = min(1 << wl, r.torusColumns - (tx << wl));
+    r.height = min(1 << hl, r.torusRows - (ty << hl));
     r.left = r.ringX ? 0 : HALO_COLUMNS;
     r.bottom = r.ringY ? 0 : HALO_ROWS;
     r.columns = r.width + 2 * r.left;
     r.rows = r.height + 2 * r.bottom;
-    int ty = tile / w->levels->tilesAcross;
-    int tx = tile - ty * w->levels->tilesAcross;
-    r.firstColumn = r.ringX ? 0 : ((tx << wl) - 1 - HALO_COLUMNS) & r.columnMask;
-    r.firstRow = r.ringY ? 0 : ((ty << hl) - 1 - HALO_ROWS) & r.rowMask;
+    int firstColumn = (tx << wl) - 1 - HALO_COLUMNS;
+    int firstRow = (ty << hl) - 1 - HALO_ROWS;
+    r.firstColumn = r.ringX ? 0 : firstColumn < 0 ? firstColumn + r.torusColumns : firstColumn;
+    r.firstRow = r.ringY ? 0 : firstRow < 0 ? firstRow + r.torusRows : firstRow;
     return r;
 }
 
@@ -117,7 +121,8 @@ bool owns(const Region *r, int column, int row) {
 
 // The number of the group that begins at a cell of a region.
 int groupAt(const World *w, const Region *r, int column, int row) {
-    return groupOf(w, w->levels->used[0], (r->firstColumn + column) & r->columnMask, (r->firstRow + row) & r->rowMask);
+    return groupOf(w, w->levels->used[0], wrapped(r->firstColumn + column, r->torusColumns),
+                   wrapped(r->firstRow + row, r->torusRows));
 }
 
 // Refuses the step: tiles must be smaller, or there must be none.

@@ -22,7 +22,10 @@ typedef struct {
     float minX, minY, rmax;
     int usedCount;
     float inverseEdge[LEVELS], top[LEVELS];
-    int levelOf[LEVELS], columnsLog[LEVELS], rowsLog[LEVELS], used[LEVELS];
+    int levelOf[LEVELS];
+    int columnsLog[LEVELS], rowsLog[LEVELS];   // of the torus, rounded up to powers of two
+    int columnCount[LEVELS], rowCount[LEVELS]; // of the torus
+    int used[LEVELS];
     int first[LEVELS + 1];
     int tileColumnsLog, tileRowsLog; // cells of a tile (Tiles.cl)
     int tilesAcross, tilesDown;      // tiles that may hold circles
@@ -155,12 +158,21 @@ bool refused(const World *w) {
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
 
+// The column (or row) of the torus of a cell's column (or row).
+int onRing(int cell, int side) { return cell < side ? cell : cell % side; }
+
+// The column (or row) of the torus that is at (0), behind (1) or before (-1) another.
+int neighbour(int column, int offset, int side) {
+    int moved = column + offset;
+    return moved < 0 ? side - 1 : moved < side ? moved : 0;
+}
+
 int columnOf(const World *w, int atLevel, float x) {
-    return cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]) & ((1 << w->levels->columnsLog[atLevel]) - 1);
+    return onRing(cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]), w->levels->columnCount[atLevel]);
 }
 
 int rowOf(const World *w, int atLevel, float y) {
-    return cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]) & ((1 << w->levels->rowsLog[atLevel]) - 1);
+    return onRing(cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]), w->levels->rowCount[atLevel]);
 }
 
 // The number of groups of a colour, and the first of them: those of one colour are consecutive.

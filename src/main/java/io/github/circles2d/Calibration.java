@@ -35,7 +35,8 @@ import java.util.function.IntToDoubleFunction;
  * version are not used. The file lies in the user's folder for caches ({@code $XDG_CACHE_HOME} or {@code ~/.cache}, {@code
  * ~/Library/Caches}, {@code %LOCALAPPDATA%}) as {@code circles2d/calibration.txt}, and may be deleted at any time. The system
  * property {@code circles2d.calibration} names another file; {@code off} keeps no file, so that a calibration holds for the
- * process that made it alone. A file that cannot be read or written, or is damaged, is a warning in the log and no error.
+ * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
+ * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
  *
  * <p>One crowd is timed at a few sizes: World at 250, 1,000, 10,000 and 100,000 circles, Circles2D at 1,000 and 8,000 with each
  * exact indexing, fewer where it would take long. What lies between is interpolated; beyond, the order at the last size holds. A
@@ -67,16 +68,24 @@ public final class Calibration {
      * it measures the JVM.
      *
      * @return the times
+     * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
+     *     cannot be used; nothing has been measured then
      */
     public static Calibration run() {
-        List<Device> devices;
+        CachePlace.findToWrite();
+        return run(devices());
+    }
+
+    /** Every device that can be used. */
+    static List<Device> devices() {
         try {
-            devices = OpenCl.devices();
+            List<Device> devices = OpenCl.devices();
+            OpenCl.refusal().ifPresent(why -> LOG.log(Level.INFO, "the CPU is not calibrated for OpenCL: {0}", why));
+            return devices;
         } catch (OpenClUnavailableException e) {
             LOG.log(Level.INFO, "no OpenCL device is calibrated: {0}", e.getMessage());
-            devices = List.of();
+            return List.of();
         }
-        return run(devices);
     }
 
     /**
@@ -85,6 +94,8 @@ public final class Calibration {
      *
      * @param devices the devices; may be empty
      * @return the times
+     * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
+     *     cannot be used; nothing has been measured then
      */
     public static Calibration run(Collection<Device> devices) {
         return run(devices, new FrameMeter(), WORLD_SIZES, CIRCLES2D_SIZES);
@@ -93,6 +104,8 @@ public final class Calibration {
     /** By any meter and at any sizes, for tests. */
     static synchronized Calibration run(
             Collection<Device> devices, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
+        Optional<Path> place = CachePlace.findToWrite();
+        devices.forEach(Calibration::requireKernels);
         List<Timings.Entry> entries = new ArrayList<>();
         Curve jvm = curve(
                 Workload.WORLD,
@@ -112,7 +125,12 @@ public final class Calibration {
             }
         }
         Timings measured = new Timings(entries);
-        return new Calibration(measured, save(measured));
+        return new Calibration(measured, save(measured, place));
+    }
+
+    private static void requireKernels(Device device) {
+        Runners.world(device);
+        IndexingChoice.CANDIDATES.forEach(indexing -> Runners.circles2d(device, indexing));
     }
 
     private static List<Timings.Entry> measure(
@@ -157,9 +175,8 @@ public final class Calibration {
     }
 
     /** Saves and returns the file; none where there is none or it cannot be written. */
-    private static Optional<Path> save(Timings measured) {
+    private static Optional<Path> save(Timings measured, Optional<Path> place) {
         Timings all = timings().and(measured);
-        Optional<Path> place = CachePlace.find();
         if (place.isPresent()) {
             try {
                 TimingsFile.write(place.get(), all);
@@ -182,6 +199,7 @@ public final class Calibration {
      * Forgets all times: from now on the rules hold again.
      *
      * @throws UncheckedIOException if the file is there and cannot be deleted
+     * @throws IllegalArgumentException if the system property {@code circles2d.calibration} names what cannot be a file
      */
     public static synchronized void forget() {
         unsaved = Timings.NONE;
@@ -203,7 +221,13 @@ public final class Calibration {
         if (!here.entries().isEmpty()) {
             return here;
         }
-        Optional<Path> place = CachePlace.find();
+        Optional<Path> place;
+        try {
+            place = CachePlace.find();
+        } catch (IllegalArgumentException e) {
+            LOG.log(Notice.level(Level.WARNING, e.getMessage()), "no calibration is used: {0}", e.getMessage());
+            return Timings.NONE;
+        }
         if (place.isPresent()) {
             try {
                 return TimingsFile.read(place.get());

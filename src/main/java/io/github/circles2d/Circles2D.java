@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
@@ -37,8 +38,9 @@ import java.util.Objects;
  * which has no direction to part in, gets no minimum translation vector in that step. And no n overflows an int.
  *
  * <p>Use: add circles, {@link #init}, then call {@link #loop} once a frame. Positions and radii are in widths of the arena,
- * times in seconds, masses in any one unit. The methods may be called from any thread; they run one at a time. After
- * {@link #close} every other method throws {@link IllegalStateException}.
+ * times in seconds, masses in any one unit. Within the ranges that the methods name, all values stay finite for 1,000 steps
+ * and more. The methods may be called from any thread; they run one at a time. After {@link #close} every other method
+ * throws {@link IllegalStateException}.
  */
 public final class Circles2D implements AutoCloseable {
     /** The greatest number of circles: the largest whose slots an int can number. */
@@ -46,7 +48,7 @@ public final class Circles2D implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(Circles2D.class.getName());
 
-    /** As in the thesis. No kernel makes or expects anything but finite numbers. */
+    /** As in the thesis. The ranges of the input keep all numbers in the kernels finite. */
     private static final String BUILD_OPTION = "-cl-finite-math-only";
 
     private final Session session;
@@ -90,10 +92,10 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Adds a circle at rest, which takes part from the next {@link #init} on.
      *
-     * @param x horizontal position of the centre, finite
-     * @param y vertical position of the centre, finite, upwards
-     * @param r radius, finite and greater than 0
-     * @param mass finite and greater than 0
+     * @param x horizontal position of the centre, from -1e6 to 1e6
+     * @param y vertical position of the centre, upwards, from -1e6 to 1e6
+     * @param r radius, from 1e-6 to 1e6
+     * @param mass from 1e-6 to 1e6
      * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
      */
     public void addCircle(float x, float y, float r, float mass) throws IllegalArgumentException {
@@ -103,12 +105,12 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Adds a moving circle, which takes part from the next {@link #init} on.
      *
-     * @param x horizontal position of the centre, finite
-     * @param y vertical position of the centre, finite, upwards
-     * @param r radius, finite and greater than 0
-     * @param mass finite and greater than 0
-     * @param vx horizontal velocity in arena widths a second, finite
-     * @param vy vertical velocity in arena widths a second, finite
+     * @param x horizontal position of the centre, from -1e6 to 1e6
+     * @param y vertical position of the centre, upwards, from -1e6 to 1e6
+     * @param r radius, from 1e-6 to 1e6
+     * @param mass from 1e-6 to 1e6
+     * @param vx horizontal velocity in arena widths a second, from -1e6 to 1e6
+     * @param vy vertical velocity in arena widths a second, from -1e6 to 1e6
      * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
      */
     public synchronized void addCircle(float x, float y, float r, float mass, float vx, float vy) {
@@ -125,10 +127,10 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Prepares the simulation by the thesis's number for the pair indexing.
      *
-     * @param timeStep seconds a step, finite and greater than 0
+     * @param timeStep seconds a step, from 1e-6 to 1
      * @param strategy 0 computed, 1 look-up table, 2 row search, 3 exact
      * @param restitution share of the speed that an impact leaves, for circles and walls alike: 0 inelastic to 1 elastic
-     * @param gravity acceleration (x, y) in arena widths per second squared, two finite values
+     * @param gravity acceleration (x, y) in arena widths per second squared, two values from -1e4 to 1e4
      * @throws IOException if the kernel sources cannot be read
      * @throws IllegalArgumentException if an argument is out of its range
      * @throws DeviceMemoryException if the circles do not fit
@@ -147,10 +149,10 @@ public final class Circles2D implements AutoCloseable {
      * was. If the driver fails later, in making the buffers, the engine is left without a simulation, as before the first
      * init.
      *
-     * @param timeStep seconds a step, finite and greater than 0
+     * @param timeStep seconds a step, from 1e-6 to 1
      * @param indexing how a slot finds its pair; {@link PairIndexing#AUTO} is chosen here, before the first step
      * @param restitution share of the speed that an impact leaves, for circles and walls alike: 0 inelastic to 1 elastic
-     * @param gravity acceleration (x, y) in arena widths per second squared, two finite values
+     * @param gravity acceleration (x, y) in arena widths per second squared, two values from -1e4 to 1e4
      * @throws IOException if the kernel sources cannot be read
      * @throws IllegalArgumentException if an argument is out of its range
      * @throws DeviceMemoryException if the circles do not fit; the message says how many bytes they need, how many the device
@@ -167,12 +169,7 @@ public final class Circles2D implements AutoCloseable {
         PairIndexing chosen = indexing == PairIndexing.AUTO ? choose(free) : indexing;
         PairStrategy strategy = strategyOf(chosen);
         MemoryNeed.of(strategy, circles.size()).requireRoom(session.device(), free);
-        Program program;
-        try {
-            program = session.build(Simulation.source(strategy, circles.size(), session.device()), BUILD_OPTION);
-        } catch (UncheckedIOException e) {
-            throw e.getCause();
-        }
+        Program program = session.build(source(strategy), BUILD_OPTION);
         release();
         // The simulation's kernels outlive the program that made them.
         try (program) {
@@ -286,6 +283,16 @@ public final class Circles2D implements AutoCloseable {
             closed = true;
             simulation = null;
             session.close();
+        }
+    }
+
+    private KernelSource source(PairStrategy strategy) throws IOException {
+        try {
+            return Simulation.source(strategy, circles.size(), session.device());
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e.getMessage(), e);
         }
     }
 

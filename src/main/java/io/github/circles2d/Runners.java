@@ -4,11 +4,10 @@ import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.world.ClPipeline;
 import java.io.BufferedReader;
+import java.io.FileReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 
 /** What identifies a device in a calibration, and the versions of all that its speed depends on. */
 final class Runners {
@@ -55,7 +54,8 @@ final class Runners {
         if (windows != null) {
             return windows;
         }
-        try (BufferedReader linux = Files.newBufferedReader(Path.of("/proc/cpuinfo"), StandardCharsets.ISO_8859_1)) {
+        // Not by a channel, which an interrupt may close.
+        try (BufferedReader linux = new BufferedReader(new FileReader("/proc/cpuinfo", StandardCharsets.ISO_8859_1))) {
             for (String line = linux.readLine(); line != null && !line.isEmpty(); line = linux.readLine()) {
                 if (line.startsWith("model name")) {
                     return line.substring(line.indexOf(':') + 1);

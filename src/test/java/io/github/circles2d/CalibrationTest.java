@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.Runner;
@@ -10,6 +11,7 @@ import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
@@ -166,16 +168,97 @@ class CalibrationTest {
     }
 
     @Test
-    void whatCannotBeSavedHoldsForThisProcess() throws IOException {
-        Path blocked = Files.writeString(folder.resolve("a file"), "in the way").resolve("calibration.txt");
-        for (String place : new String[] {blocked.toString(), "off"}) {
-            System.setProperty(PROPERTY, place);
-            assertThat(calibrate(new FakeMeter()).file()).isEmpty();
-            assertThat(statsOf(World.builder()).reason()).contains("by calibration");
-            Calibration.forget();
-            assertThat(statsOf(World.builder()).reason()).contains("not calibrated");
+    void withoutAFileTheTimesHoldForThisProcess() {
+        System.setProperty(PROPERTY, "off");
+        assertThat(calibrate(new FakeMeter()).file()).isEmpty();
+        assertThat(statsOf(World.builder()).reason()).contains("by calibration");
+        Calibration.forget();
+        assertThat(statsOf(World.builder()).reason()).contains("not calibrated");
+    }
+
+    /** Calibrates and says where the times are, and what they are good for. */
+    static final class CalibrateOnce {
+        public static void main(String[] args) {
+            Calibration calibration = Calibration.run(List.of(), new FakeMeter(), List.of(100), List.of());
+            System.out.println("file " + calibration.file() + ", "
+                    + statsOf(World.builder()).reason());
         }
-        assertThat(folder.resolve("a file")).hasContent("in the way");
+    }
+
+    @Test
+    void aFolderForCachesThatCannotBeWrittenIsAWarning() throws IOException {
+        String blocked =
+                Files.writeString(folder.resolve("a file"), "in the way").toString();
+        String output = new ForkedJvm()
+                .option("-D" + PROPERTY + "=")
+                .option("-Duser.home=" + blocked)
+                .environment("XDG_CACHE_HOME", blocked)
+                .environment("LOCALAPPDATA", blocked)
+                .run(CalibrateOnce.class)
+                .output();
+        assertThat(output).contains("holds for this process alone", "file Optional.empty, by calibration");
+    }
+
+    @Test
+    void aPropertyThatNamesNoFileThatCanBeWrittenIsRefusedBeforeAnythingIsMeasured() throws IOException {
+        Path aFile = Files.writeString(folder.resolve("a file"), "in the way");
+        Path aFolder = Files.createDirectory(folder.resolve("a folder"));
+        String[] places = {
+            aFolder.toString(),
+            aFile + "/calibration.txt",
+            "no\0path",
+            folder.getRoot().toString()
+        };
+        try {
+            for (String place : places) {
+                System.setProperty(PROPERTY, place);
+                FakeMeter meter = new FakeMeter();
+                assertThatIllegalArgumentException()
+                        .isThrownBy(() -> calibrate(meter))
+                        .withMessageContainingAll(PROPERTY, "'" + place + "'", "a file that can be written", "'off'");
+                assertThat(meter.calls).isEmpty();
+                assertThat(statsOf(World.builder()).reason()).contains("not calibrated");
+            }
+            System.setProperty(PROPERTY, aFolder.toString());
+            assertThatIllegalArgumentException()
+                    .isThrownBy(Calibration::forget)
+                    .withMessageContainingAll(PROPERTY, "a folder");
+            assertThat(aFolder).exists();
+        } finally {
+            System.setProperty(PROPERTY, file.toString());
+        }
+    }
+
+    @Test
+    void kernelsThatCannotBeReadAreRefusedBeforeAnythingIsMeasured() {
+        FakeMeter meter = new FakeMeter();
+        List<Device> devices = TestDevices.all();
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.resolve("none").toString());
+        try {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> Calibration.run(devices, meter, List.of(100), List.of(100)))
+                    .withMessageContainingAll(
+                            KernelSource.FOLDER_PROPERTY, folder.resolve("none").toString());
+            assertThat(meter.calls).isEmpty();
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> statsOf(World.builder().device(devices.get(0))))
+                    .withMessageContaining(KernelSource.FOLDER_PROPERTY);
+        } finally {
+            System.clearProperty(KernelSource.FOLDER_PROPERTY);
+        }
+    }
+
+    @Test
+    void anInterruptedThreadCalibratesAndChoosesAndStaysInterrupted() {
+        Thread.currentThread().interrupt();
+        try {
+            Calibration calibration = calibrate(new FakeMeter());
+            assertThat(calibration.file()).contains(file);
+            assertThat(statsOf(World.builder().capacity(500)).reason()).contains("by calibration");
+            assertThat(Thread.currentThread().isInterrupted()).isTrue();
+        } finally {
+            Thread.interrupted();
+        }
     }
 
     @Test

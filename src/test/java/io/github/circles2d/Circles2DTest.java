@@ -59,19 +59,22 @@ class Circles2DTest {
     @MethodSource("devices")
     void circlesOutOfRangeAreRefusedWithValueAndRuleAndNothingIsAdded(Device device) {
         try (Circles2D engine = new Circles2D(device)) {
-            for (float bad : new float[] {Float.NaN, Float.POSITIVE_INFINITY, Float.NEGATIVE_INFINITY}) {
-                assertRefused(() -> engine.addCircle(bad, 0.5f, 0.1f, 1), "x", "finite", bad);
-                assertRefused(() -> engine.addCircle(0.5f, bad, 0.1f, 1), "y", "finite", bad);
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, bad, 1), "radius", "greater than 0", bad);
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, bad), "mass", "greater than 0", bad);
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, 1, bad, 0), "x velocity", "finite", bad);
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, 1, 0, bad), "y velocity", "finite", bad);
+            String coordinates = "from -1000000.0 to 1000000.0";
+            for (float bad : new float[] {Float.NaN, Float.NEGATIVE_INFINITY, Math.nextUp(1e6f), -Float.MAX_VALUE}) {
+                assertRefused(() -> engine.addCircle(bad, 0.5f, 0.1f, 1), "x", coordinates, bad);
+                assertRefused(() -> engine.addCircle(0.5f, bad, 0.1f, 1), "y", coordinates, bad);
+                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, 1, bad, 0), "x velocity", coordinates, bad);
+                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, 1, 0, bad), "y velocity", coordinates, bad);
             }
-            for (float bad : new float[] {0, -0f, -1}) {
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, bad, 1), "radius", "greater than 0", bad);
-                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, bad), "mass", "greater than 0", bad);
+            String positive = "from 1.0E-6 to 1000000.0";
+            for (float bad : new float[] {Float.NaN, Float.MAX_VALUE, Math.nextDown(1e-6f), 0, -0f, -1}) {
+                assertRefused(() -> engine.addCircle(0.5f, 0.5f, bad, 1), "radius", positive, bad);
+                assertRefused(() -> engine.addCircle(0.5f, 0.5f, 0.1f, bad), "mass", positive, bad);
             }
             assertThat(engine.size()).isZero();
+            engine.addCircle(-1e6f, 1e6f, 1e-6f, 1e-6f, -1e6f, 1e6f);
+            engine.addCircle(1e6f, -1e6f, 1e6f, 1e6f, 1e6f, -1e6f);
+            assertThat(engine.size()).isEqualTo(2);
         }
     }
 
@@ -86,15 +89,16 @@ class Circles2DTest {
     void anInitOutOfRangeIsRefusedAndTheEngineRunsOnAsBefore(Device device) throws IOException {
         try (Circles2D engine = running(device, PairIndexing.ROW_SEARCH, 20)) {
             float[][] before = engine.loop();
-            for (float bad : new float[] {0, -STEP, Float.NaN, Float.POSITIVE_INFINITY}) {
-                assertRefused(() -> engine.init(bad, 2, 0.5f, GRAVITY), "time step", "greater than 0", bad);
+            for (float bad : new float[] {0, -STEP, Math.nextDown(1e-6f), Math.nextUp(1f), Float.NaN}) {
+                assertRefused(() -> engine.init(bad, 2, 0.5f, GRAVITY), "time step", "from 1.0E-6 to 1.0", bad);
             }
             for (float bad : new float[] {-0.1f, 1.1f, Float.NaN, Float.POSITIVE_INFINITY}) {
-                assertRefused(() -> engine.init(STEP, 2, bad, GRAVITY), "restitution", "0 to 1", bad);
+                assertRefused(() -> engine.init(STEP, 2, bad, GRAVITY), "restitution", "from 0.0 to 1.0", bad);
             }
-            for (float bad : new float[] {Float.NaN, Float.NEGATIVE_INFINITY}) {
-                assertRefused(() -> engine.init(STEP, 2, 0.5f, new float[] {bad, 0}), "gravity", "finite", bad);
-                assertRefused(() -> engine.init(STEP, 2, 0.5f, new float[] {0, bad}), "gravity", "finite", bad);
+            for (float bad : new float[] {Float.NaN, Float.NEGATIVE_INFINITY, Math.nextUp(1e4f)}) {
+                String range = "from -10000.0 to 10000.0";
+                assertRefused(() -> engine.init(STEP, 2, 0.5f, new float[] {bad, 0}), "x of gravity", range, bad);
+                assertRefused(() -> engine.init(STEP, 2, 0.5f, new float[] {0, bad}), "y of gravity", range, bad);
             }
             for (int length : new int[] {0, 1, 3}) {
                 assertThatIllegalArgumentException()
@@ -123,7 +127,7 @@ class Circles2DTest {
             try {
                 assertThatThrownBy(() -> engine.init(STEP, 0, 0.5f, GRAVITY))
                         .isInstanceOf(IOException.class)
-                        .hasMessageContaining("CirclePhysV2.cl");
+                        .hasMessageContainingAll("CirclePhysV2.cl", KernelSource.FOLDER_PROPERTY, folder.toString());
                 Files.writeString(folder.resolve("CirclePhysV2.cl"), "kernel void broken( {");
                 Files.createDirectory(folder.resolve("thesis"));
                 Files.writeString(folder.resolve("thesis/CircleRows.cl"), ""); // a GPU needs it too
@@ -291,8 +295,8 @@ class Circles2DTest {
         try (Circles2D engine = new Circles2D(device)) {
             engine.addCircle(0.5f, 0.5f, 0.1f, 1);
             engine.addCircle(0.5f, 0.5f, 0.05f, 2);
-            engine.addCircle(0.2f, 0.2f, 1e-20f, 1);
-            engine.addCircle(Math.nextUp(0.2f), 0.2f, 1e-20f, 1);
+            engine.addCircle(0.2f, 0.2f, 1e-6f, 1);
+            engine.addCircle(Math.nextUp(0.2f), 0.2f, 1e-6f, 1);
             engine.addCircle(0.9f, 0.9f, 0.01f, 1);
             engine.addCircle(0.9f, Math.nextUp(0.9f), 0.01f, 1);
             engine.init(STEP, indexing, 0.5f, new float[] {0, 0});

@@ -7,17 +7,20 @@ import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * The states that the scenes on record go through are the same on every back end, device and number of threads. Scenes of
- * many circles run to an earlier mark, unless {@code -Dcircles2d.golden=full} asks for all of it.
+ * The states that the scenes on record go through are the same on every back end, device and number of threads. The more
+ * circles a scene has, the earlier the mark that it runs to. {@code -Dcircles2d.golden=full} asks for all marks.
  */
 class GoldenHashesTest {
-    /** Circles times steps that one run may take: seconds, not minutes. */
-    private static final long AFFORDABLE =
+    /** Circles times steps that one run may take. */
+    private static final long SHORT = 1_000_000;
+
+    private static final long LONG =
             System.getProperty("circles2d.golden", "").equals("full") ? Long.MAX_VALUE : 13_000_000;
 
     static List<Arguments> scenesAndThreads() {
@@ -43,20 +46,38 @@ class GoldenHashesTest {
     @ParameterizedTest
     @MethodSource("scenesAndThreads")
     void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
-        check(scene, scene.builder().backend(Backend.JVM).threads(threads).leastShare(1));
+        check(scene, jvm(scene, threads), SHORT);
     }
 
     @ParameterizedTest
     @MethodSource("scenesAndDevices")
     void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device));
+        check(scene, scene.builder().device(device), SHORT);
     }
 
-    private static void check(GoldenScene scene, World.Builder builder) throws IOException {
+    @ParameterizedTest
+    @MethodSource("scenesAndThreads")
+    @Tag("exhaustive")
+    void theJvmBackEndGivesTheHashesOfLongRuns(GoldenScene scene, int threads) throws IOException {
+        check(scene, jvm(scene, threads), LONG);
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenesAndDevices")
+    @Tag("exhaustive")
+    void everyOpenClDeviceGivesTheHashesOfLongRuns(GoldenScene scene, Device device) throws IOException {
+        check(scene, scene.builder().device(device), LONG);
+    }
+
+    private static World.Builder jvm(GoldenScene scene, int threads) {
+        return scene.builder().backend(Backend.JVM).threads(threads).leastShare(1);
+    }
+
+    private static void check(GoldenScene scene, World.Builder builder, long affordable) throws IOException {
         GoldenHashes golden = GoldenHashes.load();
         try (GoldenScene.Run run = scene.start(builder)) {
             for (int mark : GoldenHashes.MARKS) {
-                if ((long) mark * scene.scene().size() <= AFFORDABLE) {
+                if ((long) mark * scene.scene().size() <= affordable) {
                     run.advanceTo(mark);
                     assertThat(Long.toHexString(run.world().hash()))
                             .as("hash after %d steps", mark)

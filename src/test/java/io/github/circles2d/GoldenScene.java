@@ -32,7 +32,14 @@ record GoldenScene(String name, Scene scene, boolean churned) {
 
     /** A run of the scene in a world. */
     Run start(World.Builder builder) {
-        return new Run(WorldScenes.world(scene, builder));
+        World world = WorldScenes.world(scene, builder);
+        return new Run(world, WorldCalls.of(world));
+    }
+
+    /** A run of the scene in a world that has its gravity, restitution and bounds, and no circles; there is no World then. */
+    Run start(WorldCalls empty) {
+        WorldScenes.addAll(scene, empty);
+        return new Run(null, empty);
     }
 
     World.Builder builder() {
@@ -45,18 +52,24 @@ record GoldenScene(String name, Scene scene, boolean churned) {
     }
 
     final class Run implements AutoCloseable {
-        private final World world;
+        private final World owned;
+        private final WorldCalls world;
         private final SplittableRandom random = new SplittableRandom(Scenes.SEED);
         private long[] handles = new long[0];
         private float[] circles = new float[0];
         private int steps;
 
-        private Run(World world) {
+        private Run(World owned, WorldCalls world) {
+            this.owned = owned;
             this.world = world;
         }
 
         World world() {
-            return world;
+            return owned;
+        }
+
+        long hash() {
+            return world.hash();
         }
 
         int steps() {
@@ -95,7 +108,7 @@ record GoldenScene(String name, Scene scene, boolean churned) {
                     world.remove(handles[gone]);
                     float x = scene.minX() + unit() * width;
                     float y = scene.minY() + unit() * height;
-                    world.add(x, y, circles[4 * gone + 2], circles[4 * gone + 3]);
+                    world.add(x, y, circles[4 * gone + 2], circles[4 * gone + 3], 0, 0);
                 }
             }
             int some = random.nextInt(n);
@@ -122,7 +135,9 @@ record GoldenScene(String name, Scene scene, boolean churned) {
 
         @Override
         public void close() {
-            world.close();
+            if (owned != null) {
+                owned.close();
+            }
         }
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -48,8 +49,19 @@ class WorldConservationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(floats = {0, 0.02f, 0.05f, 0.1f, 0.2f, 0.3f, 0.5f, 0.7f, 0.95f, 1})
+    @ValueSource(floats = {0, 0.3f, 1})
     void withoutGravityEnergyNeverGrows(float restitution) {
+        assertEnergyNeverGrows(restitution);
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {0.02f, 0.05f, 0.1f, 0.2f, 0.5f, 0.7f, 0.95f})
+    @Tag("exhaustive")
+    void withoutGravityEnergyNeverGrowsAtAnyRestitution(float restitution) {
+        assertEnergyNeverGrows(restitution);
+    }
+
+    private static void assertEnergyNeverGrows(float restitution) {
         Scene scene = Scenes.gas(800, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).restitution(restitution))) {
             for (int i = 0; i < scene.size(); i++) {

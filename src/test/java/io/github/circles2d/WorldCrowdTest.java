@@ -5,11 +5,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.scenes.Quality;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Circles that are all in one place: slow, never wrong. */
 class WorldCrowdTest {
     @Test
+    void twoThousandCirclesAtOnePointComeApart() {
+        assertComesApart(Scenes.onePoint(2_000, Scenes.SEED));
+    }
+
+    @Test
+    @Tag("exhaustive")
     void tenThousandCirclesAtOnePointComeApart() {
         assertComesApart(Scenes.onePoint(10_000, Scenes.SEED));
     }

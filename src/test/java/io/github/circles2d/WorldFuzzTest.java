@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -20,7 +21,7 @@ import org.junit.jupiter.api.Test;
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 class WorldFuzzTest {
-    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 10_000);
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 3_000);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
 
     private static final float[] HOSTILE = {
@@ -47,9 +48,20 @@ class WorldFuzzTest {
 
     @Test
     void anyProgramGivesClearExceptionsOrASoundWorld() {
+        run(SEED, PROGRAMS);
+    }
+
+    /** Those that follow. */
+    @Test
+    @Tag("exhaustive")
+    void soDoThousandsMore() {
+        run(SEED + PROGRAMS, 7_000);
+    }
+
+    private static void run(long seed, int programs) {
         try (World twin = WorldScenes.jvm().threads(3).leastShare(1).build()) {
-            for (int k = 0; k < PROGRAMS; k++) {
-                new Program(SEED + k, k % 32 == 0 ? twin : null).run();
+            for (int k = 0; k < programs; k++) {
+                new Program(seed + k, k % 32 == 0 ? twin : null).run();
             }
         }
     }

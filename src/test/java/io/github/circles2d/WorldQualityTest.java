@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.scenes.Quality;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Piles settle without deep overlaps. Limits: a good solver's figures, not this engine's. */
@@ -33,6 +34,7 @@ class WorldQualityTest {
     }
 
     @Test
+    @Tag("exhaustive")
     void packedSceneOf15000SettlesWithAtMostFiveDeepPairs() {
         Quality quality = after(Scenes.packed(15000, Scenes.SEED), 600);
         assertThat(quality.meanDepth()).isLessThanOrEqualTo(0.006);

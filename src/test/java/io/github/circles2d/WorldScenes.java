@@ -23,6 +23,12 @@ public final class WorldScenes {
     /** A world with a scene's circles, in the scene's order. */
     public static World world(Scene scene, World.Builder builder) {
         World world = builder.build();
+        addAll(scene, WorldCalls.of(world));
+        return world;
+    }
+
+    /** Adds a scene's circles to a world that has the scene's restitution, in the scene's order. */
+    static void addAll(Scene scene, WorldCalls world) {
         for (int i = 0; i < scene.size(); i++) {
             long handle = world.add(
                     scene.x(i),
@@ -35,7 +41,6 @@ public final class WorldScenes {
                 world.setRestitution(handle, scene.restitution(i));
             }
         }
-        return world;
     }
 
     /** The measures of quality of a world. Fixed circles at rest count as circles without energy. */

@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.util.BitSet;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Fast circles meet what is in their way. */
@@ -43,6 +45,54 @@ class WorldTunnellingTest {
                             .isNegative();
                 }
             }
+        }
+    }
+
+    /** As the documentation of World says: the same circles slip through everywhere, so the bounds can be close. */
+    @ParameterizedTest
+    @CsvSource({"5, 0", "10, 0", "20, 8", "60, 30", "200, 30"})
+    void fewBulletsLeaveACorridor(float radiiPerStep, int mostOfThreeHundred) {
+        int slipped = 0;
+        for (int seed = 100; seed < 103; seed++) {
+            slipped += bulletsThatLeaveACorridor(radiiPerStep, new Random(seed));
+        }
+        assertThat(slipped).isLessThanOrEqualTo(mostOfThreeHundred);
+    }
+
+    /** Shoots 100 bullets of restitution 1 between two fences for 300 steps; counts those that have been outside. */
+    private static int bulletsThatLeaveACorridor(float radiiPerStep, Random random) {
+        int fences = 402;
+        int bullets = 100;
+        try (World world =
+                WorldScenes.jvm().bounds(-10, -10, 10, 10).restitution(1).build()) {
+            for (int i = 0; i < fences; i++) {
+                world.add(i < 201 ? 0 : 5, -10 + 0.1f * (i % 201), 0.05f, Float.POSITIVE_INFINITY);
+            }
+            for (int i = 0; i < bullets; i++) {
+                double angle = random.nextDouble() * 2 * Math.PI;
+                float r = 0.02f + 0.05f * random.nextFloat();
+                float speed = radiiPerStep * r / STEP;
+                world.add(
+                        0.15f + 4.7f * random.nextFloat(),
+                        -9 + 18 * random.nextFloat(),
+                        r,
+                        1 + random.nextFloat(),
+                        speed * (float) StrictMath.cos(angle),
+                        speed * (float) StrictMath.sin(angle));
+            }
+            float[] circles = new float[4 * world.size()];
+            BitSet outside = new BitSet();
+            for (int step = 0; step < 300; step++) {
+                world.step(STEP);
+                world.read(circles);
+                for (int i = 0; i < bullets; i++) {
+                    float x = circles[4 * (fences + i)];
+                    if (x < 0 || x > 5) {
+                        outside.set(i);
+                    }
+                }
+            }
+            return outside.cardinality();
         }
     }
 

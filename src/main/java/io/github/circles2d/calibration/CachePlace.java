@@ -1,5 +1,7 @@
 package io.github.circles2d.calibration;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -20,18 +22,63 @@ public final class CachePlace {
      * Returns where the file lies in this process.
      *
      * @return the file, whether it is there or not; empty where it is turned off, or this user has no folder for such files
+     * @throws IllegalArgumentException if the property names what cannot be a file
      */
     public static Optional<Path> find() {
         return find(System::getProperty, System::getenv);
     }
 
+    /**
+     * Returns where the file lies in this process, and makes its folder if the property names it.
+     *
+     * @return as {@link #find}
+     * @throws IllegalArgumentException if the property names what cannot be a file, or a file that cannot be written
+     */
+    public static Optional<Path> findToWrite() {
+        Optional<Path> place = find();
+        String wanted = wanted(System::getProperty);
+        if (place.isPresent() && wanted != null) {
+            try {
+                TimingsFile.requireWritable(place.get());
+            } catch (IOException e) {
+                throw refusal(wanted, e.toString(), e);
+            }
+        }
+        return place;
+    }
+
     static Optional<Path> find(UnaryOperator<String> property, UnaryOperator<String> environment) {
-        String wanted = property.apply(PROPERTY);
-        if (wanted != null && !wanted.isBlank()) {
-            return wanted.equalsIgnoreCase("off") ? Optional.empty() : path(wanted);
+        String wanted = wanted(property);
+        if (wanted != null) {
+            return wanted.equalsIgnoreCase("off") ? Optional.empty() : Optional.of(file(wanted));
         }
         return folder(property, environment)
                 .map(caches -> caches.resolve(FOLDER).resolve(FILE));
+    }
+
+    /** What the property says; null if it says nothing. */
+    private static String wanted(UnaryOperator<String> property) {
+        String wanted = property.apply(PROPERTY);
+        return wanted == null || wanted.isBlank() ? null : wanted;
+    }
+
+    private static Path file(String wanted) {
+        try {
+            Path file = Path.of(wanted);
+            if (Files.isDirectory(file)) {
+                throw refusal(wanted, "it is a folder", null);
+            }
+            return file;
+        } catch (InvalidPathException e) {
+            throw refusal(wanted, "it is no path (" + e.getReason() + ")", e);
+        }
+    }
+
+    private static IllegalArgumentException refusal(String wanted, String reason, Exception cause) {
+        return new IllegalArgumentException(
+                "the system property " + PROPERTY + " is '" + wanted
+                        + "', but must name a file that can be written, or be 'off': " + reason,
+                cause);
     }
 
     /** The folder that the system has for caches. By the XDG specification a relative path in a variable is ignored. */

@@ -1,10 +1,13 @@
 package io.github.circles2d.calibration;
 
+import java.io.FileInputStream;
+import java.io.FileOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
@@ -37,17 +40,19 @@ public final class TimingsFile {
      * @throws IOException if it cannot be read, or is not what {@link #write} wrote; the message says what is wrong
      */
     public static Timings read(Path file) throws IOException {
-        String text;
-        try {
-            if (Files.exists(file) && !Files.isRegularFile(file)) {
-                throw new IOException("it is not a file");
-            }
-            if (Files.size(file) > MOST_BYTES) {
-                throw new IOException("it has " + Files.size(file) + " bytes, more than any calibration");
-            }
-            text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
-        } catch (NoSuchFileException e) {
+        if (!Files.exists(file)) {
             return Timings.NONE;
+        }
+        if (!Files.isRegularFile(file)) {
+            throw new IOException("it is not a file");
+        }
+        if (Files.size(file) > MOST_BYTES) {
+            throw new IOException("it has " + Files.size(file) + " bytes, more than any calibration");
+        }
+        String text;
+        // Not by a channel, which an interrupt may close.
+        try (InputStream in = new FileInputStream(file.toFile())) {
+            text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
         }
         if (!text.startsWith(FIRST_LINE + "\n")) {
             throw new IOException("it does not begin with '" + FIRST_LINE + "'");
@@ -102,11 +107,11 @@ public final class TimingsFile {
             text.append(String.join(" ", times)).append('\n');
         }
         text.append(lastLine(text.toString()));
-        Path folder = file.toAbsolutePath().getParent();
-        Files.createDirectories(folder);
-        Path whole = Files.createTempFile(folder, "calibration", ".tmp");
+        Path whole = createNextTo(file);
         try {
-            Files.writeString(whole, text);
+            try (OutputStream out = new FileOutputStream(whole.toFile())) {
+                out.write(text.toString().getBytes(StandardCharsets.UTF_8));
+            }
             try {
                 Files.move(whole, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
             } catch (AtomicMoveNotSupportedException e) {
@@ -115,6 +120,17 @@ public final class TimingsFile {
         } finally {
             Files.deleteIfExists(whole);
         }
+    }
+
+    /** Makes the folder of a file, and checks that a file can be made there. */
+    static void requireWritable(Path file) throws IOException {
+        Files.delete(createNextTo(file));
+    }
+
+    private static Path createNextTo(Path file) throws IOException {
+        Path folder = file.toAbsolutePath().getParent();
+        Files.createDirectories(folder);
+        return Files.createTempFile(folder, "calibration", ".tmp");
     }
 
     private static String lastLine(String before) {

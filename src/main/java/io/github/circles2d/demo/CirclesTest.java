@@ -22,7 +22,7 @@ public final class CirclesTest {
 
     /**
      * Runs the demo. The exit status is 0 where it ran, 1 where it could not (no OpenCL driver, no such device, no
-     * display, a device that failed), 2 where the command line was not accepted.
+     * display, a device that failed, too little memory), 2 where the command line was not accepted.
      *
      * @param arguments the command line; {@code --help} explains it
      * @throws InterruptedException if the main thread is interrupted while the window is open
@@ -56,6 +56,11 @@ public final class CirclesTest {
             return showWindow(options, out, err);
         } catch (EngineException | IOException e) {
             err.println("circles2d demo: " + e.getMessage());
+            return FAILURE;
+        } catch (OutOfMemoryError e) {
+            err.println("circles2d demo: " + options.circles() + " circles need more memory than Java's heap has ("
+                    + (Runtime.getRuntime().maxMemory() >> 20) + " MB): take fewer (-n), or a larger heap"
+                    + " (export JDK_JAVA_OPTIONS=-Xmx8g)");
             return FAILURE;
         }
     }

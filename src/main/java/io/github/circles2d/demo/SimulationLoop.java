@@ -171,6 +171,9 @@ final class SimulationLoop {
             if (e.getCause() instanceof EngineException failure) {
                 throw failure;
             }
+            if (e.getCause() instanceof OutOfMemoryError tooLarge) {
+                throw tooLarge;
+            }
             throw new IllegalStateException("the simulation thread failed", e.getCause());
         }
     }

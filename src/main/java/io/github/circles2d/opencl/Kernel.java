@@ -27,6 +27,7 @@ public final class Kernel implements AutoCloseable {
     private int usualSize;
     private final long[] globalSize = new long[1];
     private final long[] localSize = new long[1];
+    private boolean hasRun;
     private DeviceBuffer[] buffers = new DeviceBuffer[8];
 
     Kernel(Session session, String name, CLKernel kernel) {
@@ -197,14 +198,26 @@ public final class Kernel implements AutoCloseable {
         localSize[0] = workGroupSize;
         Profile profile = session.profile();
         try {
-            CLEvent event = kernel.enqueueNDRange(
-                    session.queue(), null, globalSize, localSize, profile == null ? WITHOUT_EVENT : WITH_EVENT);
+            CLEvent event = hasRun ? enqueue() : DriverCalls.make(session.device(), this::enqueueFirst);
             if (profile != null) {
                 profile.add(name, event);
             }
         } catch (CLException e) {
             throw ErrorCodes.failed("run kernel " + name + " on " + workItems + " work-items", session.device(), e);
         }
+    }
+
+    private CLEvent enqueue() {
+        return kernel.enqueueNDRange(
+                session.queue(), null, globalSize, localSize, session.profile() == null ? WITHOUT_EVENT : WITH_EVENT);
+    }
+
+    /** A driver may compile once more when a kernel first runs, on threads of its own, so this waits until it has run. */
+    private CLEvent enqueueFirst() {
+        CLEvent event = enqueue();
+        session.queue().finish();
+        hasRun = true;
+        return event;
     }
 
     /** Releases the kernel. Later calls do nothing. */

@@ -1,11 +1,11 @@
 package io.github.circles2d.opencl;
 
+import java.io.File;
+import java.io.FileInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
@@ -40,7 +40,7 @@ public final class KernelSource {
      *
      * @param files paths below the folder {@code kernels}, in the order in which they are to be compiled
      * @return the joined source
-     * @throws IllegalArgumentException if there is no such file, or one is not plain ASCII
+     * @throws IllegalArgumentException if there is no such file, it cannot be read, or it is not plain ASCII
      */
     public static KernelSource of(String... files) {
         return new KernelSource(List.of(files), join(files), List.of());
@@ -51,7 +51,7 @@ public final class KernelSource {
      *
      * @param more paths below the folder {@code kernels}, to be compiled after those that are there
      * @return a source that has them too
-     * @throws IllegalArgumentException if there is no such file, or one is not plain ASCII
+     * @throws IllegalArgumentException if there is no such file, it cannot be read, or it is not plain ASCII
      */
     public KernelSource and(String... more) {
         List<String> all = new ArrayList<>(files);
@@ -154,23 +154,31 @@ public final class KernelSource {
 
     private static String read(String file) {
         String folder = System.getProperty(FOLDER_PROPERTY);
-        try {
-            String text = folder == null
-                    ? readResource(file)
-                    : Files.readString(Path.of(folder).resolve(file), StandardCharsets.ISO_8859_1);
-            requireAscii(file, text);
-            return text;
+        String text = folder == null ? readResource(file) : readFile(folder, file);
+        requireAscii(file, text);
+        return text;
+    }
+
+    /** Not by a channel, which an interrupt may close. */
+    private static String readFile(String folder, String file) {
+        try (InputStream in = new FileInputStream(new File(folder, file))) {
+            return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
         } catch (IOException e) {
-            throw new UncheckedIOException("could not read kernel source " + file, e);
+            throw new IllegalArgumentException(
+                    "the system property " + FOLDER_PROPERTY + " is '" + folder
+                            + "', but must name a folder that holds the kernel " + file + ": " + e.getMessage(),
+                    e);
         }
     }
 
-    private static String readResource(String file) throws IOException {
+    private static String readResource(String file) {
         try (InputStream in = KernelSource.class.getResourceAsStream(RESOURCES + file)) {
             if (in == null) {
                 throw new IllegalArgumentException("there is no kernel source " + file);
             }
             return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
+        } catch (IOException e) {
+            throw new UncheckedIOException("could not read kernel source " + file, e);
         }
     }
 

@@ -1,21 +1,21 @@
 package io.github.circles2d.opencl;
 
+import java.io.File;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.bridj.BridJ;
-import org.bridj.Pointer;
 
 /**
  * What must be settled before the first JavaCL class is touched, because a failure in there is sticky for the life of
- * the JVM: the processor is one that BridJ has a native library for, libOpenCL is the system's and not one that lies in
- * the current directory, kernels can be compiled through the home directory, and POCL leaves Java's signals alone.
+ * the JVM: no jar is missing, BridJ has a native library for the processor and can load it, libOpenCL is the system's and
+ * not one that lies in the current directory, and POCL leaves Java's signals alone.
  */
 final class NativeAccess {
     private static final System.Logger LOG = System.getLogger(NativeAccess.class.getName());
@@ -25,11 +25,13 @@ final class NativeAccess {
     /** Prepares this JVM for JavaCL; throws what would otherwise be a linkage error later. */
     static void prepare() {
         requireSupportedPlatform();
-        requireWritableHome();
+        Jars.require();
         keepBridjQuiet();
+        BridjLibrary.load();
         if (isLinux()) {
-            keepSignalsOfJava();
+            keepSignalsOfJava(LoadedLibraries.LIST);
             pinLibrary();
+            PoclGate.examine(libraryFolders());
         }
     }
 
@@ -56,7 +58,8 @@ final class NativeAccess {
                     "BridJ 0.7.0, through which Java reaches OpenCL, has no native library for "
                             + System.getProperty("os.name") + " on " + System.getProperty("os.arch")
                             + ". It has them for Linux (x86-64, x86, 32-bit Arm), Windows (x86-64, x86) and macOS (x86-64). Use a Java"
-                            + " of one of these, or build BridJ's library yourself and name it with -Dbridj.library=FILE.");
+                            + " of one of these (on a Mac with Apple silicon it runs under Rosetta 2), or build BridJ's library"
+                            + " yourself and name it with -Dbridj.library=FILE.");
         }
     }
 
@@ -67,54 +70,26 @@ final class NativeAccess {
         }
     }
 
-    /** JavaCL writes temporary include folders and its binary cache below ~/.javacl, and fails every build without. */
-    private static void requireWritableHome() {
-        Path folder = Path.of(System.getProperty("user.home", ""), ".javacl");
-        try {
-            Files.createDirectories(folder);
-            Files.delete(Files.createTempFile(folder, "probe", null));
-        } catch (IOException e) {
-            throw new OpenClUnavailableException(
-                    "kernels are compiled through the folder " + folder + ", which cannot be written (" + e
-                            + "). Make it writable, or point -Duser.home at a folder that is.",
-                    e);
-        }
-    }
-
     /**
-     * POCL before 4.0 installs a process-wide SIGFPE handler that makes Java's {@code x / 0} return garbage instead of
-     * throwing; this environment variable turns it off, and it is read when the driver is loaded.
+     * Drivers that take over signals break Java: see {@link DriverCalls}. POCL before 4.0 has a variable against one of them, read
+     * when it is loaded: its SIGFPE handler makes Java's {@code x / 0} return garbage instead of throwing.
      */
-    private static void keepSignalsOfJava() {
-        if (System.getenv("POCL_SIGFPE_HANDLER") != null) {
-            return;
-        }
+    static void keepSignalsOfJava(File listOfLibraries) {
         try {
-            Optional<Path> libc = loadedLibrary("libc.so.6", "libc-");
-            if (libc.isEmpty()) {
-                LOG.log(Level.DEBUG, "no glibc found in this process: POCL_SIGFPE_HANDLER is left as it is");
-                return;
+            LoadedLibraries libraries = new LoadedLibraries(listOfLibraries);
+            File libc = libraries
+                    .file("libc.so.6", "libc-", "ld-musl-")
+                    .orElseThrow(() -> new IOException("the C library is not among the libraries of this process"));
+            BridJ.setNativeLibraryFile(StandardC.LIBRARY, libc);
+            if (System.getenv("POCL_SIGFPE_HANDLER") == null) {
+                StandardC.setEnvironment("POCL_SIGFPE_HANDLER", "0");
             }
-            BridJ.setNativeLibraryFile(StandardC.LIBRARY, libc.get().toFile());
-            Pointer<Byte> name = Pointer.pointerToCString("POCL_SIGFPE_HANDLER");
-            Pointer<Byte> value = Pointer.pointerToCString("0");
-            StandardC.set(name, value);
+            DriverCalls.protectSignals(new SignalHandlers(libraries));
         } catch (LinkageError | RuntimeException | IOException e) {
-            LOG.log(Level.WARNING, "could not set POCL_SIGFPE_HANDLER=0; set it in the environment if POCL is used", e);
-        }
-    }
-
-    /** Returns the file of a library that is already part of this process. */
-    private static Optional<Path> loadedLibrary(String... prefixes) throws IOException {
-        try (Stream<String> maps = Files.lines(Path.of("/proc/self/maps"))) {
-            return maps.map(line -> line.substring(line.lastIndexOf(' ') + 1))
-                    .filter(file -> file.startsWith("/"))
-                    .map(Path::of)
-                    .filter(file -> {
-                        String base = file.getFileName().toString();
-                        return Stream.of(prefixes).anyMatch(base::startsWith);
-                    })
-                    .findFirst();
+            throw new OpenClUnavailableException(
+                    "an OpenCL driver may take over the signals that Java works by, and they cannot be protected here: "
+                            + e + ". The library reads " + listOfLibraries + " and calls the C library for that.",
+                    e);
         }
     }
 
@@ -135,17 +110,16 @@ final class NativeAccess {
                 }
             }
         }
-        throw new OpenClUnavailableException("there is no libOpenCL.so.1 on this machine. " + Advice.INSTALL);
+        throw OpenClUnavailableException.withoutDriver("there is no libOpenCL.so.1 on this machine", null);
     }
 
     private static List<Path> libraryFolders() {
         List<Path> folders = new ArrayList<>();
         String path = System.getenv("LD_LIBRARY_PATH");
         if (path != null) {
-            Stream.of(path.split(":"))
-                    .filter(folder -> folder.startsWith("/"))
-                    .map(Path::of)
-                    .forEach(folders::add);
+            for (String folder : path.split(":")) {
+                addAbsolute(folder, folders);
+            }
         }
         String arch = System.getProperty("os.arch");
         String triplet = arch.equals("amd64") ? "x86_64" : arch.equals("arm") ? "arm" : "i386";
@@ -164,5 +138,15 @@ final class NativeAccess {
                 .map(Path::of)
                 .forEach(folders::add);
         return folders;
+    }
+
+    private static void addAbsolute(String folder, List<Path> folders) {
+        try {
+            if (folder.startsWith("/")) {
+                folders.add(Path.of(folder));
+            }
+        } catch (InvalidPathException e) {
+            LOG.log(Level.DEBUG, "not a path in the encoding of this locale: {0}", folder);
+        }
     }
 }

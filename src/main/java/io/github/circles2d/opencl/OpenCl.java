@@ -1,21 +1,22 @@
 package io.github.circles2d.opencl;
 
-import com.nativelibs4java.opencl.CLDevice;
 import com.nativelibs4java.opencl.CLException;
-import com.nativelibs4java.opencl.CLPlatform;
-import com.nativelibs4java.opencl.JavaCL;
-import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Finds the OpenCL devices of this machine. The search runs once in a JVM, and a failed one gives the same exception at
  * every call.
+ *
+ * <p>BridJ's native library holds on to its classes until the process ends, so a class loader in which devices were looked
+ * for is never collected. If programs are loaded and unloaded in one process, load this library, JavaCL and BridJ once, in a
+ * parent loader.
  */
+// The JVM loads the exceptions of a class's catch clauses before the first of its methods runs. So this class, which is
+// used even if the jars of JavaCL are missing, catches none of theirs.
 public final class OpenCl {
-    private static final System.Logger LOG = System.getLogger(OpenCl.class.getName());
-
     private static List<Device> found;
     private static OpenClUnavailableException failure;
 
@@ -30,11 +31,11 @@ public final class OpenCl {
      */
     public static synchronized List<Device> devices() {
         if (failure != null) {
-            throw new OpenClUnavailableException(failure.getMessage(), failure);
+            throw failure.again();
         }
         if (found == null) {
             try {
-                found = List.copyOf(search());
+                found = List.copyOf(searchByOwnLoader());
             } catch (OpenClUnavailableException e) {
                 failure = e;
                 throw e;
@@ -63,35 +64,78 @@ public final class OpenCl {
         return devices().stream()
                 .filter(device -> device.kind() == Device.Kind.CPU)
                 .findFirst()
-                .orElseThrow(() -> new OpenClUnavailableException(
-                        "no OpenCL driver for the CPU is installed; there is " + devices() + ". " + Advice.INSTALL));
+                .orElseThrow(() -> refusal()
+                        .map(OpenClUnavailableException::new)
+                        .orElseGet(() -> OpenClUnavailableException.withoutDriver(
+                                "no OpenCL driver for the CPU is installed; there is " + devices(), null)));
+    }
+
+    /**
+     * Returns why the OpenCL driver of the CPU, POCL, is not used, though it is installed: it lacks a linker, a cache that can be
+     * written, threads or address space, without which POCL ends the process. This is looked for once, on Linux, before the first
+     * search for devices.
+     *
+     * @return what is missing, and what to do; empty if POCL is used, is not installed, or was not looked for yet
+     */
+    public static Optional<String> refusal() {
+        return PoclGate.refusal();
+    }
+
+    /**
+     * BridJ looks in the thread's context class loader for the classes that it is to implement. In an application server, or
+     * with plug-ins, that loader may not know them.
+     */
+    private static List<Device> searchByOwnLoader() {
+        Thread thread = Thread.currentThread();
+        ClassLoader context = thread.getContextClassLoader();
+        thread.setContextClassLoader(OpenCl.class.getClassLoader());
+        try {
+            return search();
+        } finally {
+            thread.setContextClassLoader(context);
+        }
     }
 
     private static List<Device> search() {
         NativeAccess.prepare();
-        List<Device> devices = new ArrayList<>();
+        CompilerFolder compilerFolder = CompilerFolder.find();
+        List<String> platforms = new ArrayList<>();
+        List<Device> devices;
         try {
-            for (CLPlatform platform : JavaCL.listPlatforms()) {
-                addDevices(platform, devices);
-            }
+            devices = DriverCalls.make(() -> Platforms.devices(platforms));
         } catch (LinkageError | RuntimeException e) {
+            if (refusal().isPresent()) {
+                throw new OpenClUnavailableException(refusal().get(), e);
+            }
             Throwable root = rootOf(e);
             if (root instanceof CLException) {
                 // The loader is there, but no driver is registered with it.
                 String code = ErrorCodes.name(((CLException) root).getCode());
-                throw new OpenClUnavailableException(
-                        "no OpenCL driver is registered (" + code + "). " + Advice.INSTALL, e);
+                throw OpenClUnavailableException.withoutDriver("no OpenCL driver is registered (" + code + ")", e);
             }
-            throw new OpenClUnavailableException(
-                    "no OpenCL driver could be loaded: " + root + ". " + Advice.INSTALL, e);
+            throw OpenClUnavailableException.withoutDriver("no OpenCL driver could be loaded: " + root, e);
+        }
+        if (devices.isEmpty() && refusal().isPresent()) {
+            throw new OpenClUnavailableException(refusal().get());
         }
         if (devices.isEmpty()) {
-            throw new OpenClUnavailableException("an OpenCL driver is installed, but it offers no device (POCL needs a"
-                    + " POCL_CACHE_DIR, or a home directory, that exists and can be written). " + Advice.INSTALL);
+            throw withoutDevice(platforms);
         }
+        compilerFolder.useInJavaCl();
         devices.sort(Comparator.comparing((Device device) -> rank(device.kind()))
                 .thenComparing(device -> -(long) device.computeUnits() * Math.max(1, device.clockMegahertz())));
         return devices;
+    }
+
+    private static OpenClUnavailableException withoutDevice(List<String> platforms) {
+        if (platforms.contains(PoclGate.PLATFORM)) {
+            return new OpenClUnavailableException(
+                    "POCL is installed, but it offers no device, as it does when it cannot"
+                            + " write to its cache. Set the environment variable POCL_CACHE_DIR to a folder that exists and can"
+                            + " be written.");
+        }
+        return OpenClUnavailableException.withoutDriver(
+                "an OpenCL driver is installed, but it offers no device: " + platforms, null);
     }
 
     private static int rank(Device.Kind kind) {
@@ -102,18 +146,6 @@ public final class OpenCl {
                 return 1;
             default:
                 return 2;
-        }
-    }
-
-    /** A platform without devices answers with an error code: it must not hide the others. */
-    private static void addDevices(CLPlatform platform, List<Device> devices) {
-        String name = platform.getName();
-        try {
-            for (CLDevice device : platform.listDevices(CLDevice.Type.All, true)) {
-                devices.add(new Device(name, device));
-            }
-        } catch (CLException e) {
-            LOG.log(Level.DEBUG, "platform {0} has no device: {1}", name, ErrorCodes.name(e.getCode()));
         }
     }
 

@@ -1,28 +1,55 @@
 package io.github.circles2d.opencl;
 
 /**
- * There is no usable OpenCL device: no driver, no native library for this processor, no device of the kind asked for,
- * or a home directory that kernels cannot be compiled through. The message says what is missing and what to install.
+ * There is no usable OpenCL device: no driver, no native library that can be loaded, no jars of JavaCL and BridJ, no device
+ * of the kind asked for, no folder that kernels can be compiled through, or a POCL that lacks what it needs to work. The
+ * message says what is missing and names the cure.
  */
 public final class OpenClUnavailableException extends OpenClException {
     private static final long serialVersionUID = 1L;
 
+    private final boolean driverMissing;
+
     /**
-     * Creates the exception.
+     * Creates the exception of a cause that no driver cures.
      *
-     * @param message what is missing and what to install
+     * @param message what is missing, and the cure
      */
     public OpenClUnavailableException(String message) {
-        super(message);
+        this(message, null);
     }
 
     /**
-     * Creates the exception with the failure that it reports.
+     * Creates the exception of a cause that no driver cures, with the failure that it reports.
      *
-     * @param message what is missing and what to install
+     * @param message what is missing, and the cure
      * @param cause the failure below, may be null
      */
     public OpenClUnavailableException(String message, Throwable cause) {
+        this(message, cause, false);
+    }
+
+    private OpenClUnavailableException(String message, Throwable cause, boolean driverMissing) {
         super(message, cause);
+        this.driverMissing = driverMissing;
+    }
+
+    /** Returns the exception of a missing driver; the message ends with how to install one. */
+    static OpenClUnavailableException withoutDriver(String what, Throwable cause) {
+        return new OpenClUnavailableException(what + ". " + Advice.INSTALL, cause, true);
+    }
+
+    /** Returns an exception that says the same, for a further caller. */
+    OpenClUnavailableException again() {
+        return new OpenClUnavailableException(getMessage(), this, driverMissing);
+    }
+
+    /**
+     * Returns whether a driver is what is missing.
+     *
+     * @return true if installing a driver may be the cure, false if it cannot be
+     */
+    public boolean isDriverMissing() {
+        return driverMissing;
     }
 }

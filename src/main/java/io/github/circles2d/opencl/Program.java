@@ -32,7 +32,7 @@ public final class Program implements AutoCloseable {
             throw new IllegalStateException("the program of " + source + " is closed");
         }
         try {
-            return new Kernel(session, name, program.createKernel(name));
+            return new Kernel(session, name, DriverCalls.make(session.device(), () -> program.createKernel(name)));
         } catch (CLException e) {
             throw ErrorCodes.failed("make kernel " + name + " of " + source, session.device(), e);
         }

@@ -68,11 +68,13 @@ public final class Session implements AutoCloseable {
     public static Session open(Device device, boolean profiling) {
         Objects.requireNonNull(device, "device");
         try {
-            CLContext context = device.handle().getPlatform().createContext(null, device.handle());
-            CLQueue queue = profiling
-                    ? device.handle().createProfilingQueue(context)
-                    : device.handle().createQueue(context);
-            return new Session(device, context, queue, profiling);
+            return DriverCalls.make(device, () -> {
+                CLContext context = device.handle().getPlatform().createContext(null, device.handle());
+                CLQueue queue = profiling
+                        ? device.handle().createProfilingQueue(context)
+                        : device.handle().createQueue(context);
+                return new Session(device, context, queue, profiling);
+            });
         } catch (CLException e) {
             throw ErrorCodes.failed("open a session", device, e);
         }
@@ -186,12 +188,12 @@ public final class Session implements AutoCloseable {
             for (String option : options) {
                 program.addBuildOption(option);
             }
-            program.build();
+            DriverCalls.make(device, program::build);
             return new Program(this, source, program);
         } catch (CLBuildException e) {
             throw new KernelBuildException(
                     "could not compile " + source + " for " + device.name() + ": " + e.getMessage(), e);
-        } catch (CLException e) {
+        } catch (RuntimeException e) { // JavaCL throws others if it cannot write
             throw ErrorCodes.failed("compile " + source, device, e);
         }
     }

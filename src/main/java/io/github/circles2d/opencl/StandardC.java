@@ -3,8 +3,9 @@ package io.github.circles2d.opencl;
 import org.bridj.BridJ;
 import org.bridj.Pointer;
 import org.bridj.ann.Library;
+import org.bridj.ann.Ptr;
 
-/** The one function of the C library that is needed: Java cannot change the environment of its own process. */
+/** The functions of the C library that Java has no counterpart for. Name the library's file to BridJ before the first call. */
 @Library(StandardC.LIBRARY)
 final class StandardC {
     static final String LIBRARY = "c";
@@ -16,9 +17,30 @@ final class StandardC {
     private StandardC() {}
 
     /** Sets an environment variable of this process, replacing what it was. */
-    static void set(Pointer<Byte> name, Pointer<Byte> value) {
-        setenv(name, value, 1);
+    static void setEnvironment(String name, String value) {
+        setenv(Pointer.pointerToCString(name), Pointer.pointerToCString(value), 1);
+    }
+
+    /**
+     * Makes a system call.
+     *
+     * @return what the C library returns: -1 if the call failed
+     */
+    static long systemCall(long number, long first, long second, long third, long fourth) {
+        return syscall(number, first, second, third, fourth);
+    }
+
+    /** Sets an attribute of the calling thread; {@code linux/prctl.h} numbers them. */
+    static void control(int attribute, long value) {
+        prctl(attribute, value, 0, 0, 0);
     }
 
     private static native int setenv(Pointer<Byte> name, Pointer<Byte> value, int overwrite);
+
+    // Both take a variable number of arguments in C. On the processors that BridJ supports, integers are passed alike.
+    @Ptr
+    private static native long syscall(
+            @Ptr long number, @Ptr long first, @Ptr long second, @Ptr long third, @Ptr long fourth);
+
+    private static native int prctl(int option, @Ptr long second, @Ptr long third, @Ptr long fourth, @Ptr long fifth);
 }

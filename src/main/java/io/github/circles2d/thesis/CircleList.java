@@ -21,24 +21,20 @@ public final class CircleList {
     /**
      * Adds a circle.
      *
-     * @param x horizontal position, finite
-     * @param y vertical position, finite
-     * @param radius finite and greater than 0
-     * @param mass finite and greater than 0
-     * @param vx horizontal velocity, finite
-     * @param vy vertical velocity, finite
+     * @param x horizontal position, from -1e6 to 1e6
+     * @param y vertical position, from -1e6 to 1e6
+     * @param radius from 1e-6 to 1e6
+     * @param mass from 1e-6 to 1e6
+     * @param vx horizontal velocity, from -1e6 to 1e6
+     * @param vy vertical velocity, from -1e6 to 1e6
      * @throws IllegalArgumentException if one of them is out of its range; nothing is added then
      */
     public void add(float x, float y, float radius, float mass, float vx, float vy) {
-        Checks.finite("the x of a circle", x);
-        Checks.finite("the y of a circle", y);
-        Checks.positive("the radius of a circle", radius);
-        Checks.positive("the mass of a circle", mass);
-        Checks.finite("the x velocity of a circle", vx);
-        Checks.finite("the y velocity of a circle", vy);
+        Ranges.circle(x, y, radius, mass, vx, vy);
         if (size * BODY == bodies.length) {
-            bodies = Arrays.copyOf(bodies, 2 * bodies.length);
-            velocities = Arrays.copyOf(velocities, 2 * velocities.length);
+            // The length of the bodies, which grow last, tells whether there is room.
+            velocities = Arrays.copyOf(velocities, 2 * VELOCITY * size);
+            bodies = Arrays.copyOf(bodies, 2 * BODY * size);
         }
         int body = size * BODY;
         bodies[body] = x;

@@ -19,23 +19,23 @@ public final class Parameters {
     /**
      * Checks the scalars of a simulation.
      *
-     * @param timeStep seconds, finite and greater than 0
+     * @param timeStep seconds, from 1e-6 to 1
      * @param restitution from 0 to 1
-     * @param gravity two finite values
+     * @param gravity two values from -1e4 to 1e4
      * @return the parameters
      * @throws IllegalArgumentException if one of them is out of its range
      */
     public static Parameters of(float timeStep, float restitution, float[] gravity) {
-        Checks.positive("the time step", timeStep);
-        if (!(restitution >= 0 && restitution <= 1)) {
-            throw new IllegalArgumentException("the restitution must be from 0 to 1, not " + restitution);
-        }
+        Ranges.timeStep(timeStep);
+        Ranges.restitution(restitution);
         Objects.requireNonNull(gravity, "gravity");
         if (gravity.length != 2) {
             throw new IllegalArgumentException("gravity must have two values, x and y, not " + gravity.length);
         }
-        Checks.finite("the x of gravity", gravity[0]);
-        Checks.finite("the y of gravity", gravity[1]);
-        return new Parameters(timeStep, restitution, gravity[0], gravity[1]);
+        // Each element is read once: another thread may write to the array.
+        float x = gravity[0];
+        float y = gravity[1];
+        Ranges.gravity(x, y);
+        return new Parameters(timeStep, restitution, x, y);
     }
 }

@@ -42,7 +42,13 @@ public final class Calibrate {
             return help ? 0 : 2;
         }
         out.println("measuring: about ten seconds a device, best with nothing else to do");
-        Calibration calibration = Calibration.run();
+        Calibration calibration;
+        try {
+            calibration = Calibration.run();
+        } catch (IllegalArgumentException e) {
+            out.println(e.getMessage());
+            return 1;
+        }
         out.println(calibration);
         Optional<Path> file = calibration.file();
         out.println(file.map(path -> "saved in " + path).orElse("not saved: there is no file that could be written"));
@@ -54,7 +60,7 @@ public final class Calibrate {
             Calibration.forget();
             out.println("forgotten");
             return 0;
-        } catch (UncheckedIOException e) {
+        } catch (UncheckedIOException | IllegalArgumentException e) {
             out.println(e.getMessage());
             return 1;
         }

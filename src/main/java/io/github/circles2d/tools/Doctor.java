@@ -60,14 +60,17 @@ public final class Doctor {
             devices = OpenCl.devices();
         } catch (OpenClUnavailableException e) {
             out.printf("OpenCL   does not work: %s%n", e.getMessage());
-            prescribe();
+            if (e.isDriverMissing()) {
+                prescribe(Prescription.forThisMachine().forMissingDriver());
+            }
             return 1;
         }
         int working = examineAll(devices);
+        OpenCl.refusal().ifPresent(why -> out.printf("%nPlatform Portable Computing Language%n  not used: %s%n", why));
         out.println();
         out.printf("Working devices: %d of %d%n", working, devices.size());
         if (working < devices.size()) {
-            prescribe();
+            prescribe(Prescription.forThisMachine().forFailingDevice());
         }
         return working == 0 ? 1 : 0;
     }
@@ -107,9 +110,12 @@ public final class Doctor {
         out.printf("    %s%n", check.finding());
     }
 
-    private void prescribe() {
+    private void prescribe(List<String> lines) {
+        if (lines.isEmpty()) {
+            return; // the failure above names the cure
+        }
         out.println();
         out.println("What to do:");
-        Prescription.forThisMachine().lines().forEach(line -> out.println("  " + line));
+        lines.forEach(line -> out.println("  " + line));
     }
 }

@@ -3,6 +3,7 @@ package io.github.circles2d.tools;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,6 +13,8 @@ import java.util.stream.Stream;
 
 /** What is missing on a machine for OpenCL, as far as its files show, and how to install it. */
 final class Prescription {
+    private static final String DEFAULT_VENDORS = "/etc/OpenCL/vendors";
+
     private static final List<String> LIBRARY_FOLDERS = List.of(
             "usr/lib/x86_64-linux-gnu",
             "usr/lib64",
@@ -22,7 +25,6 @@ final class Prescription {
             "lib");
 
     private final String os;
-    private final String arch;
     private final Path root;
     private final Path vendors;
     private final List<String> lines = new ArrayList<>();
@@ -31,30 +33,33 @@ final class Prescription {
      * Examines the files below {@code root}.
      *
      * @param os the property {@code os.name}
-     * @param arch the property {@code os.arch}
      * @param root the root of the file system
      * @param vendors the folder in which drivers are registered
      */
-    Prescription(String os, String arch, Path root, Path vendors) {
+    Prescription(String os, Path root, Path vendors) {
         this.os = os.toLowerCase(Locale.ROOT);
-        this.arch = arch.toLowerCase(Locale.ROOT);
         this.root = root;
         this.vendors = vendors;
     }
 
     static Prescription forThisMachine() {
-        String vendors = System.getenv("OCL_ICD_VENDORS");
-        return new Prescription(
-                System.getProperty("os.name", ""),
-                System.getProperty("os.arch", ""),
-                Path.of("/"),
-                Path.of(vendors == null || vendors.isEmpty() ? "/etc/OpenCL/vendors" : vendors));
+        return new Prescription(System.getProperty("os.name", ""), Path.of("/"), vendors());
     }
 
-    List<String> lines() {
+    private static Path vendors() {
+        String chosen = System.getenv("OCL_ICD_VENDORS");
+        try {
+            return Path.of(chosen == null || chosen.isEmpty() ? DEFAULT_VENDORS : chosen);
+        } catch (InvalidPathException e) {
+            return Path.of(DEFAULT_VENDORS); // the locale has no encoding for the name of the chosen one
+        }
+    }
+
+    /** Returns what the files show, and how to install a driver. */
+    List<String> forMissingDriver() {
         lines.clear();
         if (os.contains("mac")) {
-            prescribeForMac();
+            lines.add("OpenCL is a part of macOS; nothing has to be installed.");
         } else if (os.contains("windows")) {
             prescribeForWindows();
         } else {
@@ -64,27 +69,28 @@ final class Prescription {
         return List.copyOf(lines);
     }
 
-    private void prescribeForMac() {
-        if (arch.equals("aarch64")) {
-            lines.add(
-                    "BridJ, through which Java reaches OpenCL, has no native library for Apple silicon: use an x86-64 JDK");
-            lines.add("(it runs under Rosetta 2: softwareupdate --install-rosetta).");
-        } else {
-            lines.add("OpenCL is a part of macOS on x86-64; nothing has to be installed.");
+    /** Returns what the files show, for a machine that has a driver; may be empty. */
+    List<String> forFailingDevice() {
+        lines.clear();
+        if (!os.contains("mac") && !os.contains("windows")) {
+            examineLinux();
         }
+        return List.copyOf(lines);
     }
 
     private void prescribeForWindows() {
         lines.add(
                 "GPU: install the current graphics driver of NVIDIA, AMD or Intel from its maker; OpenCL is a part of it.");
         lines.add("CPU: install Intel's CPU Runtime for OpenCL Applications; it works on AMD processors too.");
-        lines.add("Use a JDK for x86-64 (or x86): BridJ has no native library for Windows on Arm.");
     }
 
     private void examineLinux() {
         if (findLibrary("libOpenCL.so.1") == null) {
             lines.add(
                     "There is no libOpenCL.so.1, the loader that finds drivers (package ocl-icd-libopencl1 or ocl-icd).");
+        }
+        if (Files.isRegularFile(vendors) && !vendors.toString().endsWith(".icd")) {
+            return; // OCL_ICD_VENDORS may name the library of a driver
         }
         List<Path> registrations = registrations();
         if (registrations.isEmpty()) {
@@ -94,10 +100,7 @@ final class Prescription {
         for (Path registration : registrations) {
             String library = firstLine(registration);
             nvidiaRegistered |= library.contains("libnvidia-opencl");
-            boolean there = library.startsWith("/")
-                    ? Files.exists(root.resolve(library.substring(1)))
-                    : findLibrary(library) != null;
-            if (!there) {
+            if (!isThere(library)) {
                 lines.add(registration + " names the driver '" + library
                         + "', which was not found: reinstall its package.");
             }
@@ -113,11 +116,6 @@ final class Prescription {
     }
 
     private void prescribeForLinux() {
-        if (arch.equals("aarch64")) {
-            lines.add(
-                    "BridJ, through which Java reaches OpenCL, has no native library for 64-bit Arm: use an x86-64 machine, or");
-            lines.add("build BridJ's library and name it with -Dbridj.library=FILE.");
-        }
         lines.add("CPU:     Debian, Ubuntu: sudo apt-get install pocl-opencl-icd");
         lines.add("         Fedora: sudo dnf install pocl ocl-icd     Arch: sudo pacman -S pocl ocl-icd");
         lines.add("NVIDIA:  the proprietary driver with its OpenCL part (Debian: nvidia-opencl-icd, Fedora:");
@@ -125,8 +123,6 @@ final class Prescription {
         lines.add(
                 "AMD:     rocm-opencl-icd or mesa-opencl-icd (Debian, Ubuntu), rocm-opencl (Fedora), rocm-opencl-runtime (Arch)");
         lines.add("Intel:   intel-opencl-icd (Debian, Ubuntu), intel-compute-runtime (Fedora, Arch)");
-        lines.add(
-                "If POCL is installed and offers no device: its cache, POCL_CACHE_DIR or ~/.cache/pocl, must be writable.");
     }
 
     private List<Path> registrations() {
@@ -147,6 +143,16 @@ final class Prescription {
             return content.findFirst().orElse("").trim();
         } catch (IOException e) {
             return "";
+        }
+    }
+
+    private boolean isThere(String library) {
+        try {
+            return library.startsWith("/")
+                    ? Files.exists(root.resolve(library.substring(1)))
+                    : findLibrary(library) != null;
+        } catch (InvalidPathException e) {
+            return false;
         }
     }
 

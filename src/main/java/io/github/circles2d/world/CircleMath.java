@@ -293,11 +293,11 @@ public final class CircleMath {
      *
      * @param a a column
      * @param b a column
-     * @param mask columns of the ring, a power of two of at least 4, minus 1
+     * @param size columns of the ring, at least 4
      * @return b where a follows b, else a
      */
-    public static int ringFirst(int a, int b, int mask) {
-        return ((b + 1) & mask) == a ? b : a;
+    public static int ringFirst(int a, int b, int size) {
+        return (b + 1 == size ? 0 : b + 1) == a ? b : a;
     }
 
     /**

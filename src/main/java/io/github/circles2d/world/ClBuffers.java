@@ -321,7 +321,7 @@ final class ClBuffers {
             for (int parameter : working) {
                 next[parameter] = session.allocate(NAMES[parameter], (long) elements * elementBytes(parameter));
             }
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             for (DeviceBuffer buffer : next) {
                 if (buffer != null) {
                     buffer.close();

@@ -42,15 +42,24 @@ final class ClCommands {
         links = session.allocate("command links", 8L * 64);
     }
 
-    /**
-     * Applies commands in call order. New circles take slots that are known to be free, then those from {@code slots} on.
-     *
-     * @return slots at home afterwards
-     */
-    int apply(Commands commands, int slots) {
+    /** Makes room for commands, of which {@link #apply} says what they need. */
+    void makeRoom(Commands commands, int slots) {
         int count = commands.count();
         int[] words = commands.records();
-        int nextSlot = link(words, count, slots);
+        int removed = 0;
+        for (int k = 0; k < count * Commands.STRIDE; k += Commands.STRIDE) {
+            removed += words[k] == Commands.REMOVE ? 1 : 0;
+            if (words[k + 1] >= last.length) {
+                ensureIds(words[k + 1] + (words[k + 1] >> 1));
+            }
+        }
+        if (free.length < freeCount + removed) {
+            free = Arrays.copyOf(free, Math.max(2 * free.length, freeCount + removed));
+        }
+        if (link.length < 2 * count) {
+            link = new int[2 * count + count];
+        }
+        buffers.ensureIds(last.length);
         if (records.bytes() < 4L * Commands.STRIDE * count) {
             DeviceBuffer larger = session.allocate("commands", 4L * Commands.STRIDE * (count + (count >> 1)));
             records.close();
@@ -61,7 +70,18 @@ final class ClCommands {
             links.close();
             links = larger;
         }
-        buffers.ensureSlots(nextSlot, slots);
+        buffers.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
+    }
+
+    /**
+     * Applies commands in call order. New circles take slots that are known to be free, then those from {@code slots} on.
+     *
+     * @return slots at home afterwards
+     */
+    int apply(Commands commands, int slots) {
+        int count = commands.count();
+        int[] words = commands.records();
+        int nextSlot = link(words, count, slots);
         records.write(0, IntBuffer.wrap(words, 0, Commands.STRIDE * count));
         links.write(0, IntBuffer.wrap(link, 0, 2 * count));
         apply.arg(0, records).arg(1, links).arg(2, count);
@@ -105,9 +125,6 @@ final class ClCommands {
      * 2, plus 1 for its circle's first record.
      */
     private int link(int[] words, int count, int slots) {
-        if (link.length < 2 * count) {
-            link = new int[2 * count + count];
-        }
         batch++;
         int nextSlot = slots;
         // What becomes free now is for the next batch: circles are independent of each other within one.
@@ -116,9 +133,6 @@ final class ClCommands {
         for (int r = 0; r < count; r++) {
             int operation = words[r * Commands.STRIDE];
             int id = words[r * Commands.STRIDE + 1];
-            if (id >= last.length) {
-                ensureIds(id + (id >> 1));
-            }
             boolean first = batchOf[id] != batch;
             if (!first) {
                 link[2 * last[id]] = r;
@@ -132,27 +146,20 @@ final class ClCommands {
                 given[id] = slot;
                 orderOf[id] = order;
             } else if (operation == Commands.REMOVE && orderOf[id] == order) {
-                release(given[id]);
+                free[freeCount++] = given[id];
             }
             link[2 * r + 1] = 2 * slot + (first ? 1 : 0);
         }
         freeCount -= reused;
         System.arraycopy(free, reused, free, 0, freeCount);
-        buffers.ensureIds(last.length);
         return nextSlot;
     }
 
-    private void release(int slot) {
-        if (freeCount == free.length) {
-            free = Arrays.copyOf(free, 2 * freeCount);
-        }
-        free[freeCount++] = slot;
-    }
-
+    /** Makes room for ids. The length of the array that grows last tells whether there is room. */
     private void ensureIds(int ids) {
-        last = Arrays.copyOf(last, ids);
         batchOf = Arrays.copyOf(batchOf, ids);
         given = Arrays.copyOf(given, ids);
         orderOf = Arrays.copyOf(orderOf, ids);
+        last = Arrays.copyOf(last, ids);
     }
 }

@@ -78,7 +78,7 @@ final class ClLanes {
     }
 
     void run(Levels levels, int circles, int count) {
-        rows = 1 << levels.rowsLog[levels.used[0]];
+        rows = levels.rowCount[levels.used[0]];
         int groups = Math.max(1, Math.min(mostGroups, Math.min(circles / LEAST_SHARE, rows / LEAST_ROWS)));
         steps.arg(ClBuffers.COUNT, count)
                 .arg(ClBuffers.COUNT + 1, groups + missing)

@@ -8,7 +8,7 @@ import java.util.Arrays;
 final class ClParameters {
     private static final int FLOATS = 22;
     static final int CONSTANT_INTS = FLOATS + 4;
-    static final int LEVEL_INTS = 4 + 7 * Levels.COUNT + 5;
+    static final int LEVEL_INTS = 4 + 9 * Levels.COUNT + 5;
 
     // Positions of single constants.
     private static final int WARM_SCALE = 17;
@@ -125,6 +125,10 @@ final class ClParameters {
         System.arraycopy(shape.columnsLog, 0, levels, at, Levels.COUNT);
         at += Levels.COUNT;
         System.arraycopy(shape.rowsLog, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.columnCount, 0, levels, at, Levels.COUNT);
+        at += Levels.COUNT;
+        System.arraycopy(shape.rowCount, 0, levels, at, Levels.COUNT);
         at += Levels.COUNT;
         System.arraycopy(shape.used, 0, levels, at, Levels.COUNT);
         at += Levels.COUNT;

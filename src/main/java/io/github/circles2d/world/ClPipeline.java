@@ -63,6 +63,9 @@ public final class ClPipeline implements Pipeline {
     private int slots;
     private int circles;
 
+    /** What the next load needs; null except between making room for it and loading. */
+    private ClState.Links links;
+
     /** What the steps that were enqueued last are made by; null where they are made in another way. */
     private ClLanes lanesEnqueued;
 
@@ -118,7 +121,7 @@ public final class ClPipeline implements Pipeline {
             requested = new ClRequestedPositions(session, kernels, buffers);
             stats = new ClStats(kernels, buffers);
             buffers.get(ClBuffers.STATUS).write(0, statusView);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             session.close();
             throw e;
         }
@@ -145,19 +148,23 @@ public final class ClPipeline implements Pipeline {
     }
 
     @Override
+    public void makeRoom(Commands changes) {
+        settle();
+        if (slots + changes.added() > buffers.slotRoom()) {
+            stats.keep();
+        }
+        commands.makeRoom(changes, slots);
+    }
+
+    @Override
     public void apply(Commands changes) {
         if (changes.count() == 0) {
             return;
         }
         settle();
-        int added = 0;
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.records()[r * Commands.STRIDE];
-            added += operation == Commands.ADD ? 1 : 0;
             circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
-        }
-        if (slots + added > buffers.slotRoom()) {
-            stats.keep();
         }
         slots = commands.apply(changes, slots);
     }
@@ -327,6 +334,11 @@ public final class ClPipeline implements Pipeline {
     }
 
     @Override
+    public boolean positionsArrived() {
+        return requested.arrived();
+    }
+
+    @Override
     public FloatBuffer takePositions() {
         if (!requested.arrived()) {
             // A step before the request had been refused. Now it is made, and the positions are laid out behind it.
@@ -366,9 +378,22 @@ public final class ClPipeline implements Pipeline {
     }
 
     @Override
+    public void makeRoom(SavedState from) {
+        settle();
+        if (from.circles > buffers.slotRoom() || from.impulses > buffers.contactRoom()) {
+            stats.keep();
+        }
+        buffers.ensureSlots(from.circles, slots);
+        buffers.ensureIds(from.ids);
+        buffers.ensureContacts(from.impulses);
+        links = new ClState.Links(from, buffers);
+    }
+
+    @Override
     public void load(SavedState from) {
         settle();
-        ClState.load(from, buffers);
+        ClState.load(from, buffers, links);
+        links = null;
         slots = from.circles;
         commands.slotsInOrder();
         circles = from.circles;

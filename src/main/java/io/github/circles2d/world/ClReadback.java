@@ -111,9 +111,9 @@ final class ClReadback {
         ensureDevice(bytes);
         if (shared.size() < bytes) {
             HostBuffer larger = session.hostBuffer(roomier(bytes));
+            sharedView = larger.floats().asReadOnlyBuffer();
             shared.close();
             shared = larger;
-            sharedView = shared.floats().asReadOnlyBuffer();
         }
     }
 

@@ -24,9 +24,10 @@ final class ClRequestedPositions {
 
     private DeviceBuffer byId;
 
-    /** Where one request arrives while callers look into the other. */
+    /** Where a request arrives while callers look into what they took last. */
     private final Target[] targets = {new Target(), new Target()};
 
+    /** Where the next request arrives. */
     private int current;
 
     /** The circles at the request: how many, one more than their greatest id, and, where ids are free, a bit for each that lives. */
@@ -58,16 +59,16 @@ final class ClRequestedPositions {
      */
     void request(Roster roster, int slots, int steps) {
         awaitCopy();
+        requested = false;
+        ensure(HEADER + 8L * roster.end());
         circles = roster.size();
         end = roster.end();
         if (circles < end) {
             living = roster.copyLiving(living);
         }
         stepsDue = steps;
-        requested = true;
-        current = 1 - current;
-        ensure(HEADER + 8L * end);
         layOut(slots);
+        requested = true;
     }
 
     /** How many of the steps that precede the request are missing, where it has not been taken. */
@@ -106,6 +107,7 @@ final class ClRequestedPositions {
         if (circles < end) {
             ClReadback.closeGaps(id -> (living[id >>> 6] >>> id & 1) != 0, end, target.positions);
         }
+        current = 1 - current;
         return target.view.clear().limit(2 * circles);
     }
 
@@ -140,13 +142,13 @@ final class ClRequestedPositions {
         FloatBuffer view;
 
         void replace(HostBuffer larger) {
+            FloatBuffer floats = larger.floats();
+            positions = floats.slice(HEADER / 4, floats.capacity() - HEADER / 4);
+            view = positions.asReadOnlyBuffer();
             if (host != null) {
                 host.close();
             }
             host = larger;
-            FloatBuffer floats = host.floats();
-            positions = floats.slice(HEADER / 4, floats.capacity() - HEADER / 4);
-            view = positions.asReadOnlyBuffer();
         }
     }
 }

@@ -8,6 +8,19 @@ import java.util.Arrays;
 final class ClState {
     private static final int OLD_STRIDE = 4;
 
+    /** Memory that a saved state needs on its way to the device. */
+    static final class Links {
+        private final int[] slotOf;
+        private final int[] memory;
+        private final int[] old;
+
+        Links(SavedState from, ClBuffers buffers) {
+            slotOf = new int[(int) (buffers.get(ClBuffers.SLOT_OF).bytes() / 4)];
+            memory = new int[from.circles];
+            old = new int[OLD_STRIDE * from.impulses];
+        }
+    }
+
     private final int slots;
     private final int[] id;
     private final float[] circle;
@@ -95,20 +108,17 @@ final class ClState {
         }
     }
 
-    /** Writes saved circles and impulses to a device; slots are in the order of the ids. */
-    static void load(SavedState from, ClBuffers buffers) {
+    /** Writes saved circles and impulses to a device that has room for them; slots are in the order of the ids. */
+    static void load(SavedState from, ClBuffers buffers, Links links) {
         int n = from.circles;
-        buffers.ensureSlots(n, 0);
-        buffers.ensureIds(from.ids);
-        buffers.ensureContacts(from.impulses);
-        int[] slotOf = new int[(int) (buffers.get(ClBuffers.SLOT_OF).bytes() / 4)];
+        int[] slotOf = links.slotOf;
+        int[] memory = links.memory;
+        int[] old = links.old;
         Arrays.fill(slotOf, -1);
         for (int slot = 0; slot < n; slot++) {
             slotOf[from.id[slot]] = slot;
         }
-        int[] memory = new int[n];
         Arrays.fill(memory, -1);
-        int[] old = new int[OLD_STRIDE * from.impulses];
         for (int c = 0; c < from.impulses; c++) {
             int lo = slotOf[from.lo[c]];
             old[OLD_STRIDE * c] = from.hi[c];

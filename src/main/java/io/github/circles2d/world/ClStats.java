@@ -57,10 +57,11 @@ final class ClStats {
         if (candidatePairs < 0) {
             kernels.bind(buffers, circles, circles);
             candidates.run(circles);
-            candidatePairs = 0;
+            long sum = 0;
             for (int tested : ClReadback.ints(buffers.get(ClBuffers.RANK), circles)) {
-                candidatePairs += tested;
+                sum += tested;
             }
+            candidatePairs = sum;
         }
         return candidatePairs;
     }
@@ -77,10 +78,11 @@ final class ClStats {
                         .arg(2, buffers.get(ClBuffers.RANK))
                         .run(contacts);
             }
-            greatestContacts = 0;
+            int greatest = 0;
             for (int degree : ClReadback.ints(buffers.get(ClBuffers.RANK), circles)) {
-                greatestContacts = Math.max(greatestContacts, degree);
+                greatest = Math.max(greatest, degree);
             }
+            greatestContacts = greatest;
         }
         return greatestContacts;
     }

@@ -132,19 +132,18 @@ final class ClTiles {
     /** Tiles side by side. */
     private static int across(int size, Levels levels) {
         int level = levels.used[0];
-        return along(SIZES[size][0], levels.columnsUsed[level], levels.columnsLog[level]);
+        return along(SIZES[size][0], levels.columnsUsed[level], levels.columnCount[level]);
     }
 
     /** Tiles in a column. */
     private static int down(int size, Levels levels) {
         int level = levels.used[0];
-        return along(SIZES[size][1], levels.rowsUsed[level], levels.rowsLog[level]);
+        return along(SIZES[size][1], levels.rowsUsed[level], levels.rowCount[level]);
     }
 
     /** Tiles from cell -1 to the last one used, or around the torus where those are fewer. */
-    private static int along(int tileLog, int cellsUsed, int torusLog) {
-        int log = Math.min(tileLog, torusLog);
-        return Math.min((cellsUsed >> log) + 1, 1 << (torusLog - log));
+    private static int along(int tileLog, int cellsUsed, int side) {
+        return Math.min((cellsUsed >> tileLog) + 1, (side - 1 >> tileLog) + 1);
     }
 
     int tiles() {

@@ -39,6 +39,7 @@ public final class Commands {
 
     private int[] records = new int[STRIDE * 64];
     private int count;
+    private int added;
 
     /** No commands. */
     public Commands() {}
@@ -52,6 +53,11 @@ public final class Commands {
         return count;
     }
 
+    /** The number of records of new circles. */
+    int added() {
+        return added;
+    }
+
     /** The records; valid until the next change. */
     int[] records() {
         return records;
@@ -60,6 +66,7 @@ public final class Commands {
     /** Forgets all records. */
     public void clear() {
         count = 0;
+        added = 0;
     }
 
     /**
@@ -91,7 +98,26 @@ public final class Commands {
      * @param vy velocity
      */
     public void add(int id, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
-        int k = record(ADD, id);
+        prepare(0, x, y, radius, mass, restitution, vx, vy);
+        admit(id);
+    }
+
+    /**
+     * Copies a new circle to where {@link #admit} finds it. Until then it is no record, and the next record of another kind
+     * overwrites it.
+     *
+     * @param ahead number of circles that are prepared and come before this one
+     * @param x x
+     * @param y y
+     * @param radius radius
+     * @param mass mass
+     * @param restitution restitution
+     * @param vx velocity
+     * @param vy velocity
+     */
+    public void prepare(int ahead, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
+        ensure(ahead + 1);
+        int k = STRIDE * (count + ahead);
         records[k + 2] = Float.floatToRawIntBits(x);
         records[k + 3] = Float.floatToRawIntBits(y);
         records[k + 4] = Float.floatToRawIntBits(radius);
@@ -99,6 +125,25 @@ public final class Commands {
         records[k + 6] = Float.floatToRawIntBits(restitution);
         records[k + 7] = Float.floatToRawIntBits(vx);
         records[k + 8] = Float.floatToRawIntBits(vy);
+    }
+
+    /**
+     * The radius of the first circle that is prepared.
+     *
+     * @return a length
+     */
+    public float preparedRadius() {
+        return Float.intBitsToFloat(records[STRIDE * count + 4]);
+    }
+
+    /**
+     * Records the first circle that is prepared.
+     *
+     * @param id its id
+     */
+    public void admit(int id) {
+        record(ADD, id);
+        added++;
     }
 
     /**

@@ -3,7 +3,6 @@ package io.github.circles2d.world;
 import java.lang.ref.Cleaner;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicIntegerArray;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -34,13 +33,13 @@ final class Crew {
 
     private static final AtomicInteger CREWS = new AtomicInteger();
 
-    /** Thrown at a barrier where another worker has failed: unwinds the stack, and nobody outside sees it. */
+    /** Thrown at a barrier when the crew has come to its end: unwinds the stack, and nobody outside sees it. */
     private static final class Stopped extends RuntimeException {
         private static final long serialVersionUID = 1;
         private static final Stopped INSTANCE = new Stopped();
 
         private Stopped() {
-            super("another worker failed", null, false, false);
+            super("the threads were told to end", null, false, false);
         }
     }
 
@@ -74,10 +73,11 @@ final class Crew {
     /** Workers that have still to leave the run, worker 0 aside. */
     private final AtomicInteger inside = new AtomicInteger();
 
-    /** What the first worker to fail threw. */
-    private final AtomicReference<Throwable> failure = new AtomicReference<>();
-
-    private volatile boolean dismissed;
+    /**
+     * What a worker threw, or {@link Stopped} if the threads were told to end; null while the crew works. It is set by an
+     * assignment and no call: the stack that a worker has used up has no room for one.
+     */
+    private volatile Throwable end;
 
     Crew(int most) {
         this.most = most;
@@ -88,60 +88,50 @@ final class Crew {
 
     /** See {@link Team#run}; the workers have been started. */
     void run(int workers, Team.Work what) {
-        if (dismissed || failure.get() != null) {
-            throw new IllegalStateException("the threads of this team have ended", failure.get());
+        if (end != null) {
+            throw new IllegalStateException("the threads of this team have ended", end);
         }
-        threads[0] = Thread.currentThread();
-        work = what;
-        size = workers;
-        inside.set(workers - 1);
-        for (int worker = 1; worker < workers; worker++) {
-            called.incrementAndGet(worker);
-            wake(worker);
+        try {
+            threads[0] = Thread.currentThread();
+            work = what;
+            size = workers;
+            inside.set(workers - 1);
+            for (int worker = 1; worker < workers; worker++) {
+                called.incrementAndGet(worker);
+                wake(worker);
+            }
+            what.run(0);
+            await(0, END, 0);
+        } catch (Throwable t) {
+            if (end == null) {
+                end = t;
+            }
         }
-        work(0);
-        await(0, END, 0);
         work = null;
         threads[0] = null;
-        if (failure.get() != null) {
-            dismiss();
-            if (failure.get() instanceof Error error) {
+        if (end != null) {
+            wakeAll(threads.length);
+            if (end instanceof Error error) {
                 throw error;
             }
-            throw (RuntimeException) failure.get();
-        }
-    }
-
-    private void work(int worker) {
-        try {
-            work.run(worker);
-        } catch (Stopped e) {
-            // the one that failed has said why
-        } catch (Throwable t) {
-            failure.compareAndSet(null, t);
-            for (int other = 0; other < size; other++) {
-                wake(other);
-            }
+            throw (RuntimeException) end;
         }
     }
 
     /** See {@link Team#sync}. */
     void sync(int worker) {
         int seen = passed;
-        if (failure.get() != null) {
-            throw Stopped.INSTANCE;
+        if (end == null) {
+            if (arrived.incrementAndGet() == size) {
+                arrived.set(0);
+                passed = seen + 1;
+                wakeAll(size);
+            } else {
+                await(worker, BARRIER, seen);
+            }
         }
-        if (arrived.incrementAndGet() == size) {
-            arrived.set(0);
-            passed = seen + 1;
-            for (int other = 0; other < size; other++) {
-                wake(other);
-            }
-        } else {
-            await(worker, BARRIER, seen);
-            if (failure.get() != null) {
-                throw Stopped.INSTANCE;
-            }
+        if (end != null) {
+            throw Stopped.INSTANCE;
         }
     }
 
@@ -170,11 +160,18 @@ final class Crew {
     }
 
     private boolean isOver(int worker, int what, int seen) {
-        return switch (what) {
-            case BARRIER -> passed != seen || failure.get() != null;
-            case CALL -> called.get(worker) != seen || dismissed;
-            default -> inside.get() == 0;
-        };
+        return end != null
+                || switch (what) {
+                    case BARRIER -> passed != seen;
+                    case CALL -> called.get(worker) != seen;
+                    default -> inside.get() == 0;
+                };
+    }
+
+    private void wakeAll(int workers) {
+        for (int worker = 0; worker < workers; worker++) {
+            wake(worker);
+        }
     }
 
     private void wake(int worker) {
@@ -190,11 +187,12 @@ final class Crew {
     int start(int workers) {
         for (; started < Math.min(workers, most); started++) {
             int worker = started;
-            Thread thread = new Thread(null, () -> live(worker), "circles2d-World-" + number + "-" + worker, 0, false);
-            thread.setDaemon(true);
-            thread.setContextClassLoader(null);
-            threads[worker] = thread;
             try {
+                Thread thread =
+                        new Thread(null, () -> live(worker), "circles2d-World-" + number + "-" + worker, 0, false);
+                thread.setDaemon(true);
+                thread.setContextClassLoader(null);
+                threads[worker] = thread;
                 thread.start();
             } catch (OutOfMemoryError e) {
                 threads[worker] = null;
@@ -207,24 +205,31 @@ final class Crew {
 
     /** The life of a worker's thread. */
     private void live(int worker) {
-        for (int seen = 0; ; seen++) {
-            await(worker, CALL, seen);
-            if (dismissed) {
-                return;
+        try {
+            for (int seen = 0; ; seen++) {
+                await(worker, CALL, seen);
+                if (end != null) {
+                    return;
+                }
+                work.run(worker);
+                if (inside.decrementAndGet() == 0) {
+                    wake(0);
+                }
             }
-            work(worker);
-            if (inside.decrementAndGet() == 0) {
-                wake(0);
+        } catch (Throwable t) {
+            if (end == null) {
+                end = t;
             }
+            wakeAll(threads.length);
         }
     }
 
-    /** Tells the threads to end. */
+    /** Tells the threads to end, also those in a run that worker 0 has left by an error. */
     void dismiss() {
-        dismissed = true;
-        for (int worker = 1; worker < threads.length; worker++) {
-            LockSupport.unpark(threads[worker]);
+        if (end == null) {
+            end = Stopped.INSTANCE;
         }
+        wakeAll(threads.length);
     }
 
     /** Waits for the end of the threads, which have been told to. */

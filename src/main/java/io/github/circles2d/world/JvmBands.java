@@ -35,7 +35,7 @@ final class JvmBands {
     }
 
     private void divide(int level, int[] contactsBefore, int least) {
-        int rows = 1 << levels.rowsLog[level];
+        int rows = levels.rowCount[level];
         int width = least * team.size() <= rows ? least : 0;
         int edge = level * (team.most() + 1);
         long begin = weight(level, 0, contactsBefore);
@@ -54,7 +54,7 @@ final class JvmBands {
     /** The first even row with at least so much weight before it. */
     private int firstEvenRow(int level, long weight, int[] contactsBefore) {
         int low = 0;
-        int high = 1 << (levels.rowsLog[level] - 1);
+        int high = levels.rowCount[level] >> 1;
         while (low < high) {
             int middle = (low + high) >>> 1;
             if (weight(level, 2 * middle, contactsBefore) < weight) {

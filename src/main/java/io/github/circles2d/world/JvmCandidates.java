@@ -91,13 +91,13 @@ final class JvmCandidates {
         int[] bucketStart = grid.start;
         int column = grid.column(state.circle[4 * slot], level);
         int row = grid.row(state.circle[4 * slot + 1], level);
-        int mask = (1 << levels.columnsLog[level]) - 1;
-        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
         int sum = 0;
         for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.rowStart(level, (row + v) & rowMask);
+            int rowStart = levels.rowStart(level, Levels.neighbour(row, v, rows));
             for (int u = -1; u <= 1; u++) {
-                int b = rowStart + ((column + u) & mask);
+                int b = rowStart + Levels.neighbour(column, u, columns);
                 sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
             }
         }

@@ -123,9 +123,9 @@ final class JvmContacts {
         }
         if (2 * contacts > pair.length) {
             int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
-            pair = new int[2 * c];
-            contact = new float[STRIDE * c];
             memory.ensure(c);
+            contact = new float[STRIDE * c];
+            pair = new int[2 * c];
         }
     }
 
@@ -179,7 +179,7 @@ final class JvmContacts {
 
     private void findInBand(int worker, int level) {
         FoundPairs f = found[worker];
-        int columns = 1 << levels.columnsLog[level];
+        int columns = levels.columnCount[level];
         int end = bands.first(level, worker + 1);
         for (int row = bands.first(level, worker); row < end && !f.overflowed; row++) {
             rowStart[levels.firstRow[level] + row] = f.count;
@@ -309,10 +309,9 @@ final class JvmContacts {
         memory.remember(c, lo, state.id[pair[2 * c + 1] >> 2], lambda);
     }
 
-    /** Takes over saved impulses in place of contacts; the circles have been taken over before. */
+    /** Takes over saved impulses, for which there is room, in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
-        ensureContacts(from.impulses);
         memory.load(from);
     }
 

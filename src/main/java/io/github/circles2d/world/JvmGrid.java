@@ -111,11 +111,11 @@ final class JvmGrid {
     }
 
     int column(float x, int atLevel) {
-        return CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]) & ((1 << levels.columnsLog[atLevel]) - 1);
+        return Levels.onRing(CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]), levels.columnCount[atLevel]);
     }
 
     int row(float y, int atLevel) {
-        return CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]) & ((1 << levels.rowsLog[atLevel]) - 1);
+        return Levels.onRing(CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]), levels.rowCount[atLevel]);
     }
 
     private void scatter(int from, int to) {

@@ -23,9 +23,9 @@ final class JvmMemory {
         this.state = state;
     }
 
-    /** Makes room for contacts. */
+    /** Makes room for contacts. The length of the array that grows last tells whether there is room. */
     void ensure(int contacts) {
-        if (hiId.length < contacts) {
+        if (next.length < contacts) {
             hiId = Arrays.copyOf(hiId, contacts);
             lambda = Arrays.copyOf(lambda, contacts);
             next = Arrays.copyOf(next, contacts);

@@ -116,14 +116,14 @@ final class JvmMixedPairs {
         int[] bucketStart = grid.start;
         int column = grid.column(state.circle[4 * slot], level);
         int row = grid.row(state.circle[4 * slot + 1], level);
-        int mask = (1 << levels.columnsLog[level]) - 1;
-        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
         for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.rowStart(level, (row + v) & rowMask);
-            int groupStart = levels.rowStart(level, v < 0 ? (row - 1) & rowMask : row);
+            int rowStart = levels.rowStart(level, Levels.neighbour(row, v, rows));
+            int groupStart = levels.rowStart(level, Levels.neighbour(row, Math.min(v, 0), rows));
             for (int u = -1; u <= 1; u++) {
-                int b = rowStart + ((column + u) & mask);
-                int group = groupStart + (u < 0 ? (column - 1) & mask : column);
+                int b = rowStart + Levels.neighbour(column, u, columns);
+                int group = groupStart + Levels.neighbour(column, Math.min(u, 0), columns);
                 scan(f, slot, bucketStart[b], bucketStart[b + 1], group);
             }
         }

@@ -29,10 +29,9 @@ final class JvmPairs {
     /** Gathers the pairs of a group. */
     void find(FoundPairs f, int level, int column, int row) {
         int[] start = grid.start;
-        int mask = (1 << levels.columnsLog[level]) - 1;
-        int nextColumn = (column + 1) & mask;
+        int nextColumn = Levels.neighbour(column, 1, levels.columnCount[level]);
         int own = levels.rowStart(level, row);
-        int above = levels.rowStart(level, (row + 1) & ((1 << levels.rowsLog[level]) - 1));
+        int above = levels.rowStart(level, Levels.neighbour(row, 1, levels.rowCount[level]));
         int from = start[own + column];
         int to = start[own + column + 1];
         int rightFrom = start[own + nextColumn];

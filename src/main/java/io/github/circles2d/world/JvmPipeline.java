@@ -28,14 +28,13 @@ public final class JvmPipeline implements Pipeline {
     private StepConstants constants;
 
     private int steps;
-    private boolean failed;
 
     private final JvmPositions positions = new JvmPositions();
 
-    /** The positions requested last, and those that a caller may still look into. */
+    /** The positions requested last, and those taken last, which a caller may still look into. */
     private JvmPositions requested = new JvmPositions();
 
-    private JvmPositions requestedBefore = new JvmPositions();
+    private JvmPositions taken = new JvmPositions();
 
     /**
      * An empty world.
@@ -57,21 +56,21 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void makeRoom(Commands commands) {
+        state.makeRoom(commands);
+    }
+
+    @Override
     public void apply(Commands commands) {
         state.apply(commands);
     }
 
     @Override
     public void step(StepConstants stepConstants, Levels shape, int count) {
-        if (failed) {
-            throw new IllegalStateException("an earlier step failed half-way");
-        }
         levels.copy(shape);
         constants = stepConstants;
         steps = count;
-        failed = true;
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
-        failed = false;
     }
 
     /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
@@ -157,15 +156,20 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void requestPositions(Roster roster) {
-        JvmPositions next = requestedBefore;
-        requestedBefore = requested;
-        requested = next;
         requested.copy(state, roster);
     }
 
     @Override
+    public boolean positionsArrived() {
+        return true;
+    }
+
+    @Override
     public FloatBuffer takePositions() {
-        return requested.view();
+        JvmPositions next = taken;
+        taken = requested;
+        requested = next;
+        return taken.view();
     }
 
     @Override
@@ -189,6 +193,13 @@ public final class JvmPipeline implements Pipeline {
             state.save(slot, into, k);
             contacts.memory().save(slot, into);
         }
+    }
+
+    @Override
+    public void makeRoom(SavedState from) {
+        state.ensure(from.circles);
+        state.ensureIds(from.ids);
+        contacts.memory().ensure(from.impulses);
     }
 
     @Override

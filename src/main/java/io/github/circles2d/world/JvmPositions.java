@@ -10,8 +10,9 @@ final class JvmPositions {
     /** Takes the positions of now, in ascending order of ids. */
     void copy(JvmState state, Roster roster) {
         if (floats.capacity() < 2 * roster.size()) {
-            floats = FloatBuffer.allocate(3 * roster.size());
-            view = floats.asReadOnlyBuffer();
+            FloatBuffer larger = FloatBuffer.allocate(3 * roster.size());
+            view = larger.asReadOnlyBuffer();
+            floats = larger;
         }
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {

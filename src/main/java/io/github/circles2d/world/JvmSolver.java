@@ -136,7 +136,7 @@ final class JvmSolver {
     }
 
     private int ring(int row) {
-        return row & ((1 << levels.rowsLog[levels.used[0]]) - 1);
+        return Levels.onRing(row, levels.rowCount[levels.used[0]]);
     }
 
     private int firstSlot(int row) {

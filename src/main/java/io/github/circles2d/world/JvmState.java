@@ -13,6 +13,9 @@ final class JvmState {
     /** Number of circles. */
     int n;
 
+    /** Circles that all arrays have room for; some have room for more after a growth that ran out of memory. */
+    private int capacity;
+
     /** By slot: x, y of the base, radius, mass. */
     float[] circle = new float[0];
 
@@ -63,12 +66,12 @@ final class JvmState {
     }
 
     int capacity() {
-        return id.length;
+        return capacity;
     }
 
     void ensure(int circles) {
-        if (circles > capacity()) {
-            int c = Math.max(circles, capacity() + (capacity() >> 1));
+        if (circles > capacity) {
+            int c = Math.max(circles, capacity + (capacity >> 1));
             circle = Arrays.copyOf(circle, 4 * c);
             motion = Arrays.copyOf(motion, 4 * c);
             traits = Arrays.copyOf(traits, 4 * c);
@@ -85,18 +88,38 @@ final class JvmState {
             idSpare = new int[c];
             memorySpare = new int[c];
             freshSpare = new boolean[c];
+            capacity = c;
         }
     }
 
-    private void ensureIds(int ids) {
+    void ensureIds(int ids) {
         if (ids > slotOf.length) {
             int old = slotOf.length;
-            slotOf = Arrays.copyOf(slotOf, Math.max(ids, old + (old >> 1)));
-            Arrays.fill(slotOf, old, slotOf.length, -1);
+            int[] longer = Arrays.copyOf(slotOf, Math.max(ids, old + (old >> 1)));
+            Arrays.fill(longer, old, longer.length, -1);
+            slotOf = longer;
         }
     }
 
-    /** Applies what the caller asked for. */
+    /** Makes room for what the caller asked for. */
+    void makeRoom(Commands commands) {
+        int[] records = commands.records();
+        int circles = n;
+        int most = n;
+        int ids = 0;
+        for (int k = 0; k < commands.count() * Commands.STRIDE; k += Commands.STRIDE) {
+            if (records[k] == Commands.ADD) {
+                most = Math.max(most, ++circles);
+                ids = Math.max(ids, records[k + 1] + 1);
+            } else if (records[k] == Commands.REMOVE) {
+                circles--;
+            }
+        }
+        ensure(most);
+        ensureIds(ids);
+    }
+
+    /** Applies what the caller asked for, for which there is room. */
     void apply(Commands commands) {
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
@@ -145,8 +168,6 @@ final class JvmState {
     }
 
     private void add(int circleId, int[] records, int k) {
-        ensure(n + 1);
-        ensureIds(circleId + 1);
         int slot = n++;
         int s = 4 * slot;
         circle[s] = Float.intBitsToFloat(records[k + 2]);
@@ -209,10 +230,8 @@ final class JvmState {
         System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
     }
 
-    /** Takes over saved circles, without remembered contacts; slots are in the order of the ids. */
+    /** Takes over saved circles, for which there is room, without remembered contacts; slots are in the order of the ids. */
     void load(SavedState from) {
-        ensure(from.circles);
-        ensureIds(from.ids);
         n = from.circles;
         System.arraycopy(from.circle, 0, circle, 0, 4 * n);
         System.arraycopy(from.motion, 0, motion, 0, 4 * n);

@@ -138,8 +138,8 @@ final class JvmSweep {
                 continue;
             }
             float margin = (r + top) + CircleMath.greatest(limit * path, top);
-            int columns = 1 << levels.columnsLog[level];
-            int rows = 1 << levels.rowsLog[level];
+            int columns = levels.columnCount[level];
+            int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
             int c0 = CircleMath.cell(CircleMath.least(x, x + px) - margin, levels.minX, edge);
             int c1 = CircleMath.cell(CircleMath.greatest(x, x + px) + margin, levels.minX, edge);
@@ -151,31 +151,41 @@ final class JvmSweep {
 
     private void lookAt(int slot, int level, int c0, int c1, int r0, int r1) {
         int w = levels.columnsLog[level];
-        int mask = (1 << w) - 1;
-        int rowMask = (1 << levels.rowsLog[level]) - 1;
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
         int firstBlock = levels.first[level] >> (2 * BLOCK_LOG);
         float half = 0.5f * state.circle[4 * slot + 2];
         float px = state.plan[2 * slot];
         float py = state.plan[2 * slot + 1];
-        for (int v = r0 >> BLOCK_LOG; v <= r1 >> BLOCK_LOG; v++) {
-            for (int u = c0 >> BLOCK_LOG; u <= c1 >> BLOCK_LOG; u++) {
-                int blockRow = v & (rowMask >> BLOCK_LOG);
-                int k = 4 * (firstBlock + (blockRow << (w - BLOCK_LOG)) + (u & (mask >> BLOCK_LOG)));
-                if (!CircleMath.differ(px, py, range[k], range[k + 1], range[k + 2], range[k + 3], half)) {
-                    continue;
-                }
-                int lastRow = Math.min(r1, (v << BLOCK_LOG) + 3);
-                int lastColumn = Math.min(c1, (u << BLOCK_LOG) + 3);
-                for (int row = Math.max(r0, v << BLOCK_LOG); row <= lastRow; row++) {
-                    int rowStart = levels.first[level] + ((row & rowMask) << w);
-                    int first = grid.start[rowStart + (Math.max(c0, u << BLOCK_LOG) & mask)];
-                    int end = grid.start[rowStart + (lastColumn & mask) + 1];
-                    for (int other = first; other < end; other++) {
-                        if (other != slot) {
-                            meet(slot, other);
-                        }
+        for (int v = r0; v <= r1; ) {
+            int row = Levels.onRing(v, rows);
+            int rowsOfBlock = inBlock(row, rows, r1 - v);
+            for (int u = c0; u <= c1; ) {
+                int column = Levels.onRing(u, columns);
+                int columnsOfBlock = inBlock(column, columns, c1 - u);
+                int k = 4 * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
+                if (CircleMath.differ(px, py, range[k], range[k + 1], range[k + 2], range[k + 3], half)) {
+                    for (int r = row; r < row + rowsOfBlock; r++) {
+                        int first = levels.rowStart(level, r) + column;
+                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock]);
                     }
                 }
+                u += columnsOfBlock;
+            }
+            v += rowsOfBlock;
+        }
+    }
+
+    /** How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many behind it. */
+    private static int inBlock(int column, int side, int most) {
+        int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
+        return Math.min(Math.min(blockEnd, side) - column, most + 1);
+    }
+
+    private void meetAll(int slot, int from, int to) {
+        for (int other = from; other < to; other++) {
+            if (other != slot) {
+                meet(slot, other);
             }
         }
     }

@@ -6,19 +6,45 @@ package io.github.circles2d.world;
  * a few large ones would be many neighbours. Decided on the host from the bounds, the greatest radius
  * and the number of circles of each level; the same for every back end.
  *
- * <p>A level has W x H buckets, powers of two of at least 4, no more than the arena needs and about as many to twice as
- * many as it has circles. The cell (cx, cy) lies in bucket (cx mod W) + W (cy mod H): far cells may share a bucket, which
- * costs time and nothing else, because the distance of two circles decides. So memory is bounded by the number of circles,
- * however small they are and however large the arena is.
+ * <p>A level's torus has W columns and H rows of buckets. The cell (cx, cy) lies in column cx mod W and row cy mod H: far cells
+ * may share a bucket, which costs time and nothing else, because the distance of two circles decides. So memory is bounded by the
+ * number of circles, however small they are and however large the arena is: rounded up to powers of two, W and H are at
+ * least 4, no more than the arena needs, and their product is at most twice the number of circles.
  *
- * <p>For OpenCL, groups of contacts are numbered so that those of one colour are consecutive: the group (ox, oy) has colour
- * (ox mod 2) + 2 (oy mod 2) and is number (oy / 2)(W / 2) + ox / 2 within its colour.
+ * <p>W (or H) is this power of two where the arena has at most four times as many columns (or rows): then few cells share a
+ * bucket. In a wider arena it is twice a prime, and another prime for rows than for columns. With powers of two, a square
+ * lattice of circles that are 128 cells apart would lie in a few buckets. With two primes, a square lattice does only if its
+ * spacing is a multiple of both primes; if it is a multiple of one, the other prime is the least number of buckets in use.
+ * Other patterns remain: a lattice whose columns are a multiple of one prime apart and whose rows are a multiple of the other,
+ * or a line of circles that are a multiple of one prime apart, lie in a few buckets.
+ *
+ * <p>In memory, a row of buckets begins at a multiple of the power of two. For OpenCL, groups of contacts are numbered so that
+ * those of one colour are consecutive: the group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and is number
+ * (oy / 2)(V / 2) + ox / 2 within its colour, where V is that power of two.
  */
 public final class Levels {
     /** Number of size classes, and so of levels at most: with factors of two, they span all radii that a world takes. */
     public static final int COUNT = 20;
 
     private static final int LEAST_SIDE_LOG = 2;
+
+    private static final int GREATEST_SIDE_LOG = 15;
+
+    /** How many times as many columns (or rows) as the torus an arena has before their number is made for lattices. */
+    private static final int WRAPS = 4;
+
+    /** Sides below this are powers of two in any case. */
+    private static final int LEAST_PRIME_SIDE_LOG = 4;
+
+    /** By log2 of the next power of two, from {@link #LEAST_PRIME_SIDE_LOG} on: columns of the torus in a wide arena. */
+    private static final int[] PRIME_COLUMNS = {
+        2 * 7, 2 * 13, 2 * 31, 2 * 61, 2 * 127, 2 * 251, 2 * 509, 2 * 1021, 2 * 2039, 2 * 4093, 2 * 8191, 2 * 16381
+    };
+
+    /** The same for rows. */
+    private static final int[] PRIME_ROWS = {
+        2 * 5, 2 * 11, 2 * 29, 2 * 59, 2 * 113, 2 * 241, 2 * 503, 2 * 1019, 2 * 2029, 2 * 4091, 2 * 8179, 2 * 16369
+    };
 
     /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
     final int[] levelOf = new int[COUNT];
@@ -29,11 +55,17 @@ public final class Levels {
     /** 1 / edge of a cell, by level. */
     final float[] inverseEdge = new float[COUNT];
 
-    /** log2 of the number of columns, by level. */
+    /** log2 of the number of columns, rounded up to a power of two, by level. */
     final int[] columnsLog = new int[COUNT];
 
-    /** log2 of the number of rows, by level. */
+    /** log2 of the number of rows, rounded up to a power of two, by level. */
     final int[] rowsLog = new int[COUNT];
+
+    /** Number of columns of the torus, by level. */
+    final int[] columnCount = new int[COUNT];
+
+    /** Number of rows of the torus, by level. */
+    final int[] rowCount = new int[COUNT];
 
     /** Columns that circles can be in, by level: less than all of them where the torus is larger than the arena. */
     final int[] columnsUsed = new int[COUNT];
@@ -89,7 +121,7 @@ public final class Levels {
                 used[usedCount++] = level;
                 layOutLevel(level, bounds);
                 buckets += 1 << (columnsLog[level] + rowsLog[level]);
-                rows += 1 << rowsLog[level];
+                rows += rowCount[level];
             }
         }
     }
@@ -106,8 +138,10 @@ public final class Levels {
     private void layOutLevel(int level, Bounds bounds) {
         float edge = edge(top[level], bounds);
         inverseEdge[level] = 1f / edge;
-        int columns = sideLog((bounds.maxX() - bounds.minX()) / edge);
-        int rows = sideLog((bounds.maxY() - bounds.minY()) / edge);
+        float across = (bounds.maxX() - bounds.minX()) / edge;
+        float down = (bounds.maxY() - bounds.minY()) / edge;
+        int columns = sideLog(across);
+        int rows = sideLog(down);
         int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
         while (columns + rows > budget) {
             if (columns >= rows) {
@@ -118,13 +152,21 @@ public final class Levels {
         }
         columnsLog[level] = columns;
         rowsLog[level] = rows;
-        columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columns);
-        rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rows);
+        columnCount[level] = side(columns, across, PRIME_COLUMNS);
+        rowCount[level] = side(rows, down, PRIME_ROWS);
+        columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columnCount[level]);
+        rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
+    }
+
+    private static int side(int sideLog, float cells, int[] primes) {
+        return sideLog < LEAST_PRIME_SIDE_LOG || cells <= WRAPS << sideLog
+                ? 1 << sideLog
+                : primes[sideLog - LEAST_PRIME_SIDE_LOG];
     }
 
     /** Cells from the one of the lower wall to the one of the upper, where there are as many: no base is outside the walls. */
-    private int cellsUsed(float max, float min, int level, int sideLog) {
-        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), (1 << sideLog) - 1) + 1;
+    private int cellsUsed(float max, float min, int level, int side) {
+        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), side - 1) + 1;
     }
 
     /**
@@ -138,7 +180,7 @@ public final class Levels {
 
     private static int sideLog(float cells) {
         int side = LEAST_SIDE_LOG;
-        while (side < 15 && cells > 1 << side) {
+        while (side < GREATEST_SIDE_LOG && cells > 1 << side) {
             side++;
         }
         return side;
@@ -151,6 +193,8 @@ public final class Levels {
         System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
         System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
         System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
+        System.arraycopy(other.columnCount, 0, columnCount, 0, COUNT);
+        System.arraycopy(other.rowCount, 0, rowCount, 0, COUNT);
         System.arraycopy(other.columnsUsed, 0, columnsUsed, 0, COUNT);
         System.arraycopy(other.rowsUsed, 0, rowsUsed, 0, COUNT);
         System.arraycopy(other.first, 0, first, 0, COUNT);
@@ -172,6 +216,17 @@ public final class Levels {
     /** Level of a radius. */
     int level(float r) {
         return levelOf[CircleMath.sizeClass(r, rmax)];
+    }
+
+    /** The column (or row) of the torus of a cell's column (or row). */
+    static int onRing(int cell, int side) {
+        return cell < side ? cell : cell % side;
+    }
+
+    /** The column (or row) of the torus that is at (0), behind (1) or before (-1) another. */
+    static int neighbour(int column, int offset, int side) {
+        int moved = column + offset;
+        return moved < 0 ? side - 1 : moved < side ? moved : 0;
     }
 
     /** Number of the bucket before which a row of buckets begins. */

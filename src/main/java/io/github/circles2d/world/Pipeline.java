@@ -9,9 +9,17 @@ import java.util.Map;
  */
 public interface Pipeline extends AutoCloseable {
     /**
-     * Applies what the caller asked for, in call order. Does not keep the object.
+     * Makes room for what the caller asked for, so that applying it does not run out of memory. Where this fails, nothing has
+     * changed. All steps have been finished.
      *
      * @param commands the commands
+     */
+    void makeRoom(Commands commands);
+
+    /**
+     * Applies what the caller asked for, in call order. Does not keep the object.
+     *
+     * @param commands the commands, for which room has been made
      */
     void apply(Commands commands);
 
@@ -66,7 +74,14 @@ public interface Pipeline extends AutoCloseable {
     void requestPositions(Roster roster);
 
     /**
-     * Waits for the positions that were requested last. Once a request.
+     * Waits for the positions that were requested last.
+     *
+     * @return false if a step before the request has not been made yet: {@link #finish} makes it, and asks again
+     */
+    boolean positionsArrived();
+
+    /**
+     * Gives the positions that were requested last. Once a request.
      *
      * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the request
      *     after the next
@@ -89,10 +104,18 @@ public interface Pipeline extends AutoCloseable {
     void save(SavedState into);
 
     /**
+     * Makes room for a saved state, so that taking it over does not run out of memory. Where this fails, nothing has changed.
+     * All steps have been finished.
+     *
+     * @param from the state
+     */
+    void makeRoom(SavedState from);
+
+    /**
      * Takes over a saved state instead of its own: from now on all is as if it had made the steps that led there. The values
      * have been checked.
      *
-     * @param from the state; not kept
+     * @param from the state, for which room has been made; not kept
      */
     void load(SavedState from);
 

@@ -122,24 +122,43 @@ public final class Roster {
     }
 
     /**
+     * Makes room, so that adding circles does not run out of memory. Where this fails, nothing has changed.
+     *
+     * @param more number of circles to come
+     */
+    public void ensure(int more) {
+        ensureIds(size + more);
+    }
+
+    /**
+     * Makes room for a saved state, so that {@link #load} does not run out of memory. Where this fails, nothing has changed.
+     *
+     * @param from the state
+     */
+    public void makeRoom(SavedState from) {
+        ensureIds(from.ids);
+    }
+
+    /** Makes room for ids. The length of the array that grows last tells whether there is room. */
+    private void ensureIds(int ids) {
+        if (ids > generation.length) {
+            int c = Math.max(ids, generation.length + (generation.length >> 1));
+            live = Arrays.copyOf(live, (c >> 6) + 1);
+            radius = Arrays.copyOf(radius, c);
+            restitution = Arrays.copyOf(restitution, c);
+            generation = Arrays.copyOf(generation, c);
+        }
+    }
+
+    /**
      * Enters a circle under the lowest free id.
      *
      * @param r its radius
      * @return the id
      */
     public int add(float r) {
+        ensure(1);
         int id = firstFree();
-        if (id == generation.length) {
-            int c = id + (id >> 1);
-            // all or none, should memory run out
-            int[] generations = Arrays.copyOf(generation, c);
-            float[] radii = Arrays.copyOf(radius, c);
-            float[] restitutions = Arrays.copyOf(restitution, c);
-            live = Arrays.copyOf(live, (c >> 6) + 1);
-            radius = radii;
-            restitution = restitutions;
-            generation = generations;
-        }
         live[id >>> 6] |= 1L << id;
         livingBeforeCurrent = false;
         noneFreeBelow = id + 1;
@@ -198,17 +217,11 @@ public final class Roster {
 
     private int firstFree() {
         int word = noneFreeBelow >>> 6;
-        if (word == live.length) {
-            return generation.length;
-        }
         long free = ~live[word] & -1L << noneFreeBelow;
         while (free == 0) {
-            if (++word == live.length) {
-                return generation.length;
-            }
-            free = ~live[word];
+            free = ~live[++word];
         }
-        return Math.min((word << 6) + Long.numberOfTrailingZeros(free), generation.length);
+        return (word << 6) + Long.numberOfTrailingZeros(free);
     }
 
     private void enter(float r) {
@@ -286,25 +299,18 @@ public final class Roster {
     /**
      * Takes over the ids, generations, radii and restitutions of a saved state instead of its own.
      *
-     * @param from the state; not kept
+     * @param from the state, for which room has been made; not kept
      */
     public void load(SavedState from) {
-        int length = Math.max(64, from.ids);
-        int[] newGeneration = new int[length];
-        float[] newRadius = new float[length];
-        float[] newRestitution = new float[length];
-        long[] newLive = new long[(length >> 6) + 1];
-        System.arraycopy(from.generation, 0, newGeneration, 0, from.ids);
+        Arrays.fill(live, 0);
+        Arrays.fill(generation, 0);
+        System.arraycopy(from.generation, 0, generation, 0, from.ids);
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
-            newLive[id >>> 6] |= 1L << id;
-            newRadius[id] = from.circle[4 * k + 2];
-            newRestitution[id] = from.traits[4 * k + 1];
+            live[id >>> 6] |= 1L << id;
+            radius[id] = from.circle[4 * k + 2];
+            restitution[id] = from.traits[4 * k + 1];
         }
-        generation = newGeneration;
-        radius = newRadius;
-        restitution = newRestitution;
-        live = newLive;
         end = from.ids;
         size = from.circles;
         noneFreeBelow = 0;
@@ -316,7 +322,6 @@ public final class Roster {
         if (!radiiChanged) {
             return;
         }
-        radiiChanged = false;
         greatestRadius = 0;
         withGreatestRadius = 0;
         for (int id = 0; id < end; id++) {
@@ -336,5 +341,6 @@ public final class Roster {
                 population[CircleMath.sizeClass(radius[id], greatestRadius)]++;
             }
         }
+        radiiChanged = false;
     }
 }

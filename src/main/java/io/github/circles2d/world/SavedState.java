@@ -79,7 +79,7 @@ public final class SavedState {
     /** Makes room for circles and sets their number. */
     void setCircles(int count) {
         if (id.length < count) {
-            // the length of the last one tells whether there is room, should memory run out in between
+            // The length of the last one tells whether there is room, in case memory runs out in between.
             circle = new float[4 * count];
             motion = new float[4 * count];
             traits = new float[4 * count];
@@ -90,8 +90,8 @@ public final class SavedState {
 
     /** Makes room for impulses without changing their number. */
     void ensureImpulses(int count) {
-        if (lo.length < count) {
-            int c = Math.max(count, lo.length + (lo.length >> 1));
+        if (lambda.length < count) {
+            int c = Math.max(count, lambda.length + (lambda.length >> 1));
             lo = Arrays.copyOf(lo, c);
             hi = Arrays.copyOf(hi, c);
             lambda = Arrays.copyOf(lambda, c);

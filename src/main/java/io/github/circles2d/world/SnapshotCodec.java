@@ -195,22 +195,16 @@ public final class SnapshotCodec {
     /**
      * Reads a snapshot and checks all of it.
      *
-     * @param from a snapshot from its position on, which is moved behind it; any byte order
+     * @param from a snapshot from its position on, which stays as it is; any byte order. Another thread may write to it
      * @param s takes the state; of no meaning where an exception is thrown
-     * @throws IllegalArgumentException where this is no snapshot, or a damaged one; the buffer's position is as before
+     * @return the length of the snapshot
+     * @throws IllegalArgumentException where this is no snapshot, or a damaged one
      */
-    public static void read(ByteBuffer from, SavedState s) {
-        ByteBuffer in = from.slice().order(ByteOrder.LITTLE_ENDIAN);
-        require(in.remaining() >= HEADER, "it has no room for the header: " + in.remaining() + " bytes");
-        require(in.getInt() == MAGIC, "it does not begin as one");
-        int version = in.getInt();
-        require(version == VERSION, "its version is " + version + ", not " + VERSION);
-        int length = in.getInt();
-        require(
-                length >= HEADER && length <= in.limit(),
-                "its length is " + length + ", but there are " + in.limit() + " bytes");
+    public static int read(ByteBuffer from, SavedState s) {
+        ByteBuffer in = copy(from.slice().order(ByteOrder.LITTLE_ENDIAN));
+        int length = in.limit();
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
-        in.limit(length);
+        in.position(LENGTH_AT + 4);
         int circles = in.getInt();
         int ids = in.getInt();
         int impulses = in.getInt();
@@ -235,7 +229,22 @@ public final class SnapshotCodec {
                 circle == circles && s.impulses == impulses && in.position() == length,
                 "its records do not fit its header");
         checkPairs(s);
-        from.position(from.position() + length);
+        return length;
+    }
+
+    /** Copies a snapshot: what is checked in the copy still holds when it is used. */
+    private static ByteBuffer copy(ByteBuffer from) {
+        require(from.limit() >= HEADER, "it has no room for the header: " + from.limit() + " bytes");
+        require(from.getInt() == MAGIC, "it does not begin as one");
+        int version = from.getInt();
+        require(version == VERSION, "its version is " + version + ", not " + VERSION);
+        int length = from.getInt();
+        require(
+                length >= HEADER && length <= from.limit(),
+                "its length is " + length + ", but there are " + from.limit() + " bytes");
+        byte[] bytes = new byte[length];
+        from.get(0, bytes);
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 
     private static WorldParameters readParameters(ByteBuffer in) {

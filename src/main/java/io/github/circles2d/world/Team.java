@@ -58,8 +58,8 @@ final class Team implements AutoCloseable {
     }
 
     /**
-     * Runs some work, and returns when all workers are through. What one of them throws is thrown here, as it is, when the
-     * others have stopped; the team is of no use after that.
+     * Runs some work, and returns when all workers are through. What one of them throws is thrown here, as it is; the others
+     * stop at their next barrier, and the team is of no use after that.
      *
      * @param workers number of workers, at most {@link #most}; there are fewer where the system has no more threads
      * @param work the work
@@ -80,10 +80,11 @@ final class Team implements AutoCloseable {
         }
     }
 
-    /** Ends the threads and waits for their end. */
+    /** Ends the threads and waits for their end. May be called again, if it was cut short by an error. */
     @Override
     public void close() {
         if (crew != null) {
+            crew.dismiss();
             cleanable.clean();
             crew.join();
         }

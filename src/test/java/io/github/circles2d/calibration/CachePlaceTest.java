@@ -1,6 +1,7 @@
 package io.github.circles2d.calibration;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.nio.file.Path;
 import java.util.HashMap;
@@ -56,8 +57,12 @@ class CachePlaceTest {
         assertThat(place()).isEmpty();
         properties.put("circles2d.calibration", "");
         assertThat(place()).isPresent();
-        properties.put("circles2d.calibration", "no\0path");
-        assertThat(place()).isEmpty();
+        for (String place : new String[] {"no\0path", folder.toString()}) {
+            properties.put("circles2d.calibration", place);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(this::place)
+                    .withMessageContainingAll("circles2d.calibration", place, "must name a file", "'off'");
+        }
     }
 
     @Test

@@ -55,6 +55,28 @@ class CirclesTestRunTest {
     }
 
     @Test
+    void moreCirclesThanTheHeapHoldsAreOneLineThatSaysWhatToDo(@TempDir Path folder) {
+        ForkedJvm.Result demo = new ForkedJvm()
+                .option("-Xmx64m")
+                .run(
+                        CirclesTest.class,
+                        "--engine",
+                        "world",
+                        "--device",
+                        "jvm",
+                        "-n",
+                        "10000000",
+                        "--png",
+                        folder.resolve("picture.png").toString());
+        assertThat(demo.exitStatus()).as(demo.output()).isEqualTo(1);
+        assertThat(demo.output().lines())
+                .filteredOn(line -> !line.isBlank() && !line.startsWith("WARNING")) // of native access, on newer JDKs
+                .singleElement()
+                .asString()
+                .contains("10000000 circles need more memory", "heap has (64 MB)", "-n", "-Xmx");
+    }
+
+    @Test
     void aQuietRunPrintsNoTimesAndThePictureIsTheSameEveryTime(@TempDir Path folder) throws Exception {
         TestDevices.all();
         String[] arguments = {

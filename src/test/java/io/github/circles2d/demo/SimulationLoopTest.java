@@ -143,6 +143,18 @@ class SimulationLoopTest {
     }
 
     @Test
+    void anEngineThatIsTooLargeForTheHeapIsTheFailureOfStart() {
+        loop = new SimulationLoop(
+                () -> {
+                    throw new OutOfMemoryError("Java heap space");
+                },
+                0,
+                0,
+                millis -> {});
+        assertThatThrownBy(loop::start).isInstanceOf(OutOfMemoryError.class);
+    }
+
+    @Test
     void anEngineThatFailsOnTheWayIsTheFailureOfJoinAndIsClosed() throws Exception {
         loop = new SimulationLoop(
                 () -> {

@@ -2,8 +2,12 @@ package io.github.circles2d.demo;
 
 import java.awt.Component;
 import java.awt.Frame;
+import java.awt.Rectangle;
 import java.awt.Robot;
+import java.awt.Toolkit;
 import java.awt.event.WindowEvent;
+import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.concurrent.Callable;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
@@ -15,17 +19,36 @@ import javax.swing.SwingUtilities;
  * does, and leaves it to the JVM to end.
  */
 final class WindowProgram {
-    /** What was seen last where the disc was not lit, so that a failure can be told from a screen that shows nothing. */
-    private static String lastOtherColour = "nothing";
+    /** That of the engine's one disc, which lies on the floor, so that it stays there. */
+    private static final float RADIUS = 0.08f;
+
+    /** How many frames pass before the window is shown: a busy machine may take seconds for it. */
+    private static final int FRAMES_BEFORE = 600;
+
+    /** What was seen last, so that a failure can be told from a screen that shows nothing. */
+    private static String lastSeen = "nothing";
 
     private WindowProgram() {}
 
-    public static void main(String[] arguments) throws Exception {
+    /** Ends the JVM after an exception, which the loop's thread would keep alive for ever. */
+    public static void main(String[] arguments) {
+        try {
+            show();
+        } catch (Throwable e) {
+            e.printStackTrace();
+            System.exit(1);
+        }
+    }
+
+    private static void show() throws Exception {
         AtomicReference<TestEngine> engine = new AtomicReference<>();
-        float[][] scene = {{0.5f}, {0.9f}, {0.08f}, {10}};
+        float[][] scene = {{0.5f}, {RADIUS}, {RADIUS}, {10}};
         SimulationLoop loop = new SimulationLoop(
                 () -> {
                     engine.set(new TestEngine(scene));
+                    for (int frame = 0; frame < FRAMES_BEFORE; frame++) {
+                        engine.get().loop();
+                    }
                     return engine.get();
                 },
                 0,
@@ -54,15 +77,11 @@ final class WindowProgram {
         System.out.println("main ends");
     }
 
-    private static JFrame visibleFrame() throws InterruptedException {
-        while (true) {
-            for (Frame frame : Frame.getFrames()) {
-                if (frame.isShowing()) {
-                    return (JFrame) frame;
-                }
-            }
-            Thread.sleep(10);
-        }
+    /** The window, on the event thread: before that has made it, it can be seen half made. */
+    private static JFrame visibleFrame() throws Exception {
+        AtomicReference<JFrame> frame = new AtomicReference<>();
+        SwingUtilities.invokeAndWait(() -> frame.set((JFrame) Frame.getFrames()[0]));
+        return frame.get();
     }
 
     /** Waits for what the window does on threads of its own; a machine with other work may take its time. */
@@ -70,7 +89,7 @@ final class WindowProgram {
         long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
         while (!condition.call()) {
             if (System.nanoTime() > deadline) {
-                System.out.println("still waiting after 30 s; last seen in place of the disc: " + lastOtherColour);
+                System.out.println("still waiting after 30 s; last seen: " + lastSeen);
                 return false;
             }
             Thread.sleep(20);
@@ -78,18 +97,23 @@ final class WindowProgram {
         return true;
     }
 
-    /** Looks at the screen, at the place where the engine's one disc must be. */
+    /**
+     * Counts the pixels of the colour that fills the engine's one disc, which must be as many as a disc of its size has. It
+     * looks at the whole screen, because without a window manager Java may name a wrong place for the window.
+     */
     private static boolean isLit(Component content) throws Exception {
-        Viewport arena = Viewport.fit(content.getWidth(), content.getHeight(), 1);
-        java.awt.Point corner = content.getLocationOnScreen();
-        int x = corner.x + (int) arena.x(0.5);
-        int y = corner.y + (int) arena.y(0.9);
-        Robot robot = new Robot();
-        int seen = robot.getPixelColor(x, y).getRGB() & 0xffffff;
-        int lit = Palette.ramp(10)[Palette.ramp(10).length - 1];
-        if (seen != lit) {
-            lastOtherColour = String.format("%06x at %d, %d", seen, x, y);
-        }
-        return seen == lit;
+        Rectangle screen = new Rectangle(Toolkit.getDefaultToolkit().getScreenSize());
+        BufferedImage picture = new Robot().createScreenCapture(screen);
+        int[] colours = picture.getRGB(0, 0, screen.width, screen.height, null, 0, screen.width);
+        int[] ramp = Palette.ramp(10);
+        int lit = ramp[ramp.length - 1];
+        long pixels =
+                Arrays.stream(colours).filter(rgb -> (rgb & 0xffffff) == lit).count();
+        double radius = RADIUS
+                * Viewport.fit(content.getWidth(), content.getHeight(), 1).side();
+        lastSeen = pixels + " pixels where a disc of radius " + radius
+                + " should be, of a window that takes its place for " + content.getLocationOnScreen();
+        double rim = 3;
+        return pixels > Math.PI * (radius - rim) * (radius - rim) && pixels < Math.PI * radius * radius;
     }
 }

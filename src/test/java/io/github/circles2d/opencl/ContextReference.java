@@ -31,10 +31,13 @@ final class ContextReference implements AutoCloseable {
         return count.getInt();
     }
 
-    /** Counts again until there is no other reference, as long as a driver's own threads may take to let go of theirs. */
+    /**
+     * Counts again until there is no other reference. A driver's own threads take a moment to let go of theirs, and may
+     * take seconds while it closes contexts that earlier tests have left to the garbage collector.
+     */
     int countAfterAMoment() throws InterruptedException {
         int count = count();
-        for (int k = 0; k < 100 && count > 1; k++) {
+        for (int k = 0; k < 1500 && count > 1; k++) {
             Thread.sleep(20);
             count = count();
         }

@@ -50,6 +50,30 @@ class KernelSourceTest {
     }
 
     @Test
+    void aFolderWithoutTheFileIsRefusedWithPropertyAndValue(@TempDir Path folder) {
+        for (String bad :
+                new String[] {folder.toString(), folder.resolve("none").toString(), "no\0path"}) {
+            System.setProperty(KernelSource.FOLDER_PROPERTY, bad);
+            assertThatThrownBy(() -> KernelSource.of("A.cl"))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessageContainingAll(KernelSource.FOLDER_PROPERTY, "'" + bad + "'", "a folder", "A.cl");
+        }
+    }
+
+    @Test
+    void anInterruptedThreadReadsAndStaysInterrupted(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("A.cl"), "int a;\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        Thread.currentThread().interrupt();
+        try {
+            assertThat(KernelSource.of("A.cl").text()).contains("int a;");
+            assertThat(Thread.currentThread().isInterrupted()).isTrue();
+        } finally {
+            Thread.interrupted();
+        }
+    }
+
+    @Test
     void aMissingFileIsNamed() {
         assertThatThrownBy(() -> KernelSource.of("Absent.cl"))
                 .isInstanceOf(IllegalArgumentException.class)

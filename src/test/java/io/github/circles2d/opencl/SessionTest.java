@@ -272,14 +272,15 @@ class SessionTest {
     @MethodSource("devices")
     void aProfilingSessionKnowsTheTimeOfEachKernel(Device device) {
         try (Session session = Session.open(device, true)) {
-            DeviceBuffer data = session.allocate("data", 4096);
+            int count = 1 << 20; // so many that a coarse clock shows some time
+            DeviceBuffer data = session.allocate("data", 4L * count);
             Kernel kernel = session.build(SCALE)
                     .kernel("scale")
                     .arg(0, data)
-                    .arg(1, 1024)
+                    .arg(1, count)
                     .arg(2, 1f);
-            kernel.run(1024);
-            kernel.run(1024);
+            kernel.run(count);
+            kernel.run(count);
             assertThat(session.profileNanos()).containsOnlyKeys("scale");
             assertThat(session.profileNanos().get("scale")).isPositive();
             session.resetProfile();

@@ -9,9 +9,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.tools.JavaCompiler;
 import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
@@ -123,6 +126,46 @@ class DocumentationTest {
             assertThat(List.of(Path.of("src/main/java", file), Path.of("src/test/java", file)))
                     .as("class in " + document)
                     .anyMatch(Files::exists);
+        }
+    }
+
+    @Test
+    void everyTestOfTheTableOfPromisesExists() throws IOException {
+        Set<String> tests = new TreeSet<>();
+        for (String folder : new String[] {"src/test/java", "bench/src/test/java"}) {
+            try (Stream<Path> files = Files.walk(Path.of(folder))) {
+                files.forEach(file -> tests.add(file.getFileName().toString().replace(".java", "")));
+            }
+        }
+        Matcher names = Pattern.compile("`(\\w+Test)`").matcher(read("CONTRIBUTING.md"));
+        int count = 0;
+        while (names.find()) {
+            assertThat(tests).contains(names.group(1));
+            count++;
+        }
+        assertThat(count).isGreaterThan(30);
+    }
+
+    /** So that a run without the tests that take minutes proves something of each class. */
+    @Test
+    void everyClassWithAnExhaustiveTestHasAQuickOneToo() throws IOException {
+        try (Stream<Path> files = Files.walk(Path.of("src/test/java"))) {
+            for (Path file :
+                    files.filter(file -> file.toString().endsWith("Test.java")).toList()) {
+                String source = read(file.toString());
+                long exhaustive = source.lines()
+                        .filter(line -> line.equals("    @Tag(\"exhaustive\")"))
+                        .count();
+                long all = source.lines()
+                        .filter(line -> line.matches("    @(Test|ParameterizedTest)"))
+                        .count();
+                assertThat(source.lines())
+                        .as("%s has the tag on methods", file)
+                        .noneMatch(line -> line.startsWith("@Tag"));
+                if (exhaustive > 0) {
+                    assertThat(all).as("tests in %s", file).isGreaterThan(exhaustive);
+                }
+            }
         }
     }
 

@@ -26,11 +26,14 @@ final class FakeMachine {
             "env",
             "find",
             "grep",
+            "ln",
             "mkdir",
+            "mktemp",
             "mv",
             "readlink",
             "rm",
             "sed",
+            "sleep",
             "sort",
             "tail",
             "tr");
@@ -43,8 +46,12 @@ final class FakeMachine {
     private final Map<String, String> environment = new TreeMap<>();
 
     FakeMachine(Path folder) throws IOException {
+        this(folder, "a clone"); // with a space
+    }
+
+    FakeMachine(Path folder, String cloneName) throws IOException {
         root = folder.toRealPath();
-        clone = Files.createDirectories(root.resolve("a clone")); // with a space
+        clone = Files.createDirectories(root.resolve(cloneName));
         elsewhere = Files.createDirectories(root.resolve("elsewhere"));
         bin = Files.createDirectories(root.resolve("bin"));
         calls = Files.createFile(root.resolve("calls"));
@@ -62,17 +69,37 @@ final class FakeMachine {
         environment.put("CIRCLES2D_OCLGRIND", oclgrind().toString());
         environment.put("DISPLAY", ":7");
         environment.put("HOME", root.toString());
+        environment.put("TMPDIR", temporary().toString());
     }
 
     /** A machine that has everything, a JDK of the given version included. */
     static FakeMachine withEverything(Path folder, int jdkVersion) throws IOException {
-        FakeMachine machine = new FakeMachine(folder);
+        return withEverything(folder, "a clone", jdkVersion);
+    }
+
+    static FakeMachine withEverything(Path folder, String cloneName, int jdkVersion) throws IOException {
+        FakeMachine machine = new FakeMachine(folder, cloneName);
         machine.addJdk(jdkVersion);
         machine.fake("mvn", logged("mvn"));
         machine.addLoader();
         Files.createFile(machine.oclgrind());
         machine.addApt("");
         return machine;
+    }
+
+    /** The folder for temporary files. */
+    Path temporary() throws IOException {
+        return Files.createDirectories(root.resolve("temporary"));
+    }
+
+    /** Adds a tool that the launcher can do without, if this machine has it. */
+    boolean addTool(String name) throws IOException {
+        Path tool = Path.of("/usr/bin", name);
+        if (!Files.isExecutable(tool)) {
+            return false;
+        }
+        Files.createSymbolicLink(bin.resolve(name), tool);
+        return true;
     }
 
     /** Where the launcher is told to look for Oclgrind's driver. */
@@ -137,9 +164,23 @@ final class FakeMachine {
     }
 
     Result launch(Path launcher, String... arguments) throws IOException, InterruptedException {
+        Path out = Files.createTempFile(root, "out", "");
+        Process process = start(launcher, out, arguments);
+        if (!process.waitFor(1, TimeUnit.MINUTES)) {
+            process.destroyForcibly();
+            throw new AssertionError("the launcher did not end: " + Files.readString(out, StandardCharsets.UTF_8));
+        }
+        return new Result(process.exitValue(), Files.readString(out, StandardCharsets.UTF_8));
+    }
+
+    /** Starts the launcher, and leaves it to itself. */
+    Process start(String... arguments) throws IOException {
+        return start(clone.resolve("circles2d"), Files.createTempFile(root, "out", ""), arguments);
+    }
+
+    private Process start(Path launcher, Path out, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(List.of(bin.resolve("sh").toString(), launcher.toString()));
         command.addAll(List.of(arguments));
-        Path out = root.resolve("out");
         ProcessBuilder builder = new ProcessBuilder(command)
                 .directory(elsewhere.toFile())
                 .redirectErrorStream(true)
@@ -150,11 +191,7 @@ final class FakeMachine {
         builder.environment().put("CALLS", calls.toString());
         Process process = builder.start();
         process.getOutputStream().close();
-        if (!process.waitFor(1, TimeUnit.MINUTES)) {
-            process.destroyForcibly();
-            throw new AssertionError("the launcher did not end: " + Files.readString(out, StandardCharsets.UTF_8));
-        }
-        return new Result(process.exitValue(), Files.readString(out, StandardCharsets.UTF_8));
+        return process;
     }
 
     static final class Result {

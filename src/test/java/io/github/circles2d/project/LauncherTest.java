@@ -1,16 +1,21 @@
 package io.github.circles2d.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
 import java.time.Instant;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @EnabledOnOs(OS.LINUX)
 class LauncherTest {
@@ -95,6 +100,99 @@ class LauncherTest {
         Files.createSymbolicLink(link, Path.of("../a clone/circles2d"));
         assertThat(machine.launch(link, "doctor").status).isZero();
         assertThat(machine.calls()).contains(machine.clone + "/target/classes:");
+    }
+
+    @Test
+    void aProjectWithAColonInItsPathRunsThroughALinkThatIsGoneAfterwards() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
+        FakeMachine.Result doctor = machine.launch("doctor");
+        assertThat(doctor.status).as(doctor.output).isZero();
+        assertThat(machine.calls())
+                .containsPattern(
+                        "-cp ([^: ]+)/target/classes:\\1/target/launch/lib/\\* io.github.circles2d.tools.Doctor");
+        assertThat(machine.temporary()).isEmptyDirectory();
+        machine.set("JAVA_STATUS", "42");
+        assertThat(machine.launch("doctor").status).isEqualTo(42);
+        assertThat(machine.temporary()).isEmptyDirectory();
+    }
+
+    @Test
+    void testsAndBenchmarksOfAProjectWithAColonInItsPathAreRefused() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
+        pretendToBuild(machine);
+        for (String command : new String[] {"test", "bench"}) {
+            FakeMachine.Result refused = machine.launch(command);
+            assertThat(refused.output).hasLineCount(1).contains(machine.clone + " has a ':'", "move the project");
+            assertThat(refused.status).isEqualTo(3);
+        }
+        assertThat(machine.calls()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void theSecondOfTwoLaunchersWaitsForTheBuildOfTheFirst(boolean flock) throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        assumeTrue(!flock || machine.addTool("flock"));
+        machine.fake("mvn", FakeMachine.logged("mvn") + "case $1 in --version) ;; *) sleep 1; esac");
+        CompletableFuture<FakeMachine.Result> first = launchAside(machine);
+        CompletableFuture<FakeMachine.Result> second = launchAside(machine);
+        assertThat(first.get().status).as(first.get().output).isZero();
+        assertThat(second.get().status).as(second.get().output).isZero();
+        assertThat(machine.calls()).containsOnlyOnce("process-classes");
+        assertThat(first.get().output + second.get().output)
+                .containsOnlyOnce("another ./circles2d is building the library; waiting for it");
+    }
+
+    private static CompletableFuture<FakeMachine.Result> launchAside(FakeMachine machine) {
+        // Not the common pool, which may have a single thread.
+        return CompletableFuture.supplyAsync(
+                () -> {
+                    try {
+                        return machine.launch("demo");
+                    } catch (IOException | InterruptedException e) {
+                        throw new IllegalStateException(e);
+                    }
+                },
+                task -> new Thread(task).start());
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void aLauncherThatWasKilledInItsBuildIsNotWaitedFor(boolean flock) throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        assumeTrue(!flock || machine.addTool("flock"));
+        machine.fake("mvn", "case $1 in --version) ;; *) : >\"$HOME/building\"; sleep 60; esac");
+        Process killed = machine.start("demo");
+        while (Files.notExists(machine.root.resolve("building"))) {
+            assertThat(killed.isAlive()).isTrue();
+            Thread.sleep(20);
+        }
+        Stream.concat(killed.descendants(), Stream.of(killed.toHandle()))
+                .toList()
+                .forEach(ProcessHandle::destroyForcibly);
+        killed.waitFor();
+        machine.fake("mvn", FakeMachine.logged("mvn"));
+        FakeMachine.Result next = machine.launch("demo");
+        assertThat(next.status).as(next.output).isZero();
+        assertThat(machine.calls()).contains("process-classes", "CirclesTest");
+    }
+
+    @Test
+    void aMavenThatIsTooOldIsNamedWithTheOneThatIsNeeded() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        for (String old : new String[] {"2.2.1", "3.3.9", "3.6.2"}) {
+            machine.fake("mvn", FakeMachine.logged("mvn") + "echo Apache Maven " + old + " '(of old)'");
+            FakeMachine.Result demo = machine.launch("demo");
+            assertThat(demo.output).contains("this machine lacks Maven >= 3.6.3 (mvn is " + old + ")");
+            assertThat(demo.status).isEqualTo(3);
+        }
+        assertThat(machine.calls()).contains("apt-get").doesNotContain("process-classes", "CirclesTest");
+        for (String fine : new String[] {"3.6.3", "3.8.7", "3.10.0", "4.0.0-rc-4"}) {
+            Files.deleteIfExists(machine.clone.resolve("target/launch/built"));
+            machine.fake("mvn", FakeMachine.logged("mvn") + "echo Apache Maven " + fine);
+            assertThat(machine.launch("demo").status).isZero();
+        }
+        assertThat(machine.calls()).contains("process-classes", "CirclesTest");
     }
 
     @Test
@@ -219,7 +317,9 @@ class LauncherTest {
                         "-DlocalRepositoryPath=" + repository,
                         "-Dmaven.repo.local=" + repository,
                         "FreeFall\n",
-                        "Game\n")
+                        "Game\n",
+                        "-P without-opencl compile",
+                        "WithoutOpenCl\n")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);

@@ -73,9 +73,13 @@ final class OclgrindScenes {
                 probe.countWrong("rows", probe.rows());
                 probe.countWrong("pairs", probe.lookupTable());
                 probe.map("computed", probe.noTable());
+                probe.mapSome("computed", probe.noTable(), new int[] {0});
                 probe.map("exact", probe.noTable());
+                probe.mapSome("exact", probe.noTable(), new int[] {0});
                 probe.map("rows", probe.rows());
+                probe.mapSome("rows", probe.rows(), new int[] {0});
                 probe.map("pairs", probe.lookupTable());
+                probe.mapSome("pairs", probe.lookupTable(), new int[] {0});
             }
         }
     }

@@ -7,6 +7,8 @@ import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import java.nio.IntBuffer;
+import java.util.HashMap;
+import java.util.Map;
 
 /** The mappings from slot to pair for one n, run by themselves on a device: no MTV is computed or stored. */
 final class PairProbe implements AutoCloseable {
@@ -14,7 +16,7 @@ final class PairProbe implements AutoCloseable {
     private static final int BLOCK = 256;
 
     private final Session session;
-    private final Program program;
+    private final Map<Integer, Program> programs = new HashMap<>();
     private final int n;
     private final int slots;
 
@@ -22,12 +24,21 @@ final class PairProbe implements AutoCloseable {
         session = Session.open(device);
         this.n = n;
         slots = (int) PairSlots.count(n);
+    }
+
+    /** A kernel for one mapping. All but the row search have one program for every n, which is compiled once. */
+    private Kernel kernel(String name, String mapping) {
+        int rounds = mapping.equals("rows") ? RowSearchPairs.rounds(n) : 1;
+        return programs.computeIfAbsent(rounds, this::build).kernel(name + mapping);
+    }
+
+    private Program build(int rounds) {
         KernelSource source = KernelSource.of(
                         "CirclePhysV2.cl", "thesis/ExactPairs.cl", "thesis/WrongSlots.cl", "thesis/PairProbe.cl")
-                .define("ROW_SEARCH_ROUNDS", RowSearchPairs.rounds(n));
+                .define("ROW_SEARCH_ROUNDS", rounds);
         // As Simulation.source has it: on a GPU some helpers are compiled otherwise.
-        program = session.build(
-                device.kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source,
+        return session.build(
+                session.device().kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source,
                 "-cl-finite-math-only");
     }
 
@@ -56,7 +67,7 @@ final class PairProbe implements AutoCloseable {
     /** Returns how many slots of this n a mapping gets wrong. */
     long countWrong(String mapping, DeviceBuffer table) {
         DeviceBuffer wrong = table(new int[1]);
-        try (Kernel kernel = program.kernel("count_wrong_" + mapping)) {
+        try (Kernel kernel = kernel("count_wrong_", mapping)) {
             kernel.arg(0, wrong)
                     .arg(1, table)
                     .arg(2, slots)
@@ -72,11 +83,29 @@ final class PairProbe implements AutoCloseable {
     int[] map(String mapping, DeviceBuffer table) {
         int[] result = new int[2 * slots];
         DeviceBuffer pairs = session.allocate("pairs", 8L * slots);
-        try (Kernel kernel = program.kernel("map_" + mapping)) {
+        try (Kernel kernel = kernel("map_", mapping)) {
             kernel.arg(0, pairs).arg(1, table).arg(2, slots).arg(3, n).run(slots);
         }
         pairs.read(IntBuffer.wrap(result));
         pairs.close();
+        return result;
+    }
+
+    /** Returns i and j of some slots of this n. */
+    int[] mapSome(String mapping, DeviceBuffer table, int[] someSlots) {
+        int[] result = new int[2 * someSlots.length];
+        try (DeviceBuffer list = table(someSlots);
+                DeviceBuffer pairs = session.allocate("pairs", 4L * result.length);
+                Kernel kernel = kernel("map_some_", mapping)) {
+            kernel.arg(0, pairs)
+                    .arg(1, table)
+                    .arg(2, slots)
+                    .arg(3, n)
+                    .arg(4, list)
+                    .arg(5, someSlots.length)
+                    .run(someSlots.length);
+            pairs.read(IntBuffer.wrap(result));
+        }
         return result;
     }
 

@@ -26,14 +26,33 @@ class CalibrateTest {
     }
 
     @Test
+    void aPropertyThatNamesAFolderIsOneLineAndKeepsTheFolder(@TempDir Path folder) {
+        withCalibration(folder, () -> {
+            assertThat(run()).isEqualTo(1);
+            assertThat(run("--forget")).isEqualTo(1);
+        });
+        assertThat(bytes.toString(StandardCharsets.UTF_8).lines())
+                .filteredOn(line -> !line.startsWith("measuring"))
+                .hasSize(2)
+                .allMatch(line -> line.contains("circles2d.calibration is '" + folder + "'"));
+        assertThat(folder).exists();
+    }
+
+    @Test
     void forgettingDeletesTheFile(@TempDir Path folder) throws Exception {
-        String before = System.getProperty("circles2d.calibration");
         Path file = Files.writeString(folder.resolve("calibration.txt"), "whatever it holds");
-        System.setProperty("circles2d.calibration", file.toString());
-        try {
+        withCalibration(file, () -> {
             assertThat(run("--forget")).isZero();
             assertThat(file).doesNotExist();
             assertThat(run("--forget")).isZero();
+        });
+    }
+
+    private static void withCalibration(Path place, Runnable test) {
+        String before = System.getProperty("circles2d.calibration");
+        System.setProperty("circles2d.calibration", place.toString());
+        try {
+            test.run();
         } finally {
             if (before == null) {
                 System.clearProperty("circles2d.calibration");

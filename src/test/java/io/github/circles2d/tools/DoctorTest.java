@@ -1,6 +1,7 @@
 package io.github.circles2d.tools;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
@@ -51,19 +52,34 @@ class DoctorTest {
 
     @Test
     @EnabledOnOs(OS.LINUX)
-    void aHomeThatCannotBeWrittenIsNamed() throws Exception {
-        Path file = Files.writeString(folder.resolve("home"), "a file, so no folder can be made in it");
+    void aHomeWithBlanksThatCannotBeWrittenDoesNotMatter() throws Exception {
+        TestDevices.all();
+        Path file = Files.writeString(folder.resolve("a home"), "a file, so no folder can be made in it");
         ForkedJvm.Result doctor = new ForkedJvm().option("-Duser.home=" + file).run(Doctor.class);
+        assertThat(doctor.output()).contains("works: compiled and ran a kernel").doesNotContain("does not work");
+        assertThat(doctor.exitStatus()).isZero();
+    }
+
+    @Test
+    @EnabledOnOs(OS.LINUX)
+    void aPoclThatCannotWriteIsToldWhere() throws Exception {
+        assumeTrue(TestDevices.all().get(0).platform().equals("Portable Computing Language"), "POCL is not alone");
+        Path file = Files.writeString(folder.resolve("file"), "a file, so no folder can be made in it");
+        ForkedJvm.Result doctor =
+                new ForkedJvm().environment("POCL_CACHE_DIR", file + "/cache").run(Doctor.class);
         assertThat(doctor.output())
-                .contains("does not work: ")
-                .contains(file.resolve(".javacl") + ", which cannot be written");
+                .contains("does not work: ", "POCL_CACHE_DIR")
+                .doesNotContain("What to do", "Install an OpenCL driver");
         assertThat(doctor.exitStatus()).isEqualTo(1);
     }
 
     @Test
     void aProcessorWithoutNativeLibraryIsNamed() throws Exception {
         ForkedJvm.Result doctor = new ForkedJvm().option("-Dos.arch=riscv64").run(Doctor.class);
-        assertThat(doctor.output()).contains("no native library for").contains("riscv64");
+        assertThat(doctor.output())
+                .contains("no native library for")
+                .contains("riscv64")
+                .doesNotContain("What to do");
         assertThat(doctor.exitStatus()).isEqualTo(1);
     }
 

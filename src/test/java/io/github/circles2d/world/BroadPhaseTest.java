@@ -64,6 +64,22 @@ class BroadPhaseTest {
         }
     }
 
+    @Test
+    void findsThePairsAcrossTheEdgesOfATorusThatIsMuchSmallerThanTheArena() {
+        for (int groups : new int[] {40, 150, 600}) {
+            try (JvmWorld world = new JvmWorld(Scenes.pyramid(), 2)) {
+                for (int id = 0; id < 15; id++) {
+                    world.remove(id);
+                }
+                SparseArena.groups(groups, 3000, new Random(groups), world::add);
+                for (int k = 0; k < 3; k++) {
+                    compareOneStep(world);
+                    assertThat(world.pipeline.contacts()).isGreaterThan(groups);
+                }
+            }
+        }
+    }
+
     private static void compareOneStep(JvmWorld world) {
         world.prepare();
         List<Long> expected = AllPairs.of(world.save(), world.levels, world.constants);

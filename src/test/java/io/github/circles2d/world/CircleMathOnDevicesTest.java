@@ -19,16 +19,19 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Every function of {@link CircleMath}, called on a device and in Java with the same millions of inputs. The functions are
+ * Every function of {@link CircleMath}, called on a device and in Java with the same inputs. The functions are
  * found by reflection, so one without a twin of the same name in CircleMath.cl fails.
  */
 class CircleMathOnDevicesTest {
-    /** Sets of arguments a function. */
-    private static final int INPUTS = Integer.getInteger("circles2d.math.inputs", 1 << 18);
+    /** Sets of arguments per function. */
+    private static final int FEW_INPUTS = 1 << 15;
+
+    private static final int MANY_INPUTS = Integer.getInteger("circles2d.math.inputs", 1 << 18);
 
     private static final float[] HOSTILE = {
         0f,
@@ -63,6 +66,17 @@ class CircleMathOnDevicesTest {
     @ParameterizedTest
     @MethodSource("devices")
     void everyFunctionHasTheSameBitsOnTheDeviceAsInJava(Device device) throws Throwable {
+        compare(device, FEW_INPUTS);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void everyFunctionHasTheSameBitsForManyInputs(Device device) throws Throwable {
+        compare(device, MANY_INPUTS);
+    }
+
+    private static void compare(Device device, int count) throws Throwable {
         KernelSource source = ClKernels.source(false, false);
         for (Method function : functions()) {
             source = source.and(probe(function));
@@ -70,7 +84,7 @@ class CircleMathOnDevicesTest {
         try (Session session = Session.open(device)) {
             Program program = session.build(source, ClKernels.options(device));
             for (Method function : functions()) {
-                compare(session, program, function);
+                compare(session, program, function, count);
             }
         }
     }
@@ -88,13 +102,14 @@ class CircleMathOnDevicesTest {
         return functions;
     }
 
-    private static void compare(Session session, Program program, Method function) throws Throwable {
+    private static void compare(Session session, Program program, Method function, int count) throws Throwable {
         Class<?>[] types = function.getParameterTypes();
-        int[] inputs = inputs(types, new SplittableRandom(function.getName().hashCode()));
-        int[] onDevice = run(session, program, function, inputs);
+        int[] inputs =
+                inputs(types, count, new SplittableRandom(function.getName().hashCode()));
+        int[] onDevice = run(session, program, function, inputs, count);
         MethodHandle inJava = MethodHandles.lookup().unreflect(function).asSpreader(Object[].class, types.length);
         Object[] arguments = new Object[types.length];
-        for (int i = 0; i < INPUTS; i++) {
+        for (int i = 0; i < count; i++) {
             for (int p = 0; p < types.length; p++) {
                 int bits = inputs[i * types.length + p];
                 arguments[p] = types[p] == float.class
@@ -111,8 +126,8 @@ class CircleMathOnDevicesTest {
     }
 
     /** Random bits, ordinary numbers and the hostile ones, mixed so that they meet in every position; never NaN. */
-    private static int[] inputs(Class<?>[] types, SplittableRandom random) {
-        int[] inputs = new int[INPUTS * types.length];
+    private static int[] inputs(Class<?>[] types, int count, SplittableRandom random) {
+        int[] inputs = new int[count * types.length];
         for (int i = 0; i < inputs.length; i++) {
             Class<?> type = types[i % types.length];
             int kind = random.nextInt(4);
@@ -156,13 +171,13 @@ class CircleMathOnDevicesTest {
                         + "}\n");
     }
 
-    private static int[] run(Session session, Program program, Method function, int[] inputs) {
+    private static int[] run(Session session, Program program, Method function, int[] inputs, int count) {
         try (DeviceBuffer in = session.allocate("inputs", 4L * inputs.length);
-                DeviceBuffer out = session.allocate("results", 4L * INPUTS)) {
+                DeviceBuffer out = session.allocate("results", 4L * count)) {
             in.write(0, IntBuffer.wrap(inputs));
             Kernel kernel = program.kernel("probe_" + function.getName());
-            kernel.arg(0, in).arg(1, out).arg(2, INPUTS).run(INPUTS);
-            int[] results = new int[INPUTS];
+            kernel.arg(0, in).arg(1, out).arg(2, count).run(count);
+            int[] results = new int[count];
             out.read(IntBuffer.wrap(results));
             return results;
         }

@@ -45,6 +45,7 @@ final class JvmWorld implements AutoCloseable {
 
     /** Computes what the next step starts from: the levels and the constants. */
     void prepare() {
+        pipeline.makeRoom(commands);
         pipeline.apply(commands);
         commands.clear();
         constants.set(timeStep, 4, gravityX, gravityY, bounds, timeStep);

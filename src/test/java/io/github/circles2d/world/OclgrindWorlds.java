@@ -7,60 +7,86 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.nio.IntBuffer;
+import java.util.Arrays;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
 
 /**
- * Makes steps of small worlds in a JVM whose OpenCL driver is Oclgrind, which reports to standard error; prints the kernels
- * that have run.
+ * Makes steps of a small world in a JVM whose OpenCL driver is Oclgrind, which reports to standard error; prints the kernels
+ * that have run. Oclgrind interprets each work-item, also those past a kernel's count, so small work-groups are quick.
+ * Arguments: the world, and its size, {@code small} or {@code large}.
  */
 final class OclgrindWorlds {
-    private OclgrindWorlds() {}
+    /** Work-items of a work-group in a world of size small, if its kernel leaves that open. */
+    private static final int SMALL_GROUP = 8;
+
+    private final Device device;
+    private final boolean small;
+
+    private OclgrindWorlds(Device device, boolean small) {
+        this.device = device;
+        this.small = small;
+    }
 
     public static void main(String[] args) {
         Device device = OpenCl.devices().get(0);
         if (!device.platform().contains("Oclgrind")) {
             throw new IllegalStateException("not Oclgrind but " + device);
         }
-        Set<String> kernels = new TreeSet<>(scan(device));
-        switch (args[0]) {
-            case "COLOURS":
-                kernels.addAll(changes(device, Scenes.mixed(40, 1)));
-                break;
-            case "TILES":
-                kernels.addAll(steps(device, ClPlan.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
-                break;
-            case "RESIDENT":
-                // Two steps of a tile that stays in local memory; then one that is refused for fast circles at first.
-                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
-                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(20, 1), 1f, 2, 2));
-                break;
-            case "LANES":
-                kernels.addAll(steps(device, ClPlan.LANES, Scenes.thesis(60, 1), 1 / 60f, 2, 4));
-                kernels.addAll(steps(device, ClPlan.LANES, Scenes.gas(20, 1), 1f, 2, 2));
-                break;
-            case "wide":
-                // As few as have two blocks of buckets to sum up; eight tiles.
-                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
-                break;
-            case "fast":
-                kernels.addAll(steps(device, ClPlan.COLOURS, Scenes.gas(20, 1), 1f, 2, 4));
-                break;
-            case "crowd":
-                // 780 pairs: more than there is room for at first.
-                kernels.addAll(steps(device, ClPlan.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, 4));
-                kernels.addAll(steps(device, ClPlan.RESIDENT, Scenes.onePoint(40, 1), 1 / 60f, 1, 4));
-                break;
-            default:
-                throw new IllegalArgumentException(args[0]);
-        }
+        Set<String> kernels = new OclgrindWorlds(device, args[1].equals("small")).run(args[0]);
         System.out.println("kernels " + String.join(" ", kernels));
         System.out.println("done");
     }
 
-    private static Set<String> steps(Device device, ClPlan plan, Scene scene, float dt, int steps, int subSteps) {
+    private Set<String> run(String world) {
+        Set<String> kernels = new TreeSet<>();
+        switch (world) {
+            case "COLOURS":
+                kernels.addAll(scan());
+                kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
+                break;
+            case "TILES":
+                kernels.addAll(steps(ClPlan.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+                break;
+            case "RESIDENT":
+                kernels.addAll(persistent(ClPlan.RESIDENT));
+                break;
+            case "LANES":
+                kernels.addAll(persistent(ClPlan.LANES));
+                break;
+            case "wide":
+                // As few as have two blocks of buckets to sum up; eight tiles.
+                kernels.addAll(steps(ClPlan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
+                break;
+            case "fast":
+                kernels.addAll(steps(ClPlan.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 4));
+                break;
+            case "crowd":
+                // 780 pairs: more than there is room for at first.
+                kernels.addAll(steps(ClPlan.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
+                kernels.addAll(steps(ClPlan.RESIDENT, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
+                break;
+            default:
+                throw new IllegalArgumentException(world);
+        }
+        return kernels;
+    }
+
+    /** Two steps of a tile that stays in local memory; then one that is refused for fast circles at first. */
+    private Set<String> persistent(ClPlan plan) {
+        Set<String> kernels = new TreeSet<>(steps(plan, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+        kernels.addAll(steps(plan, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 2));
+        return kernels;
+    }
+
+    private ClPipeline pipeline(ClPlan plan) {
         ClPipeline pipeline = new ClPipeline(device, 0, true, plan);
+        return small ? pipeline.workGroupSize(SMALL_GROUP) : pipeline;
+    }
+
+    private Set<String> steps(ClPlan plan, Scene scene, float dt, int steps, int subSteps) {
+        ClPipeline pipeline = pipeline(plan);
         try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
             twins.subSteps(subSteps).step(dt, steps);
             twins.assertEqual(scene.name());
@@ -69,10 +95,11 @@ final class OclgrindWorlds {
         }
     }
 
-    private static Set<String> changes(Device device, Scene scene) {
-        ClPipeline pipeline = new ClPipeline(device, 0, true, ClPlan.COLOURS);
+    private Set<String> changes(Scene scene) {
+        ClPipeline pipeline = pipeline(ClPlan.COLOURS);
         SplittableRandom random = new SplittableRandom(3);
         try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
+            twins.subSteps(small ? 1 : 4);
             for (int k = 0; k < 2; k++) {
                 twins.step(scene.timeStep(), 1);
                 twins.assertSameFigures();
@@ -91,10 +118,10 @@ final class OclgrindWorlds {
     }
 
     /** Sums up more counts than a small world has: a last block that is not full. */
-    private static Set<String> scan(Device device) {
+    private Set<String> scan() {
         int count = 2 * 2048 + 100;
         int[] counts = new int[count];
-        java.util.Arrays.fill(counts, 3);
+        Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {
             ClKernels kernels = new ClKernels(session, ClPlan.COLOURS);
             DeviceBuffer buffer = session.allocate("counts", 4L * count);

@@ -17,7 +17,7 @@ class PipelinesAgreeTest {
     }
 
     /** The pipeline in Java, and one for each plan that a device can follow. */
-    private static Pipeline[] pipelines(Device device) {
+    static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
         pipelines.add(new ClPipeline(device, 0, false, ClPlan.COLOURS));

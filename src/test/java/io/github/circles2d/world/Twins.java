@@ -36,6 +36,7 @@ final class Twins implements AutoCloseable {
 
     void apply() {
         for (Pipeline pipeline : pipelines) {
+            pipeline.makeRoom(commands);
             pipeline.apply(commands);
         }
         commands.clear();
@@ -132,7 +133,9 @@ final class Twins implements AutoCloseable {
             pipelines[k].save(saved[k]);
         }
         for (int k = 0; k < pipelines.length; k++) {
-            pipelines[k].load(saved[(k + 1) % pipelines.length]);
+            SavedState other = saved[(k + 1) % pipelines.length];
+            pipelines[k].makeRoom(other);
+            pipelines[k].load(other);
         }
     }
 

@@ -1,0 +1,81 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OpenCl;
+import io.github.circles2d.opencl.OpenClUnavailableException;
+import io.github.circles2d.tools.Doctor;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** A program may leave the jars of JavaCL and BridJ out: it has World on the JVM then, and is told so. */
+class WithoutJarsTest {
+    private static final String ALL = "javacl-core opencl4java bridj nativelibs4java-utils";
+
+    /** Uses everything twice, for a linkage error may change its face, and prints what came. */
+    static final class Everything {
+        public static void main(String[] arguments) {
+            for (int round = 0; round < 2; round++) {
+                for (Backend backend : Backend.values()) {
+                    attempt(() -> world(backend));
+                }
+                attempt(() -> new Circles2D(true).close());
+                attempt(() -> new Circles2D(false).close());
+                attempt(OpenCl::devices);
+            }
+        }
+
+        private static void world(Backend backend) {
+            World.Builder builder =
+                    World.builder().bounds(0, 0, 10, 10).capacity(5_000).backend(backend);
+            try (World world = builder.build()) {
+                world.add(5, 5, 1, 1);
+                world.step(1 / 60f);
+                System.out.println(backend + " takes " + world.stats().backend());
+            }
+        }
+
+        private static void attempt(Runnable action) {
+            try {
+                action.run();
+            } catch (OpenClUnavailableException e) {
+                System.out.println("refused: " + e.getMessage());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"javacl-core", "bridj", "opencl4java nativelibs4java-utils", ALL})
+    void autoTakesTheJvmWithOneLineInTheLogAndTheRestIsRefusedByNameOfTheJar(String missing) {
+        String[] jars = missing.split(" ");
+        ForkedJvm.Result result = new ForkedJvm().without(jars).run(Everything.class);
+
+        assertThat(result.exitStatus()).as(result.output()).isZero();
+        assertThat(lines(result, "AUTO takes JVM")).hasSize(2);
+        assertThat(lines(result, "JVM takes JVM")).hasSize(2);
+        List<String> refused = lines(result, "refused: ");
+        assertThat(refused).hasSize(10).allSatisfy(line -> assertThat(line)
+                .contains(jars)
+                .contains("io.github.circles2d:circles2d")
+                .doesNotContain("pocl"));
+        assertThat(lines(result, "INFO: ")).hasSize(1).first().asString().contains(jars);
+        assertThat(result.output()).doesNotContain("WARNING", "SEVERE", "\tat ");
+    }
+
+    @Test
+    void theDoctorNamesTheJarAndPrescribesNoDriver() {
+        ForkedJvm.Result result = new ForkedJvm().without("bridj").run(Doctor.class);
+
+        assertThat(result.output())
+                .contains("does not work: the class path lacks com.nativelibs4java:bridj")
+                .doesNotContain("apt-get");
+        assertThat(result.exitStatus()).isEqualTo(1);
+    }
+
+    private static List<String> lines(ForkedJvm.Result result, String start) {
+        return result.output().lines().filter(line -> line.startsWith(start)).toList();
+    }
+}

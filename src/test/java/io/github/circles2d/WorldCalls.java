@@ -1,0 +1,54 @@
+package io.github.circles2d;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+
+/** Calls of a test's program, which a World answers, or what a World is compared with. They are those of {@link World}. */
+public interface WorldCalls {
+    long add(float x, float y, float radius, float mass, float vx, float vy);
+
+    void remove(long handle);
+
+    boolean contains(long handle);
+
+    int size();
+
+    void read(float[] circles);
+
+    void readHandles(long[] handles);
+
+    void setPosition(long handle, float x, float y);
+
+    void setVelocity(long handle, float vx, float vy);
+
+    void setRadius(long handle, float radius);
+
+    void setMass(long handle, float mass);
+
+    void setRestitution(long handle, float restitution);
+
+    void applyImpulse(long handle, float x, float y);
+
+    void setGravity(float x, float y);
+
+    void setBounds(float minX, float minY, float maxX, float maxY);
+
+    void step(float timeStep, int steps);
+
+    long hash();
+
+    /** The calls of a world. */
+    static WorldCalls of(World world) {
+        ClassLoader loader = WorldCalls.class.getClassLoader();
+        return (WorldCalls)
+                Proxy.newProxyInstance(loader, new Class<?>[] {WorldCalls.class}, (proxy, method, arguments) -> {
+                    try {
+                        return World.class
+                                .getMethod(method.getName(), method.getParameterTypes())
+                                .invoke(world, arguments);
+                    } catch (InvocationTargetException e) {
+                        throw e.getCause();
+                    }
+                });
+    }
+}

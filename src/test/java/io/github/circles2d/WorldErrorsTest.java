@@ -1,0 +1,230 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
+
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.world.JvmPipeline;
+import io.github.circles2d.world.Pipeline;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
+import java.nio.ByteBuffer;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Errors of the virtual machine and of devices: which of them lose the state of a world, and which do not. */
+class WorldErrorsTest {
+    private static final float STEP = 1 / 60f;
+
+    private static final List<Throwable> OUT_OF_MEMORY = List.of(
+            new OutOfMemoryError("none left"),
+            new StackOverflowError("none left"),
+            new DeviceMemoryException("none left", 2, 1));
+
+    /** By method of a pipeline: what it throws. */
+    private final Map<String, Throwable> failing = new HashMap<>();
+
+    private World world() {
+        JvmPipeline inner = new JvmPipeline(1, 1, 0, false);
+        Pipeline pipeline = (Pipeline) Proxy.newProxyInstance(
+                Pipeline.class.getClassLoader(), new Class<?>[] {Pipeline.class}, (proxy, method, arguments) -> {
+                    if (failing.containsKey(method.getName())) {
+                        throw failing.get(method.getName());
+                    }
+                    try {
+                        return method.invoke(inner, arguments);
+                    } catch (InvocationTargetException e) {
+                        throw e.getCause();
+                    }
+                });
+        World world = new World(World.builder(), new BackendChoice(Backend.JVM, pipeline, "a test"));
+        world.add(0.4f, 0.5f, 0.1f, 1);
+        world.add(0.5f, 0.5f, 0.1f, 1);
+        world.step(STEP);
+        return world;
+    }
+
+    private static void callRead(World world, String method) {
+        switch (method) {
+            case "readCircles" -> {
+                assertThat(catchThrowable(() -> world.x(1L << 32))).isNotNull();
+                world.read(new float[8]);
+            }
+            case "readVelocities" -> {
+                assertThat(catchThrowable(() -> world.vx(1L << 32))).isNotNull();
+                world.readVelocities(new float[4]);
+            }
+            case "positions" -> world.positions();
+            case "requestPositions" -> world.requestPositions();
+            case "takePositions" -> {
+                world.requestPositions();
+                world.takePositions();
+            }
+            case "save" -> {
+                assertThat(catchThrowable(world::snapshotBytes)).isNotNull();
+                world.snapshot(ByteBuffer.allocate(1000));
+            }
+            case "hash" -> world.hash();
+            default -> world.stats();
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "readCircles",
+                "readVelocities",
+                "positions",
+                "requestPositions",
+                "takePositions",
+                "save",
+                "hash",
+                "candidatePairs",
+                "contacts",
+                "greatestContacts",
+                "bytesHeld",
+                "stageMillis"
+            })
+    void aReadThatFindsTooLittleMemoryLosesNothing(String method) {
+        for (Throwable cause : OUT_OF_MEMORY) {
+            try (World world = world()) {
+                long hash = world.hash();
+                failing.put(method, cause);
+                assertThatThrownBy(() -> callRead(world, method)).isSameAs(cause);
+                failing.clear();
+                assertThat(world.hash()).isEqualTo(hash);
+                float[] circles = new float[8];
+                world.read(circles);
+                assertThat(world.x(1L << 32)).isEqualTo(circles[0]);
+                world.requestPositions();
+                assertThat(world.takePositions().get(3)).isEqualTo(circles[5]);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"positions", "hash", "candidatePairs"})
+    void aReadThatADeviceFailsLosesTheState(String method) {
+        OpenClException cause = new OpenClException("the device is gone");
+        try (World world = world()) {
+            failing.put(method, cause);
+            assertThatThrownBy(() -> callRead(world, method)).isSameAs(cause);
+            failing.clear();
+            assertFailed(world, cause);
+        }
+    }
+
+    @Test
+    void aRequestThatFindsTooLittleMemoryLeavesNoOlderOneInItsPlace() {
+        try (World world = world()) {
+            world.requestPositions();
+            failing.put("requestPositions", OUT_OF_MEMORY.get(0));
+            assertThatThrownBy(world::requestPositions).isSameAs(OUT_OF_MEMORY.get(0));
+            assertThatThrownBy(world::takePositions)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("no positions have been requested");
+        }
+    }
+
+    @Test
+    void changesThatFindTooLittleMemoryWaitOn() {
+        try (World world = world();
+                World same = world()) {
+            world.add(0.6f, 0.6f, 0.1f, 1);
+            same.add(0.6f, 0.6f, 0.1f, 1);
+            List<Consumer<World>> calls = List.of(World::hash, World::positions, each -> each.step(STEP));
+            for (Consumer<World> call : calls) {
+                for (Throwable cause : OUT_OF_MEMORY) {
+                    failing.put("makeRoom", cause);
+                    assertThatThrownBy(() -> call.accept(world)).isSameAs(cause);
+                }
+            }
+            failing.clear();
+            assertThat(world.hash()).isEqualTo(same.hash());
+        }
+    }
+
+    @Test
+    void aRestoreThatFindsTooLittleMemoryChangesNothing() {
+        try (World world = world()) {
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            snapshot.flip();
+            world.remove(1L << 32);
+            long hash = world.hash();
+            failing.put("makeRoom", OUT_OF_MEMORY.get(0));
+            assertThatThrownBy(() -> world.restore(snapshot)).isSameAs(OUT_OF_MEMORY.get(0));
+            failing.clear();
+            assertThat(snapshot.position()).isZero();
+            assertThat(world.size()).isOne();
+            assertThat(world.hash()).isEqualTo(hash);
+            world.restore(snapshot);
+            assertThat(world.size()).isEqualTo(2);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"apply", "step", "finish", "confine", "load"})
+    void aChangeThatFailsInTheMidstLosesTheStateAndNothingHinders(String method) {
+        for (Throwable cause : new Throwable[] {
+            new OutOfMemoryError(), new StackOverflowError(), new AssertionError(), new IllegalStateException()
+        }) {
+            try (World world = world()) {
+                ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(snapshot);
+                snapshot.flip();
+                world.setVelocity(1L << 32, 1, 0);
+                failing.put(method, cause);
+                assertThatThrownBy(() -> {
+                            switch (method) {
+                                case "apply" -> world.hash();
+                                case "step" -> world.step(STEP);
+                                case "finish" -> world.finish();
+                                case "confine" -> world.setBounds(0, 0, 2, 2);
+                                default -> world.restore(snapshot);
+                            }
+                        })
+                        .isSameAs(cause);
+                failing.clear();
+                assertFailed(world, cause);
+            }
+        }
+    }
+
+    private static void assertFailed(World world, Throwable cause) {
+        assertThatThrownBy(world::hash)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("failed earlier")
+                .hasCause(cause);
+        assertThatThrownBy(() -> world.step(STEP))
+                .isInstanceOf(IllegalStateException.class)
+                .hasCause(cause);
+    }
+
+    @Test
+    void whereverTheStackEndsInACallTheWorldGoesOnOrHasFailedAndCloses() {
+        ForkedJvm.Result result =
+                new ForkedJvm().option("-XX:TieredStopAtLevel=1").run(StackEnds.class);
+        assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong");
+        assertThat(result.exitStatus()).isZero();
+    }
+
+    @Test
+    void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
+        ForkedJvm.Result result = new ForkedJvm()
+                .option("-Xmx12m")
+                .option("-XX:+UseSerialGC")
+                .option("-XX:TieredStopAtLevel=1")
+                .run(MemoryEnds.class);
+        assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong, out of memory often");
+        assertThat(result.exitStatus()).isZero();
+    }
+}

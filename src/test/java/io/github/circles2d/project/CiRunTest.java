@@ -1,0 +1,95 @@
+package io.github.circles2d.project;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The script {@code .ci/run}, on a launcher that leaves a report of three tests and behaves as each test wants. */
+@EnabledOnOs(OS.LINUX)
+class CiRunTest {
+    @TempDir
+    Path project;
+
+    private Path home;
+    private int status;
+    private String output;
+
+    @BeforeEach
+    void copyTheScript() throws IOException {
+        Files.createDirectories(project.resolve(".ci"));
+        Files.copy(Path.of(".ci/run"), project.resolve(".ci/run"), StandardCopyOption.COPY_ATTRIBUTES);
+        home = Files.createDirectories(project.resolve("home"));
+    }
+
+    private void run(String launcher) throws IOException, InterruptedException {
+        Path file = project.resolve("circles2d");
+        String report = "mkdir -p target/surefire-reports\n"
+                + "echo '<testsuite name=\"A\" tests=\"3\" errors=\"0\" skipped=\"0\" failures=\"'${FAILURES:-0}'\">'"
+                + " >target/surefire-reports/TEST-A.xml\n";
+        Files.writeString(file, "#!/bin/sh\n" + launcher + "\n" + report + "exit ${STATUS:-0}\n");
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+        ProcessBuilder builder = new ProcessBuilder(project.resolve(".ci/run").toString()).redirectErrorStream(true);
+        builder.environment().put("HOME", home.toString());
+        Process process = builder.start();
+        output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        status = process.waitFor();
+    }
+
+    private String lastLine() {
+        List<String> lines = output.lines().toList();
+        return lines.get(lines.size() - 1);
+    }
+
+    @Test
+    void passedTestsAreCounted() throws Exception {
+        run("");
+        assertThat(status).as(output).isZero();
+        assertThat(lastLine()).matches("(3|6) passed, 0 failed"); // with one JDK or two
+    }
+
+    @Test
+    void failedTestsAreCountedOnce() throws Exception {
+        run("STATUS=1 FAILURES=1");
+        assertThat(status).isEqualTo(1);
+        assertThat(lastLine()).matches("2 passed, 1 failed|4 passed, 2 failed");
+    }
+
+    @Test
+    void aTestJvmThatDiedIsAFailureWithItsReason() throws Exception {
+        String reason = "The forked VM terminated without properly saying goodbye. VM crash or System.exit called?";
+        run("STATUS=1; for k in 1 2; do echo '" + reason + "'; echo 'Crashed tests:'; echo SomeTest; done");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).containsSubsequence("ended with exit status 1", reason, "Crashed tests:", "SomeTest");
+        assertThat(lastLine()).matches("3 passed, 1 failed|6 passed, 2 failed");
+    }
+
+    @Test
+    void cachesAreEmptyAtTheStartAndThoseOfTheUserAreBackAtTheEnd() throws Exception {
+        Path mine = Files.createDirectories(home.resolve(".javacl/cache")).resolve("mine");
+        Files.createFile(mine);
+        run(
+                "echo \"pocl $POCL_CACHE_DIR has $(ls \"$POCL_CACHE_DIR\"); javacl has $(ls ~/.javacl/cache 2>/dev/null)\"\n"
+                        + ": >\"$POCL_CACHE_DIR/kernel\"; mkdir -p ~/.javacl/cache; : >~/.javacl/cache/kernel");
+        String first = output.lines()
+                .filter(line -> line.startsWith("pocl "))
+                .findFirst()
+                .orElseThrow();
+        assertThat(first).matches("pocl /.* has ; javacl has ");
+        assertThat(Path.of(first.split(" ")[1])).doesNotExist();
+        assertThat(mine).exists();
+        assertThat(mine.resolveSibling("kernel")).doesNotExist();
+        assertThat(home.resolve(".javacl"))
+                .isDirectoryNotContaining(file -> file.toString().contains("aside"));
+    }
+}
