@@ -1,0 +1,249 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.reference.ReferenceWorld;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Random programs of calls with allowed values: World has the same bits as its description in the plainest form, after every
+ * call. The system property circles2d.fuzz.reference sets the number of programs, circles2d.fuzz.seed the first one's seed.
+ */
+class ReferenceFuzzTest {
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.reference", 100);
+    private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
+
+    @Test
+    void everyCallOfAnyProgramLeavesTheReferencesState() {
+        for (int k = 0; k < PROGRAMS; k++) {
+            new Program(SEED + k).run();
+        }
+    }
+
+    private static final class Program {
+        private final long seed;
+        private final SplittableRandom random;
+        private final int subSteps;
+        private final float restitution;
+        private final float size;
+        private final float fastest;
+        private World world;
+        private ReferenceWorld reference;
+        private List<Consumer<WorldCalls>> calls = new ArrayList<>();
+        private ByteBuffer snapshot;
+        private List<Consumer<WorldCalls>> callsUpToSnapshot;
+
+        Program(long seed) {
+            this.seed = seed;
+            random = new SplittableRandom(seed);
+            subSteps = random.nextInt(3) == 0 ? 1 + random.nextInt(16) : 4;
+            restitution = new float[] {0f, -0f, 0.5f, 1f}[random.nextInt(4)];
+            size = (float) StrictMath.pow(10, random.nextInt(9) - 4);
+            fastest = size * (float) StrictMath.pow(10, random.nextInt(5) - 2);
+        }
+
+        void run() {
+            world = newWorld();
+            reference = new ReferenceWorld(restitution, subSteps);
+            try {
+                setBounds();
+                setGravity();
+                addSome(random.nextInt(6) == 0 ? 60 : 12);
+                int count = 10 + random.nextInt(30);
+                for (int k = 0; k < count; k++) {
+                    call();
+                }
+            } finally {
+                world.close();
+            }
+        }
+
+        private World newWorld() {
+            return WorldScenes.jvm()
+                    .restitution(restitution)
+                    .subSteps(subSteps)
+                    .threads(seed % 16 == 0 ? 3 : 1)
+                    .leastShare(1)
+                    .build();
+        }
+
+        private void call() {
+            switch (random.nextInt(18)) {
+                case 0 -> addSome(1 + random.nextInt(8));
+                case 1 -> withSome(this::remove);
+                case 2 -> withSome(this::setPosition);
+                case 3 -> withSome(this::setVelocity);
+                case 4 -> withSome(this::setRadius);
+                case 5 -> withSome(this::setMass);
+                case 6 -> withSome(this::setRestitution);
+                case 7 -> withSome(this::applyImpulse);
+                case 8 -> setGravity();
+                case 9 -> setBounds();
+                case 10 -> saveOrRestore();
+                default -> step();
+            }
+        }
+
+        private void both(String what, Consumer<WorldCalls> call) {
+            call.accept(WorldCalls.of(world));
+            call.accept(reference);
+            calls.add(call);
+            compare(what);
+        }
+
+        private void compare(String what) {
+            assertThat(world.hash())
+                    .as("hash of the program of seed %d after call %d: %s", seed, calls.size(), what)
+                    .isEqualTo(reference.hash());
+        }
+
+        private void step() {
+            float dt = random.nextInt(3) == 0 ? value(1e-3f, 0.1f) : 1 / 60f;
+            int steps = 1 + random.nextInt(3);
+            both("step " + dt + " " + steps, c -> c.step(dt, steps));
+        }
+
+        private void addSome(int count) {
+            boolean atOnePoint = random.nextInt(4) == 0;
+            float sharedX = x();
+            float sharedY = y();
+            for (int k = 0; k < count; k++) {
+                float x = atOnePoint ? sharedX : x();
+                float y = atOnePoint ? sharedY : y();
+                float radius = radius();
+                float mass = mass();
+                float vx = speed();
+                float vy = speed();
+                both("add", c -> c.add(x, y, radius, mass, vx, vy));
+            }
+        }
+
+        private void withSome(Consumer<Long> change) {
+            long[] handles = new long[world.size()];
+            world.readHandles(handles);
+            if (handles.length > 0) {
+                change.accept(handles[random.nextInt(handles.length)]);
+            }
+        }
+
+        private void remove(long handle) {
+            both("remove", c -> c.remove(handle));
+        }
+
+        private void setPosition(long handle) {
+            float x = x();
+            float y = y();
+            both("setPosition", c -> c.setPosition(handle, x, y));
+        }
+
+        private void setVelocity(long handle) {
+            float vx = speed();
+            float vy = speed();
+            both("setVelocity", c -> c.setVelocity(handle, vx, vy));
+        }
+
+        private void setRadius(long handle) {
+            float radius = radius();
+            both("setRadius", c -> c.setRadius(handle, radius));
+        }
+
+        private void setMass(long handle) {
+            float mass = mass();
+            both("setMass", c -> c.setMass(handle, mass));
+        }
+
+        private void setRestitution(long handle) {
+            float e = value(0f, 1f);
+            both("setRestitution", c -> c.setRestitution(handle, e));
+        }
+
+        private void applyImpulse(long handle) {
+            float impulseX = speed() * mass();
+            float impulseY = speed();
+            if (Math.abs(impulseX) < 1e18f) {
+                both("applyImpulse", c -> c.applyImpulse(handle, impulseX, impulseY));
+            }
+        }
+
+        private void setGravity() {
+            float x = random.nextBoolean() ? 0f : value(-size, size);
+            float y = random.nextInt(4) == 0 ? 0f : value(-10f * size, 0f);
+            both("setGravity", c -> c.setGravity(x, y));
+        }
+
+        private void setBounds() {
+            float minX = random.nextBoolean() ? -0f : value(-size, size);
+            float minY = random.nextBoolean() ? 0f : value(-10f * size, 10f * size);
+            float maxX = minX + value(0.5f * size, 2f * size);
+            float maxY = minY + value(0.5f * size, 2f * size);
+            both("setBounds", c -> c.setBounds(minX, minY, maxX, maxY));
+        }
+
+        /** A restored world goes on as one would on which the calls before the snapshot have been made, and no others. */
+        private void saveOrRestore() {
+            if (snapshot == null || random.nextBoolean()) {
+                snapshot = ByteBuffer.allocate(world.snapshotBytes());
+                world.snapshot(snapshot);
+                snapshot.flip();
+                callsUpToSnapshot = new ArrayList<>(calls);
+                return;
+            }
+            if (random.nextBoolean()) {
+                world.close();
+                world = newWorld();
+            }
+            world.restore(snapshot.duplicate());
+            calls = new ArrayList<>(callsUpToSnapshot);
+            reference = new ReferenceWorld(restitution, subSteps);
+            calls.forEach(call -> call.accept(reference));
+            compare("restore");
+        }
+
+        // ---- values
+        // -------------------------------------------------------------------------------------------------
+
+        private float value(float low, float high) {
+            return low + (high - low) * (random.nextInt(1 << 24) * 0x1p-24f);
+        }
+
+        private float x() {
+            return random.nextInt(8) == 0
+                    ? wall(world.minX())
+                    : Math.min(value(world.minX(), world.maxX()), world.maxX());
+        }
+
+        private float y() {
+            return random.nextInt(8) == 0
+                    ? wall(world.minY())
+                    : Math.min(value(world.minY(), world.maxY()), world.maxY());
+        }
+
+        /** A coordinate at a wall, also where only the sign of a zero differs. */
+        private float wall(float coordinate) {
+            return coordinate == 0f && random.nextBoolean() ? -coordinate : coordinate;
+        }
+
+        private float radius() {
+            return size * (random.nextInt(3) == 0 ? value(1e-3f, 0.2f) : value(0.02f, 0.05f));
+        }
+
+        private float mass() {
+            return random.nextInt(8) == 0
+                    ? Float.POSITIVE_INFINITY
+                    : (float) StrictMath.pow(10, random.nextInt(5) - 2) * value(1f, 2f);
+        }
+
+        private float speed() {
+            return switch (random.nextInt(4)) {
+                case 0 -> 0f;
+                case 1 -> value(-fastest, fastest);
+                default -> value(-size, size);
+            };
+        }
+    }
+}

@@ -1,0 +1,64 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.scenes.Scene;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** World has the same bits as its description in the plainest form, after every step. */
+class ReferenceWorldTest {
+    private static final int CIRCLES = 5_000;
+    private static final int STEPS = 100;
+    private static final int SUB_STEPS = 4;
+
+    static List<GoldenScene> scenes() {
+        return GoldenScene.all().stream()
+                .filter(golden -> golden.scene().size() <= CIRCLES)
+                .toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void everyStepOfTheScenesOnRecordIsTheReferences(GoldenScene golden) {
+        Scene scene = golden.scene();
+        ReferenceWorld reference =
+                new ReferenceWorld(scene.restitution(), World.builder().build().subSteps());
+        reference.setBounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
+        reference.setGravity(scene.gravityX(), scene.gravityY());
+        try (GoldenScene.Run run = golden.start(golden.builder().subSteps(SUB_STEPS));
+                GoldenScene.Run expected = golden.start(reference)) {
+            assertThat(run.hash()).as("hash before the first step").isEqualTo(expected.hash());
+            for (int step = 1; step <= STEPS; step++) {
+                run.advanceTo(step);
+                expected.advanceTo(step);
+                assertThat(run.hash()).as("hash after step %d", step).isEqualTo(expected.hash());
+            }
+        }
+    }
+
+    /**
+     * Two circles meet on their paths, but far from the part of the path that the faster one goes at most. Whether the other stops
+     * there depends on the cells that the faster one looks at.
+     */
+    @ParameterizedTest
+    @CsvSource({"0, 0.84", "3000, 0.84", "4200, 0.80", "4200, 0.82", "4200, 0.84", "4200, 0.86", "4200, 0.88"})
+    void aVeryFastCircleStopsTheCirclesThatTheReferenceStops(int others, float y) {
+        ReferenceWorld reference = new ReferenceWorld(0.5f, SUB_STEPS);
+        try (World world =
+                WorldScenes.jvm().restitution(0.5f).subSteps(SUB_STEPS).build()) {
+            for (WorldCalls calls : List.of(WorldCalls.of(world), reference)) {
+                calls.add(0.1f, 0.1f, 0.0005f, 1f, 0f, 60f);
+                calls.add(0.1f, y, 0.0005f, 1f, 0f, -1.5f);
+                for (int k = 0; k < others; k++) {
+                    calls.add(0.25f + 0.01f * (k % 70), 0.05f + 0.015f * (k / 70), 0.0005f, 1f, 0f, 0f);
+                }
+                calls.step(1 / 60f, 1);
+            }
+            assertThat(world.hash()).isEqualTo(reference.hash());
+        }
+    }
+}
