@@ -7,9 +7,9 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
-import io.github.circles2d.world.ClPipeline;
-import io.github.circles2d.world.JvmPipeline;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.device.DevicePipeline;
+import io.github.circles2d.world.jvm.JvmPipeline;
 import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -157,7 +157,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                     device.name());
         }
         Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
-        return new BackendChoice(backend, new ClPipeline(device, capacity, profiling), reason);
+        return new BackendChoice(backend, new DevicePipeline(device, capacity, profiling), reason);
     }
 
     private static BackendChoice jvm(int threads, int leastShare, int capacity, boolean profiling, String reason) {

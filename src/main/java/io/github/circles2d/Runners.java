@@ -2,7 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.world.ClPipeline;
+import io.github.circles2d.world.device.DevicePipeline;
 import java.io.BufferedReader;
 import java.io.FileReader;
 import java.io.IOException;
@@ -22,7 +22,7 @@ final class Runners {
 
     /** A device that World runs on. */
     static Runner world(Device device) {
-        return new Runner(name(device), version(device, ClPipeline.kernels()));
+        return new Runner(name(device), version(device, DevicePipeline.kernels()));
     }
 
     /** A device that Circles2D runs on, with one indexing. */

@@ -1,9 +1,11 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.HandleTable;
+
 /** What single reads are answered from: the last bulk read-back, for as long as it holds. */
 public final class LastReading {
     private final Pipeline pipeline;
-    private final Roster roster;
+    private final HandleTable roster;
     private final Runnable beforeReading;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
@@ -17,7 +19,7 @@ public final class LastReading {
      * @param roster which ids live
      * @param beforeReading what brings the pipeline up to date
      */
-    public LastReading(Pipeline pipeline, Roster roster, Runnable beforeReading) {
+    public LastReading(Pipeline pipeline, HandleTable roster, Runnable beforeReading) {
         this.pipeline = pipeline;
         this.roster = roster;
         this.beforeReading = beforeReading;

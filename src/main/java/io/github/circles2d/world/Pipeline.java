@@ -1,5 +1,12 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
 import java.util.Map;
 
@@ -30,7 +37,7 @@ public interface Pipeline extends AutoCloseable {
      * @param levels shape of the grids
      * @param steps number of steps, at least 1
      */
-    void step(StepConstants constants, Levels levels, int steps);
+    void step(StepConstants constants, GridLevels levels, int steps);
 
     /** Waits until all steps asked for have been made. */
     void finish();
@@ -55,7 +62,7 @@ public interface Pipeline extends AutoCloseable {
      * @param roster which ids live
      * @param to 4 floats a circle, in ascending order of ids
      */
-    void readCircles(Roster roster, float[] to);
+    void readCircles(HandleTable roster, float[] to);
 
     /**
      * Reads x and y of every circle into memory of the pipeline's own.
@@ -63,7 +70,7 @@ public interface Pipeline extends AutoCloseable {
      * @param roster which ids live
      * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the next call
      */
-    FloatBuffer positions(Roster roster);
+    FloatBuffer positions(HandleTable roster);
 
     /**
      * Asks for x and y of every circle as of now, which come while further steps are made. Takes the place of an earlier
@@ -71,7 +78,7 @@ public interface Pipeline extends AutoCloseable {
      *
      * @param roster which ids live; not kept
      */
-    void requestPositions(Roster roster);
+    void requestPositions(HandleTable roster);
 
     /**
      * Waits for the positions that were requested last.
@@ -94,7 +101,7 @@ public interface Pipeline extends AutoCloseable {
      * @param roster which ids live
      * @param to 2 floats a circle, in ascending order of ids
      */
-    void readVelocities(Roster roster, float[] to);
+    void readVelocities(HandleTable roster, float[] to);
 
     /**
      * Saves the circles and the remembered impulses: those that the next step would start from, and no others.

@@ -10,7 +10,7 @@
  *   <li><b>Commands.</b> What the caller asked for since the last step is applied, record by record, in call order: circles
  *       come, go and change.
  *   <li><b>Grid.</b> The circle's radius puts it into a level, its position into a bucket of that level's grid
- *       ({@link io.github.circles2d.world.Levels}). A counting sort gives it a new slot: circles of one bucket are
+ *       ({@link io.github.circles2d.world.model.GridLevels}). A counting sort gives it a new slot: circles of one bucket are
  *       neighbours in memory, ascending by id. Then its reach is computed: how far it looks for contacts in this step.
  *   <li><b>Sweep.</b> Where some circle moves farther than its radius in the step, it looks along its path for what it would
  *       pass through, and the path ends there.
@@ -49,8 +49,8 @@
  *
  * <h2>Snapshots</h2>
  *
- * <p>{@link io.github.circles2d.world.SavedState} is a state by ids, without slots; every pipeline can write one and take one
- * over, and {@link io.github.circles2d.world.SnapshotCodec} makes bytes of it, and checks those that it is given. A step
+ * <p>{@link io.github.circles2d.world.circles.SavedState} is a state by ids, without slots; every pipeline can write one and take one
+ * over, and {@link io.github.circles2d.world.circles.SnapshotCodec} makes bytes of it, and checks those that it is given. A step
  * begins with nothing but what is in there, so what comes after it is the same wherever it is taken over.
  */
 package io.github.circles2d.world;

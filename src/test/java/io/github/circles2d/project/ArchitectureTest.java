@@ -27,6 +27,13 @@ class ArchitectureTest {
     }
 
     @Test
+    void noArrowRunsBack() {
+        for (String room : Rooms.MAY_USE.keySet()) {
+            assertThat(Rooms.below(room)).as(room).doesNotContain(room);
+        }
+    }
+
+    @Test
     void kernelsAreAscii() throws IOException {
         List<Path> kernels = Rooms.filesBelow(Path.of("kernels"), ".cl");
         assertThat(kernels).isNotEmpty();
@@ -41,15 +48,23 @@ class ArchitectureTest {
     @Test
     void everyRuleSeesItsViolation(@TempDir Path folder) throws IOException {
         source(folder, "opencl", "import io.github.circles2d.Circles2D;");
-        source(folder, "thesis", "import io.github.circles2d.world.Grid;");
+        source(folder, "thesis", "import io.github.circles2d.world.jvm.Grid;");
         source(folder, "world", "class Qualified { com.nativelibs4java.opencl.CLDevice device; }");
         source(folder, "scenes", "import static io.github.circles2d.opencl.OpenCl.devices;");
         source(folder, "tools", "import java.awt.Color;");
         source(folder, "attic", "");
+        source(folder, "world.model", "import io.github.circles2d.world.Pipeline;");
+        source(folder, "world.jvm.threads", "import io.github.circles2d.world.jvm.*;");
+        source(folder, "world.device", "class Qualified { io.github.circles2d.world.jvm.Grid grid; }");
+        source(folder, "world.device.part", "import io.github.circles2d.thesis.Ranges;");
         assertThat(Rooms.violations(folder))
-                .hasSize(6)
+                .hasSize(10)
+                .anyMatch(line -> line.endsWith("world.model must not use world"))
+                .anyMatch(line -> line.endsWith("world.jvm.threads must not use world.jvm"))
+                .anyMatch(line -> line.endsWith("world.device must not use world.jvm"))
+                .anyMatch(line -> line.endsWith("world.device must not use thesis"))
                 .anyMatch(line -> line.endsWith("opencl must not use api"))
-                .anyMatch(line -> line.endsWith("thesis must not use world"))
+                .anyMatch(line -> line.endsWith("thesis must not use world.jvm"))
                 .anyMatch(line -> line.endsWith("com.nativelibs4java is for opencl alone"))
                 .anyMatch(line -> line.endsWith("scenes must not use opencl"))
                 .anyMatch(line -> line.endsWith("java.awt is for bench and demo alone"))

@@ -18,17 +18,31 @@ import java.util.stream.Stream;
 final class Rooms {
     private static final String BASE = "io.github.circles2d";
 
-    /** Each room and the rooms that it may use; "api" is the root package. */
-    private static final Map<String, Set<String>> MAY_USE = Map.of(
-            "api", Set.of("thesis", "world", "opencl", "calibration"),
-            "calibration", Set.of(),
-            "thesis", Set.of("opencl"),
-            "world", Set.of("opencl"),
-            "opencl", Set.of(),
-            "scenes", Set.of(),
-            "demo", Set.of("api", "scenes", "opencl"),
-            "tools", Set.of("api", "opencl"),
-            "bench", Set.of("api", "scenes", "opencl"));
+    /** Each room and the rooms that it may use; "api" is the root package. A room is a package and those below that are no rooms. */
+    static final Map<String, Set<String>> MAY_USE = Map.ofEntries(
+            entry(
+                    "api",
+                    "thesis",
+                    "world",
+                    "world.circles",
+                    "world.model",
+                    "world.jvm",
+                    "world.device",
+                    "opencl",
+                    "calibration"),
+            entry("calibration"),
+            entry("thesis", "opencl"),
+            entry("world", "world.circles", "world.model"),
+            entry("world.circles", "world.model"),
+            entry("world.device", "world", "world.circles", "world.model", "opencl"),
+            entry("world.jvm", "world", "world.circles", "world.model", "world.jvm.threads"),
+            entry("world.jvm.threads"),
+            entry("world.model"),
+            entry("opencl"),
+            entry("scenes"),
+            entry("demo", "api", "scenes", "opencl"),
+            entry("tools", "api", "opencl"),
+            entry("bench", "api", "scenes", "opencl"));
 
     /** Packages that are for some rooms alone. The benchmarks draw charts. */
     private static final Map<String, Set<String>> RESERVED = Map.of(
@@ -40,9 +54,24 @@ final class Rooms {
 
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|//[^\\n]*", Pattern.DOTALL);
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
-    private static final Pattern OWN_NAME = Pattern.compile("\\bio\\.github\\.circles2d\\.(\\w+)");
+    private static final Pattern OWN_NAME =
+            Pattern.compile("\\bio\\.github\\.circles2d((?:\\.[a-z]\\w*)*)\\.(?=[A-Z*])");
 
     private Rooms() {}
+
+    private static Map.Entry<String, Set<String>> entry(String room, String... mayUse) {
+        return Map.entry(room, Set.of(mayUse));
+    }
+
+    /** Returns the rooms that can be reached from a room along the arrows. */
+    static Set<String> below(String room) {
+        Set<String> below = new TreeSet<>();
+        for (String used : MAY_USE.get(room)) {
+            below.add(used);
+            below.addAll(below(used));
+        }
+        return below;
+    }
 
     /** Returns what breaks a rule in the Java sources below a folder, one line each. */
     static List<String> violations(Path sources) throws IOException {
@@ -88,14 +117,19 @@ final class Rooms {
             throw new IllegalStateException(file + " declares no package");
         }
         String name = declaration.group(1);
-        return name.equals(BASE) ? "api" : name.substring(BASE.length() + 1).split("\\.")[0];
+        return room(name.substring(BASE.length()));
+    }
+
+    /** The room of a package, which is given without the base; the package itself if it is in none. */
+    private static String room(String packageName) {
+        String room = packageName.isEmpty() ? "api" : packageName.substring(1);
+        while (!MAY_USE.containsKey(room) && room.contains(".")) {
+            room = room.substring(0, room.lastIndexOf('.'));
+        }
+        return room;
     }
 
     private static Set<String> roomsUsed(String body) {
-        return OWN_NAME.matcher(body)
-                .results()
-                .map(name -> name.group(1))
-                .map(name -> Character.isUpperCase(name.charAt(0)) ? "api" : name)
-                .collect(Collectors.toSet());
+        return OWN_NAME.matcher(body).results().map(name -> room(name.group(1))).collect(Collectors.toSet());
     }
 }

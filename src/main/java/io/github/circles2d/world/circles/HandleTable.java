@@ -1,0 +1,348 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import java.util.Arrays;
+
+/**
+ * Which circles there are. A handle is (generation &lt;&lt; 32 | id); ids are small, and the lowest free one is given to the
+ * next circle; the generation tells it from those that had the id before. What of a circle changes by calls alone, the
+ * radius and the restitution, is known here without asking a pipeline.
+ */
+public final class HandleTable {
+    /** The generation that would make a handle 0 is left out. */
+    static final int LAST_GENERATION = -2;
+
+    private long[] live = new long[1];
+    /** By word of live: circles in the words before. */
+    private int[] livingBefore = new int[1];
+
+    private boolean livingBeforeCurrent;
+    private int[] generation = new int[64];
+    private float[] radius = new float[64];
+    private float[] restitution = new float[64];
+    private int size;
+
+    /** No id below this one is free. */
+    private int noneFreeBelow;
+
+    /** One more than the greatest id ever used. */
+    private int end;
+
+    private float greatestRadius;
+    private int withGreatestRadius;
+    private boolean radiiChanged;
+    private final int[] population = new int[GridLevels.COUNT];
+
+    /** No circles. */
+    public HandleTable() {}
+
+    /**
+     * Number of circles.
+     *
+     * @return at least 0
+     */
+    public int size() {
+        return size;
+    }
+
+    /**
+     * One more than the greatest id in use so far.
+     *
+     * @return at least {@link #size()}
+     */
+    public int end() {
+        return end;
+    }
+
+    /**
+     * Whether an id belongs to a circle.
+     *
+     * @param id an id less than {@link #end()}
+     * @return true where it does
+     */
+    public boolean lives(int id) {
+        return (live[id >>> 6] >>> id & 1) != 0;
+    }
+
+    /**
+     * Copies which ids belong to circles.
+     *
+     * @param to takes a bit for each id less than {@link #end()}: id k is bit k % 64 of element k / 64
+     * @return the array, or a new one where it was too short
+     */
+    public long[] copyLiving(long[] to) {
+        int words = (end + 63) >>> 6;
+        long[] copy = to.length < words ? new long[live.length] : to;
+        System.arraycopy(live, 0, copy, 0, words);
+        return copy;
+    }
+
+    /**
+     * The handle of a circle.
+     *
+     * @param id its id
+     * @return the handle
+     */
+    public long handle(int id) {
+        return (long) (generation[id] + 1) << 32 | id;
+    }
+
+    /**
+     * The id behind a handle.
+     *
+     * @param handle any number
+     * @return the id, or -1 where no living circle has this handle
+     */
+    public int find(long handle) {
+        long id = handle & 0xFFFFFFFFL;
+        if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> 32)) {
+            return -1;
+        }
+        return (int) id;
+    }
+
+    /**
+     * The place of a circle in the order of the ids.
+     *
+     * @param id its id
+     * @return how many circles have lower ids
+     */
+    public int place(int id) {
+        if (!livingBeforeCurrent) {
+            if (livingBefore.length < live.length) {
+                livingBefore = new int[live.length];
+            }
+            int sum = 0;
+            for (int word = 0; word < live.length; word++) {
+                livingBefore[word] = sum;
+                sum += Long.bitCount(live[word]);
+            }
+            livingBeforeCurrent = true;
+        }
+        return livingBefore[id >>> 6] + Long.bitCount(live[id >>> 6] & (1L << id) - 1);
+    }
+
+    /**
+     * Makes room, so that adding circles does not run out of memory. Where this fails, nothing has changed.
+     *
+     * @param more number of circles to come
+     */
+    public void ensure(int more) {
+        ensureIds(size + more);
+    }
+
+    /**
+     * Makes room for a saved state, so that {@link #load} does not run out of memory. Where this fails, nothing has changed.
+     *
+     * @param from the state
+     */
+    public void makeRoom(SavedState from) {
+        ensureIds(from.ids);
+    }
+
+    /** Makes room for ids. The length of the array that grows last tells whether there is room. */
+    private void ensureIds(int ids) {
+        if (ids > generation.length) {
+            int c = Math.max(ids, generation.length + (generation.length >> 1));
+            live = Arrays.copyOf(live, (c >> 6) + 1);
+            radius = Arrays.copyOf(radius, c);
+            restitution = Arrays.copyOf(restitution, c);
+            generation = Arrays.copyOf(generation, c);
+        }
+    }
+
+    /**
+     * Enters a circle under the lowest free id.
+     *
+     * @param r its radius
+     * @return the id
+     */
+    public int add(float r) {
+        ensure(1);
+        int id = firstFree();
+        live[id >>> 6] |= 1L << id;
+        livingBeforeCurrent = false;
+        noneFreeBelow = id + 1;
+        end = Math.max(end, id + 1);
+        size++;
+        radius[id] = r;
+        enter(r);
+        return id;
+    }
+
+    /**
+     * Strikes a circle off; its handle is stale from now on.
+     *
+     * @param id its id
+     */
+    public void remove(int id) {
+        live[id >>> 6] &= ~(1L << id);
+        livingBeforeCurrent = false;
+        generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
+        noneFreeBelow = Math.min(noneFreeBelow, id);
+        size--;
+        leave(radius[id]);
+    }
+
+    /**
+     * Takes a circle's new radius down.
+     *
+     * @param id its id
+     * @param r the radius
+     */
+    public void setRadius(int id, float r) {
+        leave(radius[id]);
+        radius[id] = r;
+        enter(r);
+    }
+
+    /**
+     * Takes a circle's restitution down.
+     *
+     * @param id its id
+     * @param e the restitution
+     */
+    public void setRestitution(int id, float e) {
+        restitution[id] = e;
+    }
+
+    /**
+     * A circle's restitution.
+     *
+     * @param id its id
+     * @return what was taken down last
+     */
+    public float restitution(int id) {
+        return restitution[id];
+    }
+
+    private int firstFree() {
+        int word = noneFreeBelow >>> 6;
+        long free = ~live[word] & -1L << noneFreeBelow;
+        while (free == 0) {
+            free = ~live[++word];
+        }
+        return (word << 6) + Long.numberOfTrailingZeros(free);
+    }
+
+    private void enter(float r) {
+        if (r > greatestRadius) {
+            greatestRadius = r;
+            withGreatestRadius = 1;
+            radiiChanged = true;
+        } else {
+            if (r == greatestRadius) {
+                withGreatestRadius++;
+            }
+            population[CircleMath.sizeClass(r, greatestRadius)]++;
+        }
+    }
+
+    private void leave(float r) {
+        population[CircleMath.sizeClass(r, greatestRadius)]--;
+        if (r == greatestRadius && --withGreatestRadius == 0) {
+            radiiChanged = true;
+        }
+    }
+
+    /**
+     * The greatest radius of all circles.
+     *
+     * @return a length; 0 where there is no circle
+     */
+    public float greatestRadius() {
+        recount();
+        return greatestRadius;
+    }
+
+    /**
+     * The least radius of all circles. Looks at each of them.
+     *
+     * @return a length; positive infinity where there is no circle
+     */
+    public float leastRadius() {
+        float least = Float.POSITIVE_INFINITY;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                least = Math.min(least, radius[id]);
+            }
+        }
+        return least;
+    }
+
+    /**
+     * The number of circles of each size class, by {@link CircleMath#sizeClass}.
+     *
+     * @return the numbers; valid until the next change
+     */
+    public int[] population() {
+        recount();
+        return population;
+    }
+
+    /**
+     * Saves which ids are in use, and their generations.
+     *
+     * @param into takes ids and generations
+     */
+    public void save(SavedState into) {
+        into.setIds(end);
+        into.setCircles(size);
+        System.arraycopy(generation, 0, into.generation, 0, end);
+        int k = 0;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                into.id[k++] = id;
+            }
+        }
+    }
+
+    /**
+     * Takes over the ids, generations, radii and restitutions of a saved state instead of its own.
+     *
+     * @param from the state, for which room has been made; not kept
+     */
+    public void load(SavedState from) {
+        Arrays.fill(live, 0);
+        Arrays.fill(generation, 0);
+        System.arraycopy(from.generation, 0, generation, 0, from.ids);
+        for (int k = 0; k < from.circles; k++) {
+            int id = from.id[k];
+            live[id >>> 6] |= 1L << id;
+            radius[id] = from.circle[4 * k + 2];
+            restitution[id] = from.traits[4 * k + 1];
+        }
+        end = from.ids;
+        size = from.circles;
+        noneFreeBelow = 0;
+        livingBeforeCurrent = false;
+        radiiChanged = true;
+    }
+
+    private void recount() {
+        if (!radiiChanged) {
+            return;
+        }
+        greatestRadius = 0;
+        withGreatestRadius = 0;
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                if (radius[id] > greatestRadius) {
+                    greatestRadius = radius[id];
+                    withGreatestRadius = 0;
+                }
+                if (radius[id] == greatestRadius) {
+                    withGreatestRadius++;
+                }
+            }
+        }
+        Arrays.fill(population, 0);
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                population[CircleMath.sizeClass(radius[id], greatestRadius)]++;
+            }
+        }
+        radiiChanged = false;
+    }
+}

@@ -1,0 +1,114 @@
+package io.github.circles2d.world.circles;
+
+import java.util.Arrays;
+
+/**
+ * A whole state in plain arrays, by id: what a snapshot is written from and read into, and what a pipeline takes over. It
+ * knows nothing of slots, so every pipeline saves the same state in the same way.
+ *
+ * <p>Three parts, each filled and read by who owns it: the world's parameters; the ids in use and their generations
+ * ({@link HandleTable}); the circles and the remembered impulses ({@code Pipeline}). Arrays may be longer than what they hold, and
+ * are reused.
+ */
+public final class SavedState {
+    /** What the world has besides circles. */
+    private WorldParameters parameters;
+
+    /** Ids in use so far: all circles have lower ones. */
+    public int ids;
+
+    /** By id: how many circles had it before. */
+    int[] generation = new int[0];
+
+    /** Number of circles. */
+    public int circles;
+
+    /** By circle: its id, ascending. All arrays "by circle" have this order. */
+    public int[] id = new int[0];
+
+    /** By circle: x, y, radius, mass. */
+    public float[] circle = new float[0];
+
+    /** By circle: remainders of x and y that rounding has left, velocity x, y. */
+    public float[] motion = new float[0];
+
+    /** By circle: inverse mass, restitution, impulse speed of the walls x, y. */
+    public float[] traits = new float[0];
+
+    /** Number of remembered impulses. */
+    public int impulses;
+
+    /** By impulse: the lower id of the pair. Impulses are in ascending order of the lower id, then of the higher. */
+    public int[] lo = new int[0];
+
+    /** By impulse: the higher id of the pair. */
+    public int[] hi = new int[0];
+
+    /** By impulse: the impulse, greater than 0. */
+    public float[] lambda = new float[0];
+
+    /** An empty state. */
+    public SavedState() {}
+
+    /**
+     * The world's parameters.
+     *
+     * @return the parameters
+     */
+    public WorldParameters parameters() {
+        return parameters;
+    }
+
+    /**
+     * Takes the world's parameters.
+     *
+     * @param p the parameters
+     */
+    public void setParameters(WorldParameters p) {
+        parameters = p;
+    }
+
+    /** Makes room for ids and sets their number. */
+    void setIds(int count) {
+        if (generation.length < count) {
+            generation = new int[count];
+        }
+        ids = count;
+    }
+
+    /** Makes room for circles and sets their number. */
+    void setCircles(int count) {
+        if (id.length < count) {
+            // The length of the last one tells whether there is room, in case memory runs out in between.
+            circle = new float[4 * count];
+            motion = new float[4 * count];
+            traits = new float[4 * count];
+            id = new int[count];
+        }
+        circles = count;
+    }
+
+    /** Makes room for impulses without changing their number. */
+    void ensureImpulses(int count) {
+        if (lambda.length < count) {
+            int c = Math.max(count, lambda.length + (lambda.length >> 1));
+            lo = Arrays.copyOf(lo, c);
+            hi = Arrays.copyOf(hi, c);
+            lambda = Arrays.copyOf(lambda, c);
+        }
+    }
+
+    /** Adds an impulse. Those of one lower id come in a row, the lower ids ascending; the higher ids in any order. */
+    public void addImpulse(int loId, int hiId, float impulse) {
+        ensureImpulses(impulses + 1);
+        int k = impulses++;
+        while (k > 0 && lo[k - 1] == loId && hi[k - 1] > hiId) {
+            hi[k] = hi[k - 1];
+            lambda[k] = lambda[k - 1];
+            k--;
+        }
+        lo[impulses - 1] = loId;
+        hi[k] = hiId;
+        lambda[k] = impulse;
+    }
+}

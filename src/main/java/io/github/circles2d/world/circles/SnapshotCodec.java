@@ -1,0 +1,378 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * Snapshots as bytes, little-endian: a header, then a record of every id in use so far, in ascending order. Equal states have
+ * equal bytes, whatever they were computed on.
+ *
+ * <pre>
+ * header     int magic, version, length of all in bytes, circles, ids, impulses;
+ *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int 0; long check
+ * free id    byte flags; varint generation where it is not 0
+ * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; where the flags say so: varint generation,
+ *            float restitution (else the world's), wall impulse x, wall impulse y; number of impulses in the flags, or 7 and
+ *            a varint of those above 7; for each impulse, as the circle of lower id: varint of the higher id minus the one
+ *            before (its own id at first), float impulse
+ * </pre>
+ *
+ * <p>A circle takes 33 bytes and 6 to 9 an impulse, so at most 64 where each has the two contacts or so of a settled pile.
+ * Reading checks every value as {@link Limits} does, so that no bytes at all lead to a state that calls could not lead to in
+ * kind: finite, within the bounds, every impulse between two circles that are there.
+ */
+public final class SnapshotCodec {
+    private static final int MAGIC = 0x57324443; // "CD2W" in the bytes of a file
+    private static final int VERSION = 1;
+
+    private static final int LENGTH_AT = 8;
+    static final int CHECK_AT = 64;
+
+    /** Bytes of the header. */
+    public static final int HEADER = 72;
+
+    private static final int LIVES = 1;
+    private static final int GENERATION = 2;
+    private static final int RESTITUTION = 4;
+    private static final int WALL_X = 8;
+    private static final int WALL_Y = 16;
+    private static final int IMPULSES_SHIFT = 5;
+    private static final int MANY = 7;
+
+    private static final int LEAST_CIRCLE = 33;
+    private static final int LEAST_IMPULSE = 5;
+
+    private SnapshotCodec() {}
+
+    // ---- writing
+    // -----------------------------------------------------------------------------------------------------
+
+    /**
+     * The length of a snapshot.
+     *
+     * @param s the state
+     * @return bytes
+     * @throws IllegalStateException where it is more than a buffer holds
+     */
+    public static int bytes(SavedState s) {
+        long sum = HEADER + 4L * s.impulses;
+        int circle = 0;
+        int impulse = 0;
+        for (int id = 0; id < s.ids; id++) {
+            sum += 1 + (s.generation[id] == 0 ? 0 : varintBytes(s.generation[id]));
+            if (circle < s.circles && s.id[circle] == id) {
+                int flags = flags(s, circle);
+                sum += LEAST_CIRCLE - 1 + 4 * Integer.bitCount(flags & (RESTITUTION | WALL_X | WALL_Y));
+                int from = impulse;
+                int previous = id;
+                for (; impulse < s.impulses && s.lo[impulse] == id; impulse++) {
+                    sum += varintBytes(s.hi[impulse] - previous);
+                    previous = s.hi[impulse];
+                }
+                sum += impulse - from < MANY ? 0 : varintBytes(impulse - from - MANY);
+                circle++;
+            }
+        }
+        if (sum > Integer.MAX_VALUE) {
+            throw new IllegalStateException("a snapshot of " + sum + " bytes is more than a buffer holds");
+        }
+        return (int) sum;
+    }
+
+    /**
+     * Writes a snapshot.
+     *
+     * @param s the state
+     * @param to takes {@link #bytes} bytes from its position on, which is moved behind them; any byte order
+     */
+    public static void write(SavedState s, ByteBuffer to) {
+        ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
+        WorldParameters p = s.parameters();
+        out.putInt(MAGIC)
+                .putInt(VERSION)
+                .putInt(0)
+                .putInt(s.circles)
+                .putInt(s.ids)
+                .putInt(s.impulses);
+        out.putFloat(p.bounds().minX()).putFloat(p.bounds().minY());
+        out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
+        out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
+        out.putInt(p.subSteps()).putFloat(p.previousTimeStep()).putInt(0).putLong(0);
+        int circle = 0;
+        int impulse = 0;
+        for (int id = 0; id < s.ids; id++) {
+            if (circle == s.circles || s.id[circle] != id) {
+                out.put((byte) (s.generation[id] == 0 ? 0 : GENERATION));
+                if (s.generation[id] != 0) {
+                    putVarint(out, s.generation[id]);
+                }
+                continue;
+            }
+            int end = impulse;
+            while (end < s.impulses && s.lo[end] == id) {
+                end++;
+            }
+            writeCircle(s, circle++, impulse, end, out);
+            impulse = end;
+        }
+        int length = out.position();
+        out.putInt(LENGTH_AT, length);
+        out.putLong(CHECK_AT, check(out, length));
+        to.position(to.position() + length);
+    }
+
+    private static int flags(SavedState s, int circle) {
+        int k = 4 * circle;
+        return LIVES
+                | (s.generation[s.id[circle]] != 0 ? GENERATION : 0)
+                | (differ(s.traits[k + 1], s.parameters().restitution()) ? RESTITUTION : 0)
+                | (differ(s.traits[k + 2], 0f) ? WALL_X : 0)
+                | (differ(s.traits[k + 3], 0f) ? WALL_Y : 0);
+    }
+
+    private static boolean differ(float a, float b) {
+        return Float.floatToRawIntBits(a) != Float.floatToRawIntBits(b);
+    }
+
+    private static void writeCircle(SavedState s, int circle, int from, int end, ByteBuffer out) {
+        int flags = flags(s, circle);
+        int id = s.id[circle];
+        out.put((byte) (flags | Math.min(end - from, MANY) << IMPULSES_SHIFT));
+        for (int k = 4 * circle; k < 4 * circle + 4; k++) {
+            out.putFloat(s.circle[k]);
+        }
+        for (int k = 4 * circle; k < 4 * circle + 4; k++) {
+            out.putFloat(s.motion[k]);
+        }
+        if ((flags & GENERATION) != 0) {
+            putVarint(out, s.generation[id]);
+        }
+        for (int k = 1; k < 4; k++) {
+            if ((flags & RESTITUTION << (k - 1)) != 0) {
+                out.putFloat(s.traits[4 * circle + k]);
+            }
+        }
+        if (end - from >= MANY) {
+            putVarint(out, end - from - MANY);
+        }
+        int previous = id;
+        for (int k = from; k < end; k++) {
+            putVarint(out, s.hi[k] - previous);
+            previous = s.hi[k];
+            out.putFloat(s.lambda[k]);
+        }
+    }
+
+    private static int varintBytes(int value) {
+        return (38 - Integer.numberOfLeadingZeros(value | 1)) / 7;
+    }
+
+    private static void putVarint(ByteBuffer out, int value) {
+        int rest = value;
+        while ((rest & ~127) != 0) {
+            out.put((byte) (rest | 128));
+            rest >>>= 7;
+        }
+        out.put((byte) rest);
+    }
+
+    /** Mixes all bytes but those of the check itself. */
+    static long check(ByteBuffer in, int length) {
+        long h = MAGIC;
+        int k = 0;
+        for (; k + 4 <= length; k += 4) {
+            h = StateHash.absorb(h, k == CHECK_AT || k == CHECK_AT + 4 ? 0 : in.getInt(k));
+        }
+        for (; k < length; k++) {
+            h = StateHash.absorb(h, in.get(k));
+        }
+        return StateHash.absorb(h, length);
+    }
+
+    // ---- reading
+    // -----------------------------------------------------------------------------------------------------
+
+    /**
+     * Reads a snapshot and checks all of it.
+     *
+     * @param from a snapshot from its position on, which stays as it is; any byte order. Another thread may write to it
+     * @param s takes the state; of no meaning where an exception is thrown
+     * @return the length of the snapshot
+     * @throws IllegalArgumentException where this is no snapshot, or a damaged one
+     */
+    public static int read(ByteBuffer from, SavedState s) {
+        ByteBuffer in = copy(from.slice().order(ByteOrder.LITTLE_ENDIAN));
+        int length = in.limit();
+        require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
+        in.position(LENGTH_AT + 4);
+        int circles = in.getInt();
+        int ids = in.getInt();
+        int impulses = in.getInt();
+        require(
+                circles >= 0
+                        && ids >= circles
+                        && ids <= Limits.CIRCLES
+                        && impulses >= 0
+                        && ids + (LEAST_CIRCLE - 1L) * circles + (long) LEAST_IMPULSE * impulses <= length - HEADER,
+                "it cannot hold " + circles + " circles, " + ids + " ids and " + impulses + " impulses");
+        s.setParameters(readParameters(in));
+        s.setIds(ids);
+        s.setCircles(circles);
+        s.ensureImpulses(impulses);
+        s.impulses = 0;
+        in.position(HEADER);
+        int circle = 0;
+        for (int id = 0; id < ids; id++) {
+            circle = readRecord(in, s, id, circle, circles, impulses);
+        }
+        require(
+                circle == circles && s.impulses == impulses && in.position() == length,
+                "its records do not fit its header");
+        checkPairs(s);
+        return length;
+    }
+
+    /** Copies a snapshot: what is checked in the copy still holds when it is used. */
+    private static ByteBuffer copy(ByteBuffer from) {
+        require(from.limit() >= HEADER, "it has no room for the header: " + from.limit() + " bytes");
+        require(from.getInt() == MAGIC, "it does not begin as one");
+        int version = from.getInt();
+        require(version == VERSION, "its version is " + version + ", not " + VERSION);
+        int length = from.getInt();
+        require(
+                length >= HEADER && length <= from.limit(),
+                "its length is " + length + ", but there are " + from.limit() + " bytes");
+        byte[] bytes = new byte[length];
+        from.get(0, bytes);
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static WorldParameters readParameters(ByteBuffer in) {
+        Bounds bounds = Limits.bounds(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat());
+        float gravityX = Limits.within("gravity x", in.getFloat(), -Limits.SPEED, Limits.SPEED);
+        float gravityY = Limits.within("gravity y", in.getFloat(), -Limits.SPEED, Limits.SPEED);
+        float restitution = Limits.restitution(in.getFloat());
+        int subSteps = Limits.within("the number of sub-steps", in.getInt(), 1, Limits.SUB_STEPS);
+        float step = in.getFloat();
+        if (step != 0) {
+            Limits.within("the time step", step, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+        }
+        require(in.getInt() == 0, "its header ends otherwise than this version's");
+        return new WorldParameters(bounds, gravityX, gravityY, restitution, subSteps, step);
+    }
+
+    private static int readRecord(ByteBuffer in, SavedState s, int id, int circle, int circles, int impulses) {
+        int flags = getByte(in);
+        if ((flags & LIVES) == 0) {
+            require((flags & ~GENERATION) == 0, "a free id has a circle's flags");
+            s.generation[id] = getGeneration(in, flags);
+            return circle;
+        }
+        require(circle < circles, "there are more circles than it says");
+        require(in.remaining() >= LEAST_CIRCLE - 1, "it ends within a circle");
+        s.id[circle] = id;
+        int k = 4 * circle;
+        for (int c = k; c < k + 4; c++) {
+            s.circle[c] = in.getFloat();
+        }
+        for (int c = k; c < k + 4; c++) {
+            s.motion[c] = in.getFloat();
+        }
+        s.generation[id] = getGeneration(in, flags);
+        s.traits[k] = CircleMath.inverseMass(s.circle[k + 3]);
+        s.traits[k + 1] =
+                (flags & RESTITUTION) != 0 ? getFloat(in) : s.parameters().restitution();
+        s.traits[k + 2] = (flags & WALL_X) != 0 ? getFloat(in) : 0f;
+        s.traits[k + 3] = (flags & WALL_Y) != 0 ? getFloat(in) : 0f;
+        checkCircle(s, k);
+        readImpulses(in, s, id, flags >> IMPULSES_SHIFT, impulses);
+        return circle + 1;
+    }
+
+    private static void readImpulses(ByteBuffer in, SavedState s, int id, int inFlags, int impulses) {
+        long count = inFlags < MANY ? inFlags : MANY + (getVarint(in) & 0xFFFFFFFFL);
+        require(count <= impulses - s.impulses, "there are more impulses than it says");
+        long hi = id;
+        for (long k = 0; k < count; k++) {
+            long more = getVarint(in) & 0xFFFFFFFFL;
+            hi += more;
+            require(more > 0 && hi < s.ids, "an impulse has no second circle");
+            float lambda = getFloat(in);
+            require(lambda > 0 && lambda <= Limits.REMEMBERED_IMPULSE, "an impulse is out of range");
+            s.lo[s.impulses] = id;
+            s.hi[s.impulses] = (int) hi;
+            s.lambda[s.impulses++] = lambda;
+        }
+    }
+
+    private static void checkCircle(SavedState s, int k) {
+        Bounds bounds = s.parameters().bounds();
+        Limits.position(s.circle[k], s.circle[k + 1], bounds);
+        Limits.radius(s.circle[k + 2], bounds);
+        Limits.mass(s.circle[k + 3]);
+        checkRemainder(s.circle[k], s.motion[k]);
+        checkRemainder(s.circle[k + 1], s.motion[k + 1]);
+        Limits.velocity(s.motion[k + 2], s.motion[k + 3]);
+        Limits.restitution(s.traits[k + 1]);
+        Limits.within("a wall's impulse", s.traits[k + 2], -Limits.WALL_IMPULSE, Limits.WALL_IMPULSE);
+        Limits.within("a wall's impulse", s.traits[k + 3], -Limits.WALL_IMPULSE, Limits.WALL_IMPULSE);
+    }
+
+    /** What rounding has left of a coordinate is at most half a unit of its last place. */
+    private static void checkRemainder(float coordinate, float remainder) {
+        float most = 0.5f * Math.ulp(coordinate);
+        Limits.within("a remainder", remainder, -most, most);
+    }
+
+    /** Every impulse belongs to two circles that are there. */
+    private static void checkPairs(SavedState s) {
+        boolean[] lives = new boolean[s.ids];
+        for (int k = 0; k < s.circles; k++) {
+            lives[s.id[k]] = true;
+        }
+        for (int k = 0; k < s.impulses; k++) {
+            require(lives[s.hi[k]], "an impulse has no second circle");
+        }
+    }
+
+    private static int getGeneration(ByteBuffer in, int flags) {
+        if ((flags & GENERATION) == 0) {
+            return 0;
+        }
+        int generation = getVarint(in);
+        require(generation != 0 && generation != HandleTable.LAST_GENERATION + 1, "a generation is out of range");
+        return generation;
+    }
+
+    private static int getByte(ByteBuffer in) {
+        require(in.hasRemaining(), "it ends early");
+        return in.get() & 255;
+    }
+
+    private static float getFloat(ByteBuffer in) {
+        require(in.remaining() >= 4, "it ends early");
+        return in.getFloat();
+    }
+
+    private static int getVarint(ByteBuffer in) {
+        int value = 0;
+        for (int shift = 0; shift < 35; shift += 7) {
+            int b = getByte(in);
+            value |= (b & 127) << shift;
+            if (b < 128) {
+                require(shift < 28 || b < 16, "a number is too long");
+                return value;
+            }
+        }
+        throw new IllegalArgumentException("this is no snapshot of a world: a number is too long");
+    }
+
+    private static void require(boolean holds, String message) {
+        if (!holds) {
+            throw new IllegalArgumentException("this is no snapshot of a world: " + message);
+        }
+    }
+}

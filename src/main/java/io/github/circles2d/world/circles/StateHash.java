@@ -1,0 +1,33 @@
+package io.github.circles2d.world.circles;
+
+/**
+ * The 64-bit hash of a state: the sum of one mixed number a circle and one a remembered impulse. A sum of integers does not
+ * depend on its order, so every back end can form it in parallel, and it sees ids, never slots.
+ *
+ * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
+ * x and y; an impulse with the lower id, the higher id and itself. All floats enter as their bits.
+ */
+public final class StateHash {
+    private static final long CIRCLE = 0x636972636C653264L;
+    private static final long IMPULSE = 0x696D70756C736573L;
+    private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
+
+    private StateHash() {}
+
+    public static long circle() {
+        return CIRCLE;
+    }
+
+    public static long impulse() {
+        return IMPULSE;
+    }
+
+    public static long absorb(long hash, int word) {
+        long h = (hash ^ (word & 0xFFFFFFFFL)) * MULTIPLIER;
+        return h ^ (h >>> 32);
+    }
+
+    public static long absorb(long hash, float value) {
+        return absorb(hash, Float.floatToRawIntBits(value));
+    }
+}

@@ -1,0 +1,28 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.model.GridLevels;
+
+/** Stage Grid on a device; {@code kernels/world/Grid.cl}. The same as {@code world.jvm.Grid}. */
+final class GridStage {
+    private final DeviceArrays buffers;
+    private final Scan scan;
+    private final Kernel count;
+    private final Kernel scatter;
+    private final Kernel gather;
+
+    GridStage(StageKernels kernels, DeviceArrays buffers, Scan scan) {
+        this.buffers = buffers;
+        this.scan = scan;
+        count = kernels.staged("grid_count");
+        scatter = kernels.staged("grid_scatter");
+        gather = kernels.staged("grid_gather");
+    }
+
+    void build(GridLevels levels, int slots, int circles) {
+        count.run(slots);
+        scan.run(buffers, levels.buckets() + 1, DeviceArrays.BUCKET_START);
+        scatter.run(slots);
+        gather.run(circles);
+    }
+}

@@ -1,0 +1,147 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.HostBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.HandleTable;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.function.IntPredicate;
+
+/** Reads the state back in the order of ids; {@code kernels/world/Readback.cl}. */
+final class Readback {
+    private final Session session;
+    private final DeviceArrays buffers;
+    private final Kernel circles;
+    private final Kernel velocities;
+    private final Kernel positions;
+    private DeviceBuffer byId;
+    private HostBuffer host;
+
+    /** What callers look into; no other read may touch it. */
+    private HostBuffer shared;
+
+    private FloatBuffer sharedView;
+
+    Readback(Session session, StageKernels kernels, DeviceArrays buffers) {
+        this.session = session;
+        this.buffers = buffers;
+        circles = kernels.plain("readback_circles");
+        velocities = kernels.plain("readback_velocities");
+        positions = kernels.plain("readback_positions");
+        byId = session.allocate("read-back", 1024);
+        host = session.hostBuffer(1024);
+        shared = session.hostBuffer(1024);
+        sharedView = shared.floats().asReadOnlyBuffer();
+    }
+
+    void circles(HandleTable roster, int slots, float[] to) {
+        ensureHost(16L * roster.end());
+        layOut(circles, DeviceArrays.HOME_CIRCLE, slots);
+        byId.read(0, host, 0, 16L * roster.end());
+        FloatBuffer read = host.floats();
+        compact(roster::lives, roster.end(), 4, (at, written, length) -> read.get(at, to, written, length));
+    }
+
+    void velocities(HandleTable roster, int slots, float[] to) {
+        ensureHost(8L * roster.end());
+        layOut(velocities, DeviceArrays.HOME_MOTION, slots);
+        byId.read(0, host, 0, 8L * roster.end());
+        FloatBuffer read = host.floats();
+        compact(roster::lives, roster.end(), 2, (at, written, length) -> read.get(at, to, written, length));
+    }
+
+    FloatBuffer positions(HandleTable roster, int slots) {
+        ensureShared(8L * roster.end());
+        layOut(positions, DeviceArrays.HOME_CIRCLE, slots);
+        byId.read(0, shared, 0, 8L * roster.end());
+        if (roster.size() < roster.end()) {
+            closeGaps(roster::lives, roster.end(), shared.floats());
+        }
+        return sharedView.clear().limit(2 * roster.size());
+    }
+
+    /** Lays a buffer of the state out by id, on the device. */
+    private void layOut(Kernel kernel, int state, int slots) {
+        kernel.arg(0, buffers.get(DeviceArrays.HOME_ID))
+                .arg(1, buffers.get(state))
+                .arg(2, slots)
+                .arg(3, byId)
+                .run(slots);
+    }
+
+    /** Moves the positions of the ids that live together, in place. */
+    static void closeGaps(IntPredicate lives, int end, FloatBuffer positions) {
+        compact(lives, end, 2, (from, to, length) -> positions.put(to, positions, from, length));
+    }
+
+    /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */
+    private static void compact(IntPredicate lives, int end, int floats, Copy copy) {
+        int written = 0;
+        for (int id = 0; id < end; ) {
+            if (!lives.test(id)) {
+                id++;
+                continue;
+            }
+            int first = id;
+            while (id < end && lives.test(id)) {
+                id++;
+            }
+            int length = (id - first) * floats;
+            copy.copy(first * floats, written, length);
+            written += length;
+        }
+    }
+
+    /** Copies floats of living ids that follow each other. */
+    private interface Copy {
+        void copy(int from, int to, int length);
+    }
+
+    private void ensureHost(long bytes) {
+        ensureDevice(bytes);
+        if (host.size() < bytes) {
+            HostBuffer larger = session.hostBuffer(roomier(bytes));
+            host.close();
+            host = larger;
+        }
+    }
+
+    private void ensureShared(long bytes) {
+        ensureDevice(bytes);
+        if (shared.size() < bytes) {
+            HostBuffer larger = session.hostBuffer(roomier(bytes));
+            sharedView = larger.floats().asReadOnlyBuffer();
+            shared.close();
+            shared = larger;
+        }
+    }
+
+    private void ensureDevice(long bytes) {
+        if (byId.bytes() < bytes) {
+            DeviceBuffer larger = session.allocate("read-back", bytes + (bytes >> 1));
+            byId.close();
+            byId = larger;
+        }
+    }
+
+    /** Room for so many bytes on the host, and for some growth. */
+    static long roomier(long bytes) {
+        return Math.min(bytes + (bytes >> 1), Integer.MAX_VALUE - 4096);
+    }
+
+    /** Reads ints of a buffer; for what is needed seldom. */
+    static int[] ints(DeviceBuffer buffer, int count) {
+        int[] values = new int[count];
+        buffer.read(IntBuffer.wrap(values));
+        return values;
+    }
+
+    /** Reads floats of a buffer; for what is needed seldom. */
+    static float[] floats(DeviceBuffer buffer, int count) {
+        float[] values = new float[count];
+        buffer.read(FloatBuffer.wrap(values));
+        return values;
+    }
+}

@@ -1,0 +1,155 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.CopyQueue;
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.HostBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.HandleTable;
+import java.nio.FloatBuffer;
+
+/**
+ * Positions that come to the host while the next steps run; {@code kernels/world/Readback.cl}. They are laid out behind the
+ * pending steps, of which nobody knows yet whether they are refused; the number of steps made comes with them and tells.
+ */
+final class RequestedPositions {
+    /** Bytes of the number of steps made, and of what keeps the positions behind it aligned. */
+    private static final int HEADER = 8;
+
+    private final Session session;
+    private final DeviceArrays buffers;
+    private final Kernel layOut;
+
+    /** Null until the first request, as the memory below: few worlds have one. */
+    private CopyQueue copies;
+
+    private DeviceBuffer byId;
+
+    /** Where a request arrives while callers look into what they took last. */
+    private final Target[] targets = {new Target(), new Target()};
+
+    /** Where the next request arrives. */
+    private int current;
+
+    /** The circles at the request: how many, one more than their greatest id, and, where ids are free, a bit for each that lives. */
+    private int circles;
+
+    private int end;
+    private long[] living = new long[0];
+
+    /** Steps written home since the world was made that must have led to these positions. */
+    private int stepsDue;
+
+    /** Whether they have not been taken yet. */
+    private boolean requested;
+
+    /** Whether a copy may be under way. */
+    private boolean copying;
+
+    RequestedPositions(Session session, StageKernels kernels, DeviceArrays buffers) {
+        this.session = session;
+        this.buffers = buffers;
+        layOut = kernels.plain("readback_request");
+    }
+
+    /**
+     * Asks for the positions after all steps that have been enqueued.
+     *
+     * @param slots slots in use after them
+     * @param steps steps written home since the world was made, once they have been made
+     */
+    void request(HandleTable roster, int slots, int steps) {
+        awaitCopy();
+        requested = false;
+        ensure(HEADER + 8L * roster.end());
+        circles = roster.size();
+        end = roster.end();
+        if (circles < end) {
+            living = roster.copyLiving(living);
+        }
+        stepsDue = steps;
+        layOut(slots);
+        requested = true;
+    }
+
+    /** How many of the steps that precede the request are missing, where it has not been taken. */
+    int missing(int stepsDone) {
+        return requested ? Math.max(0, stepsDue - stepsDone) : 0;
+    }
+
+    /** Lays the positions out behind what has been enqueued, and has them copied. */
+    void layOut(int slots) {
+        awaitCopy();
+        if (circles == 0) {
+            return;
+        }
+        HostBuffer host = targets[current].host;
+        host.ints().put(0, ~stepsDue); // what an earlier request has left there may be the same number
+        layOut.arg(0, buffers.get(DeviceArrays.HOME_ID))
+                .arg(1, buffers.get(DeviceArrays.HOME_CIRCLE))
+                .arg(2, slots)
+                .arg(3, buffers.get(DeviceArrays.STATUS))
+                .arg(4, byId)
+                .run(slots);
+        copies.read(byId, host, HEADER + 8L * end);
+        copying = true;
+    }
+
+    /** Waits for the copy. Returns whether all steps that precede the request had been made when it was laid out. */
+    boolean arrived() {
+        awaitCopy();
+        return circles == 0 || targets[current].host.ints().get(0) == stepsDue;
+    }
+
+    /** What has arrived: x and y of each circle; valid until the request after the next. */
+    FloatBuffer take() {
+        requested = false;
+        Target target = targets[current];
+        if (circles < end) {
+            Readback.closeGaps(id -> (living[id >>> 6] >>> id & 1) != 0, end, target.positions);
+        }
+        current = 1 - current;
+        return target.view.clear().limit(2 * circles);
+    }
+
+    private void awaitCopy() {
+        if (copying) {
+            copies.finish();
+            copying = false;
+        }
+    }
+
+    private void ensure(long bytes) {
+        if (copies == null) {
+            copies = session.copyQueue();
+        }
+        if (byId == null || byId.bytes() < bytes) {
+            DeviceBuffer larger = session.allocate("requested positions", bytes + (bytes >> 1));
+            if (byId != null) {
+                byId.close();
+            }
+            byId = larger;
+        }
+        Target target = targets[current];
+        if (target.host == null || target.host.size() < bytes) {
+            target.replace(session.hostBuffer(Readback.roomier(bytes)));
+        }
+    }
+
+    /** Memory that requests arrive in, with its views. */
+    private static final class Target {
+        HostBuffer host;
+        FloatBuffer positions;
+        FloatBuffer view;
+
+        void replace(HostBuffer larger) {
+            FloatBuffer floats = larger.floats();
+            positions = floats.slice(HEADER / 4, floats.capacity() - HEADER / 4);
+            view = positions.asReadOnlyBuffer();
+            if (host != null) {
+                host.close();
+            }
+            host = larger;
+        }
+    }
+}

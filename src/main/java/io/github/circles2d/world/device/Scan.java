@@ -1,0 +1,42 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Kernel;
+
+/** Exclusive prefix sums on the device; {@code kernels/world/Scan.cl}. */
+final class Scan {
+    /** Work-items of a work-group. */
+    private static final int GROUP = 256;
+
+    /** Elements a work-item. */
+    private static final int EACH = 4;
+
+    private final Kernel blocks;
+    private final Kernel starts;
+
+    Scan(StageKernels kernels) {
+        blocks = kernels.plain("scan_blocks");
+        starts = kernels.plain("scan_starts");
+    }
+
+    /** Number of elements that the arrays of a scan need room for. */
+    static int padded(int elements) {
+        return (elements + EACH - 1) / EACH * EACH;
+    }
+
+    /** Number of block sums that a scan needs. */
+    static int blocks(int elements) {
+        return (elements + EACH * GROUP - 1) / (EACH * GROUP);
+    }
+
+    /** Sums up the tally into one of the stages' buffers, and clears it. */
+    void run(DeviceArrays buffers, int elements, int sums) {
+        run(buffers.get(DeviceArrays.TALLY), elements, buffers.get(DeviceArrays.BLOCK_SUMS), buffers.get(sums));
+    }
+
+    void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums) {
+        long items = (long) blocks(elements) * GROUP;
+        blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run(items, GROUP);
+        starts.arg(0, counts).arg(1, elements).arg(2, blockSums).arg(3, sums).run(items, GROUP);
+    }
+}

@@ -1,0 +1,97 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.GridLevels;
+
+/**
+ * Which rows of cells each worker takes: of each level, a band from an even row to an even row, of about the same weight as the
+ * others. The weight of a row is the number of its circles and, where they are known, of its contacts.
+ */
+final class Bands {
+    private final Grid grid;
+    private final GridLevels levels;
+    private final Team team;
+
+    /** By level and worker: the first row of its band; one more element a level for the end. */
+    private final int[] edges;
+
+    private int narrowest;
+
+    Bands(Grid grid, GridLevels levels, Team team) {
+        this.grid = grid;
+        this.levels = levels;
+        this.team = team;
+        edges = new int[GridLevels.COUNT * (team.most() + 1)];
+    }
+
+    /**
+     * Divides the rows of all levels; one worker does it for all.
+     *
+     * @param contactsBefore by row of all levels: contacts before it; null where they are not known
+     * @param least even number of rows that a band has at least, where there are so many; else some have none
+     */
+    void divide(int[] contactsBefore, int least) {
+        narrowest = Integer.MAX_VALUE;
+        for (int l = 0; l < levels.usedCount; l++) {
+            divide(levels.used[l], contactsBefore, least);
+        }
+    }
+
+    private void divide(int level, int[] contactsBefore, int least) {
+        int rows = levels.rowCount[level];
+        int width = least * team.size() <= rows ? least : 0;
+        int edge = level * (team.most() + 1);
+        long begin = weight(level, 0, contactsBefore);
+        long all = weight(level, rows, contactsBefore) - begin;
+        edges[edge] = 0;
+        for (int worker = 1; worker <= team.size(); worker++, edge++) {
+            int row = worker == team.size()
+                    ? rows
+                    : firstEvenRow(level, begin + all * worker / team.size(), contactsBefore);
+            row = Math.min(Math.max(row, edges[edge] + width), rows - width * (team.size() - worker));
+            edges[edge + 1] = row;
+            narrowest = Math.min(narrowest, row - edges[edge]);
+        }
+    }
+
+    /** The first even row with at least so much weight before it. */
+    private int firstEvenRow(int level, long weight, int[] contactsBefore) {
+        int low = 0;
+        int high = levels.rowCount[level] >> 1;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (weight(level, 2 * middle, contactsBefore) < weight) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return 2 * low;
+    }
+
+    private long weight(int level, int row, int[] contactsBefore) {
+        long circles = grid.start[levels.rowStart(level, row)];
+        return contactsBefore == null ? circles : circles + contactsBefore[levels.firstRow[level] + row];
+    }
+
+    /** First row of a worker's band; of the number of workers: the end of the last band. */
+    int first(int level, int worker) {
+        return edges[level * (team.most() + 1) + worker];
+    }
+
+    /** Circles in the rows of a worker, of all levels. */
+    int circles(int worker) {
+        int sum = 0;
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            sum += grid.start[levels.rowStart(level, first(level, worker + 1))]
+                    - grid.start[levels.rowStart(level, first(level, worker))];
+        }
+        return sum;
+    }
+
+    /** Rows of the narrowest band. */
+    int narrowest() {
+        return narrowest;
+    }
+}

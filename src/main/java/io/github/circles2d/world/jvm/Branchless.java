@@ -1,0 +1,44 @@
+package io.github.circles2d.world.jvm;
+
+/**
+ * Choices between floats without a branch, for loops in which a branch would be taken or not as if by chance: a wrong guess of
+ * the processor costs more than both sides. They give the bits of the plain form for every number that a state can hold.
+ */
+final class Branchless {
+    private static final int SIGN = 0x80000000;
+    private static final int ONE = 0x3F800000;
+
+    private Branchless() {}
+
+    /** a where it is greater than 0, else 0; a must not be NaN. */
+    static float positive(float a) {
+        int bits = Float.floatToRawIntBits(a);
+        return Float.intBitsToFloat(bits & ~(bits >> 31));
+    }
+
+    /** All bits set where a is greater than 0, else none; a must be neither NaN nor -0. */
+    static int isPositive(float a) {
+        return -Float.floatToRawIntBits(a) >> 31;
+    }
+
+    /** All bits set where a is neither 0 nor -0, else none. */
+    static int isNotZero(float a) {
+        return -(Float.floatToRawIntBits(a) & ~SIGN) >> 31;
+    }
+
+    /** All bits set where a is less than 0, else none; all bits for -0; a must not be NaN. */
+    static int isNegative(float a) {
+        return Float.floatToRawIntBits(a) >> 31;
+    }
+
+    /** a where the mask has all bits set, b where it has none. */
+    static float choose(int mask, float a, float b) {
+        int other = Float.floatToRawIntBits(b);
+        return Float.intBitsToFloat(other ^ ((Float.floatToRawIntBits(a) ^ other) & mask));
+    }
+
+    /** -1 where a is negative, else 1; a must not be -0. */
+    static float signOf(float a) {
+        return Float.intBitsToFloat(ONE | Float.floatToRawIntBits(a) & SIGN);
+    }
+}

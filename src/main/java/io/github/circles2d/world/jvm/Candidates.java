@@ -1,0 +1,127 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import java.util.Arrays;
+
+/**
+ * How many pairs each circle is in, of its own level and of coarser ones, and what follows from it: in a crowd, only a share of
+ * the pairs is kept.
+ */
+final class Candidates {
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+
+    /** By slot: the number of pairs. */
+    private int[] count = new int[0];
+
+    /** Whether only a share of the pairs of a crowd is kept. */
+    private boolean thinned;
+
+    Candidates(State state, Grid grid, GridLevels levels) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+    }
+
+    void ensure() {
+        if (count.length < state.capacity()) {
+            count = new int[state.capacity()];
+        }
+        thinned = false;
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 4L * count.length;
+    }
+
+    void clear(int from, int to) {
+        Arrays.fill(count, from, to, 0);
+    }
+
+    /** From here on only a share of the pairs of a crowd is kept. */
+    void thinOut() {
+        thinned = true;
+    }
+
+    boolean thinned() {
+        return thinned;
+    }
+
+    /** Whether a pair of circles that are near to each other is listed: not where both are fixed, and maybe not in a crowd. */
+    boolean keeps(int slot, int other) {
+        if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
+            return false;
+        }
+        if (!thinned) {
+            return true;
+        }
+        int id = state.id[slot];
+        int otherId = state.id[other];
+        int hash = CircleMath.pairHash(Math.min(id, otherId), Math.max(id, otherId));
+        return CircleMath.keeps(hash, Math.min(count[slot], count[other]));
+    }
+
+    /** Counts a contact for its circles; no other worker has any of the same circles. Returns the greater number. */
+    int countContact(int lo, int hi) {
+        int most = 0;
+        // a circle counts those of its own level and of coarser ones, which have lower numbers
+        if (grid.level[lo] >= grid.level[hi]) {
+            most = ++count[lo];
+        }
+        if (grid.level[hi] >= grid.level[lo]) {
+            most = Math.max(most, ++count[hi]);
+        }
+        return most;
+    }
+
+    /** Counts the pairs of some circles without a list: every circle looks at all cells around it. */
+    void countAll(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            int level = grid.level[slot];
+            int sum = 0;
+            for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
+                sum += countInLevel(slot, levels.used[k]);
+            }
+            count[slot] = sum;
+        }
+    }
+
+    private int countInLevel(int slot, int level) {
+        int[] bucketStart = grid.start;
+        int column = grid.column(state.circle[4 * slot], level);
+        int row = grid.row(state.circle[4 * slot + 1], level);
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int sum = 0;
+        for (int v = -1; v <= 1; v++) {
+            int rowStart = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
+            for (int u = -1; u <= 1; u++) {
+                int b = rowStart + GridLevels.neighbour(column, u, columns);
+                sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
+            }
+        }
+        return sum;
+    }
+
+    private int countIn(int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
+        boolean fixed = state.traits[4 * slot] == 0f;
+        int sum = 0;
+        for (int other = from; other < to; other++) {
+            float dx = circle[4 * other] - x;
+            float dy = circle[4 * other + 1] - y;
+            float limit = own + reach[other];
+            if (dx * dx + dy * dy < limit * limit && other != slot && !(fixed && state.traits[4 * other] == 0f)) {
+                sum++;
+            }
+        }
+        return sum;
+    }
+}

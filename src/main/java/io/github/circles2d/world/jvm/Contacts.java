@@ -1,0 +1,357 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Tuning;
+
+/**
+ * Stage Contacts: lists the pairs of circles that may meet within the step, so that every sum can follow one order: by level of
+ * the larger circle, colour, group, lower id, higher id.
+ *
+ * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
+ * contact's level. It touches circles of the 2 x 2 cells from there on, so groups whose columns and rows have the same
+ * parities share no circle: such a colour can be solved in parallel, a group at a time, with no further colouring.
+ *
+ * <p>In memory, contacts lie in rows of groups, as the circles that they touch lie in rows of cells: within a row first the
+ * groups of even columns, then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd
+ * rows 2 and 3.
+ */
+public final class Contacts {
+    /** Floats a contact. */
+    static final int STRIDE = 14;
+
+    /** Difference of the bases, x. */
+    static final int EX = 0;
+
+    static final int EY = 1;
+
+    /** Sum of the radii. */
+    static final int SUM = 2;
+
+    /** Restitution of the pair. */
+    static final int E = 3;
+
+    /** Inverse mass of the circle of lower id. */
+    static final int W_LO = 4;
+
+    static final int W_HI = 5;
+
+    /** Greatest push-out speed. */
+    static final int PUSH = 6;
+
+    /** Normal. */
+    static final int NX = 7;
+
+    static final int NY = 8;
+
+    /** Separation. */
+    static final int S = 9;
+
+    /** Accumulated impulse. */
+    static final int LAMBDA = 10;
+
+    /** Target speed of a bounce, between the two passes of a sub-step. */
+    static final int BOUNCE = 11;
+
+    /** Effective mass. */
+    static final int MASS = 12;
+
+    /** Square of the bounce threshold. */
+    static final int THRESHOLD = 13;
+
+    /** Pairs a circle for which a list has room, before it is given up. */
+    private static final int ROOM_PER_CIRCLE = 24;
+
+    private static final int LEAST_ROOM = 4096;
+
+    /** Contacts that fit into one array. */
+    private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
+
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+    private final Team team;
+    private final ImpulseCache memory;
+    private final Candidates candidates;
+    private final Pairs pairs;
+    private final MixedPairs mixedPairs;
+
+    /** The rows whose contacts each worker lists. */
+    private final Bands bands;
+
+    /** By worker: the pairs that it has found. */
+    private final FoundPairs[] found;
+
+    /** Number of contacts. */
+    int count;
+
+    /** Number of circles when they were listed. */
+    private int circles;
+
+    /** By row of groups, of all levels: its first contact; one more element for the end. */
+    int[] rowStart = new int[1];
+
+    /** By contact: slot of the circle of lower id times 4, slot of the other times 4. */
+    int[] pair = new int[0];
+
+    /** By contact: {@link #STRIDE} floats. */
+    float[] contact = new float[0];
+
+    Contacts(State state, Grid grid, GridLevels levels, Team team) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.team = team;
+        memory = new ImpulseCache(state);
+        candidates = new Candidates(state, grid, levels);
+        pairs = new Pairs(state, grid, levels, candidates);
+        mixedPairs = new MixedPairs(state, grid, levels, candidates, team);
+        bands = new Bands(grid, levels, team);
+        found = new FoundPairs[team.most()];
+        for (int worker = 0; worker < found.length; worker++) {
+            found[worker] = new FoundPairs();
+        }
+    }
+
+    void ensure() {
+        candidates.ensure();
+        mixedPairs.ensure();
+        if (rowStart.length <= levels.rows) {
+            rowStart = new int[levels.rows + 1 + (levels.rows >> 2)];
+        }
+    }
+
+    private void ensureContacts(long contacts) {
+        if (contacts > MOST_CONTACTS) {
+            throw new IllegalStateException(contacts + " contacts are more than the JVM back end can hold");
+        }
+        if (2 * contacts > pair.length) {
+            int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
+            memory.ensure(c);
+            contact = new float[STRIDE * c];
+            pair = new int[2 * c];
+        }
+    }
+
+    // ---- finding
+    // -----------------------------------------------------------------------------------------------------
+
+    /**
+     * Finds the pairs and makes room for their contacts. Where circles crowd, so that a list of all pairs would take too much
+     * memory, it stops half-way: {@link #overflowed} then says so.
+     */
+    void find(int worker) {
+        candidates.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        find(worker, false);
+    }
+
+    /** Finds the pairs again, but only a share of those in a crowd. */
+    void findShare(int worker) {
+        if (overflowed()) {
+            candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
+        }
+        team.sync(worker);
+        if (worker == 0) {
+            candidates.thinOut();
+        }
+        find(worker, true);
+    }
+
+    private void find(int worker, boolean all) {
+        if (worker == 0) {
+            bands.divide(null, 0);
+        }
+        team.sync(worker);
+        mixedPairs.find(
+                worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
+        FoundPairs f = found[worker];
+        f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
+        for (int l = 0; l < levels.usedCount && !mixedPairs.overflowed(); l++) {
+            findInBand(worker, levels.used[l]);
+            f.ofLevel[l + 1] = f.count;
+        }
+        team.sync(worker);
+        if (worker == 0 && !overflowed()) {
+            layOut();
+        }
+        team.sync(worker);
+    }
+
+    private static int room(int circles) {
+        return (int) Math.min(Integer.MAX_VALUE, LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles);
+    }
+
+    private void findInBand(int worker, int level) {
+        FoundPairs f = found[worker];
+        int columns = levels.columnCount[level];
+        int end = bands.first(level, worker + 1);
+        for (int row = bands.first(level, worker); row < end && !f.overflowed; row++) {
+            rowStart[levels.firstRow[level] + row] = f.count;
+            for (int odd = 0; odd < 2; odd++) {
+                for (int column = odd; column < columns; column += 2) {
+                    pairs.find(f, level, column, row);
+                    if (levels.usedCount > 1) {
+                        mixedPairs.gather(f, levels.rowStart(level, row) + column);
+                    }
+                    f.endGroup();
+                }
+                f.flush();
+            }
+        }
+    }
+
+    /** Whether the list was given up because there are too many pairs. */
+    boolean overflowed() {
+        boolean some = mixedPairs.overflowed();
+        for (int w = 0; w < team.size(); w++) {
+            some |= found[w].overflowed;
+        }
+        return some;
+    }
+
+    /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all contacts are filled. */
+    boolean crowded() {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].most > Tuning.CROWD) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Numbers the contacts: level after level, row after row. */
+    private void layOut() {
+        long sum = 0;
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            for (int w = 0; w < team.size(); w++) {
+                FoundPairs f = found[w];
+                int to = levels.firstRow[level] + bands.first(level, w + 1);
+                for (int row = levels.firstRow[level] + bands.first(level, w); row < to; row++) {
+                    rowStart[row] += (int) sum - f.ofLevel[l];
+                }
+                sum += f.ofLevel[l + 1] - f.ofLevel[l];
+            }
+        }
+        ensureContacts(sum);
+        rowStart[levels.rows] = (int) sum;
+        count = (int) sum;
+        circles = state.n;
+    }
+
+    // ---- filling
+    // -----------------------------------------------------------------------------------------------------
+
+    /** First row whose contacts a worker has found, and fills; of the number of workers: the end. */
+    int firstRow(int level, int worker) {
+        return bands.first(level, worker);
+    }
+
+    /** Fills the contacts of a row that this worker has found. No other thread has any of the same circles. */
+    void fillRow(int worker, int l, int row, StepConstants constants) {
+        FoundPairs f = found[worker];
+        int level = levels.used[l];
+        int from = rowStart[levels.firstRow[level] + row];
+        int to = rowStart[levels.firstRow[level] + row + 1];
+        int shift = f.ofLevel[l] - rowStart[levels.firstRow[level] + bands.first(level, worker)];
+        for (int c = from; c < to; c++) {
+            fill(c, f.ids[c + shift], f.slots[c + shift], constants);
+        }
+        if (!candidates.thinned()) {
+            for (int c = from; c < to; c++) {
+                f.most = Math.max(f.most, candidates.countContact(pair[2 * c] >> 2, pair[2 * c + 1] >> 2));
+            }
+        }
+    }
+
+    private void fill(int c, long ids, long slots, StepConstants constants) {
+        int lo = (int) (slots >>> 32);
+        int hi = (int) slots;
+        int i = 4 * lo;
+        int j = 4 * hi;
+        float[] circle = state.circle;
+        float[] traits = state.traits;
+        int k = STRIDE * c;
+        pair[2 * c] = i;
+        pair[2 * c + 1] = j;
+        float sum = circle[i + 2] + circle[j + 2];
+        float ex = circle[j] - circle[i];
+        float ey = circle[j + 1] - circle[i + 1];
+        float e = CircleMath.greatest(traits[i + 1], traits[j + 1]);
+        contact[k + EX] = ex;
+        contact[k + EY] = ey;
+        contact[k + SUM] = sum;
+        contact[k + E] = e;
+        contact[k + THRESHOLD] = CircleMath.bounceThreshold(sum, e, constants.thresholdRate, constants.restRate);
+        contact[k + W_LO] = traits[i];
+        contact[k + W_HI] = traits[j];
+        contact[k + MASS] = 1f / (traits[i] + traits[j]);
+        contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
+        if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
+            part(k, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
+        }
+        contact[k + LAMBDA] = memory.recall(lo, hi, (int) ids) * constants.warmScale;
+    }
+
+    /** Gives a contact a normal for the case that its circles turn out to have one centre. */
+    private void part(int k, int hash) {
+        float px = CircleMath.partingX(hash);
+        float py = CircleMath.partingY(hash);
+        float norm = CircleMath.norm(px, py);
+        contact[k + NX] = px / norm;
+        contact[k + NY] = py / norm;
+    }
+
+    /** What the contacts of the step before have left. */
+    ImpulseCache memory() {
+        return memory;
+    }
+
+    /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
+    void remember(int c, float lambda) {
+        int lo = pair[2 * c] >> 2;
+        memory.remember(c, lo, state.id[pair[2 * c + 1] >> 2], lambda);
+    }
+
+    /** Takes over saved impulses, for which there is room, in place of contacts; the circles have been taken over before. */
+    void load(SavedState from) {
+        count = 0;
+        memory.load(from);
+    }
+
+    /** Pairs whose distance was tested. */
+    long candidatePairs() {
+        long sum = mixedPairs.tested();
+        for (int w = 0; w < team.size(); w++) {
+            sum += found[w].tested;
+        }
+        return sum;
+    }
+
+    /** Ids of the two circles of a contact, the lower one above the higher. */
+    long ids(int c) {
+        return (long) state.id[pair[2 * c] >> 2] << 32 | state.id[pair[2 * c + 1] >> 2];
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (rowStart.length + pair.length + contact.length) + candidates.bytes() + mixedPairs.bytes();
+        for (FoundPairs f : found) {
+            sum += f.bytes();
+        }
+        return sum + memory.bytes();
+    }
+
+    /** Greatest number of contacts of one circle. */
+    int greatest() {
+        int[] degree = new int[circles];
+        int greatest = 0;
+        for (int k = 0; k < 2 * count; k++) {
+            greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
+        }
+        return greatest;
+    }
+}

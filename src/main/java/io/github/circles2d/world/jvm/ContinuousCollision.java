@@ -1,0 +1,245 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Tuning;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+
+/**
+ * Stage Sweep: keeps fast circles from passing through others. A circle is fast where its path in this step is longer than
+ * its radius. Two circles that are not near enough to be listed as a contact, but would touch on their straight paths, stop
+ * where they touch, those of them that are fast; in the next step they are a contact. Where they are a contact already, the
+ * path of a fast one ends where they touch. Every circle is then on a leash around its path: what a
+ * collision makes of its motion may lead it away from there by no more than half its radius before it is looked at again.
+ *
+ * <p>The pair is found by its faster circle, in the cells around its path; only pairs count that move against each other by
+ * more than half the sum of their radii, so that blocks of cells whose circles all move much like this one are passed over.
+ * No speed is changed: energy and momentum do not see this stage, a circle that is stopped loses time, at most a step.
+ */
+public final class ContinuousCollision {
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
+    /** Blocks are 4 x 4 cells. */
+    private static final int BLOCK_LOG = 2;
+
+    private static final int ONE = Float.floatToRawIntBits(1f);
+
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+    private final Team team;
+
+    /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
+    private int[] share = new int[0];
+
+    /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
+    private float[] near = new float[0];
+
+    /** By block: least and greatest path x, least and greatest path y of its circles. */
+    private float[] range = new float[0];
+
+    ContinuousCollision(State state, Grid grid, GridLevels levels, Team team) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.team = team;
+    }
+
+    void ensure() {
+        if (share.length < state.capacity()) {
+            share = new int[state.capacity()];
+            near = new float[state.capacity()];
+        }
+        int blocks = levels.buckets() >> (2 * BLOCK_LOG);
+        if (range.length < 4 * blocks) {
+            range = new float[4 * (blocks + (blocks >> 2))];
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 8L * share.length + 4L * range.length;
+    }
+
+    void sweep(int worker) {
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        start(from, to);
+        if (grid.anyFast()) {
+            for (int l = 0; l < levels.usedCount; l++) {
+                int level = levels.used[l];
+                int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
+                summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
+            }
+            team.sync(worker);
+            for (int slot = from; slot < to; slot++) {
+                if (isFast(slot)) {
+                    lookAhead(slot);
+                }
+            }
+            team.sync(worker);
+        }
+        leash(from, to);
+    }
+
+    private boolean isFast(int slot) {
+        return state.traits[4 * slot] != 0f && CircleMath.isFast(grid.path[slot], state.circle[4 * slot + 2]);
+    }
+
+    private void start(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            share[slot] = ONE;
+            near[slot] = 1f;
+        }
+    }
+
+    private void summarize(int level, int fromRow, int toRow) {
+        int w = levels.columnsLog[level];
+        int firstBlock = levels.first[level] >> (2 * BLOCK_LOG);
+        int columns = 1 << (w - BLOCK_LOG);
+        for (int row = fromRow; row < toRow; row++) {
+            for (int column = 0; column < columns; column++) {
+                float lowX = Float.POSITIVE_INFINITY;
+                float highX = Float.NEGATIVE_INFINITY;
+                float lowY = Float.POSITIVE_INFINITY;
+                float highY = Float.NEGATIVE_INFINITY;
+                for (int v = 0; v < 1 << BLOCK_LOG; v++) {
+                    int bucket = levels.first[level] + (((row << BLOCK_LOG) + v) << w) + (column << BLOCK_LOG);
+                    int end = grid.start[bucket + (1 << BLOCK_LOG)];
+                    for (int slot = grid.start[bucket]; slot < end; slot++) {
+                        float x = state.plan[2 * slot];
+                        float y = state.plan[2 * slot + 1];
+                        lowX = CircleMath.least(x, lowX);
+                        highX = CircleMath.greatest(x, highX);
+                        lowY = CircleMath.least(y, lowY);
+                        highY = CircleMath.greatest(y, highY);
+                    }
+                }
+                int k = 4 * (firstBlock + row * columns + column);
+                range[k] = lowX;
+                range[k + 1] = highX;
+                range[k + 2] = lowY;
+                range[k + 3] = highY;
+            }
+        }
+    }
+
+    /** Looks for circles that a fast one would touch, no faster than itself. */
+    private void lookAhead(int slot) {
+        float x = state.circle[4 * slot];
+        float y = state.circle[4 * slot + 1];
+        float r = state.circle[4 * slot + 2];
+        float path = grid.path[slot];
+        float limit = CircleMath.travelShare(path, r);
+        float px = limit * state.plan[2 * slot];
+        float py = limit * state.plan[2 * slot + 1];
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            float top = levels.top[level];
+            if (!CircleMath.sweeps(r, top)) {
+                continue;
+            }
+            float margin = (r + top) + CircleMath.greatest(limit * path, top);
+            int columns = levels.columnCount[level];
+            int rows = levels.rowCount[level];
+            float edge = levels.inverseEdge[level];
+            int c0 = CircleMath.cell(CircleMath.least(x, x + px) - margin, levels.minX, edge);
+            int c1 = CircleMath.cell(CircleMath.greatest(x, x + px) + margin, levels.minX, edge);
+            int r0 = CircleMath.cell(CircleMath.least(y, y + py) - margin, levels.minY, edge);
+            int r1 = CircleMath.cell(CircleMath.greatest(y, y + py) + margin, levels.minY, edge);
+            lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), r0, Math.min(r1, r0 + rows - 1));
+        }
+    }
+
+    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1) {
+        int w = levels.columnsLog[level];
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int firstBlock = levels.first[level] >> (2 * BLOCK_LOG);
+        float half = 0.5f * state.circle[4 * slot + 2];
+        float px = state.plan[2 * slot];
+        float py = state.plan[2 * slot + 1];
+        for (int v = r0; v <= r1; ) {
+            int row = GridLevels.onRing(v, rows);
+            int rowsOfBlock = inBlock(row, rows, r1 - v);
+            for (int u = c0; u <= c1; ) {
+                int column = GridLevels.onRing(u, columns);
+                int columnsOfBlock = inBlock(column, columns, c1 - u);
+                int k = 4 * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
+                if (CircleMath.differ(px, py, range[k], range[k + 1], range[k + 2], range[k + 3], half)) {
+                    for (int r = row; r < row + rowsOfBlock; r++) {
+                        int first = levels.rowStart(level, r) + column;
+                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock]);
+                    }
+                }
+                u += columnsOfBlock;
+            }
+            v += rowsOfBlock;
+        }
+    }
+
+    /** How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many behind it. */
+    private static int inBlock(int column, int side, int most) {
+        int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
+        return Math.min(Math.min(blockEnd, side) - column, most + 1);
+    }
+
+    private void meetAll(int slot, int from, int to) {
+        for (int other = from; other < to; other++) {
+            if (other != slot) {
+                meet(slot, other);
+            }
+        }
+    }
+
+    private void meet(int slot, int other) {
+        float[] circle = state.circle;
+        float[] plan = state.plan;
+        float r = circle[4 * slot + 2];
+        float ro = circle[4 * other + 2];
+        float ux = plan[2 * slot] - plan[2 * other];
+        float uy = plan[2 * slot + 1] - plan[2 * other + 1];
+        float dx = circle[4 * other] - circle[4 * slot];
+        float dy = circle[4 * other + 1] - circle[4 * slot + 1];
+        if (!CircleMath.mayPass(ux, uy, r, ro)) {
+            return;
+        }
+        float limit = grid.reach[slot] + grid.reach[other];
+        if (dx * dx + dy * dy < limit * limit) {
+            near[slot] = CircleMath.least(CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro), near[slot]);
+        } else if (grid.path[other] <= grid.path[slot] || !CircleMath.isFast(grid.path[other], ro)) {
+            float t = CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro);
+            if (t < 1f) {
+                shorten(slot, t);
+                if (isFast(other)) {
+                    shorten(other, t);
+                }
+            }
+        }
+    }
+
+    private void shorten(int slot, float t) {
+        int bits = Float.floatToRawIntBits(t);
+        int seen = share[slot];
+        while (bits < seen && !INTS.compareAndSet(share, slot, seen, bits)) {
+            seen = (int) INTS.getVolatile(share, slot);
+        }
+    }
+
+    /** Lays the leashes. */
+    private void leash(int from, int to) {
+        float[] leash = state.leash;
+        for (int slot = from; slot < to; slot++) {
+            float r = state.circle[4 * slot + 2];
+            float limit = CircleMath.least(CircleMath.travelShare(grid.path[slot], r), near[slot]);
+            float free = Float.intBitsToFloat(share[slot]);
+            boolean stopped = free < limit;
+            float kept = stopped ? free : limit;
+            leash[4 * slot] = kept * state.plan[2 * slot];
+            leash[4 * slot + 1] = kept * state.plan[2 * slot + 1];
+            leash[4 * slot + 2] = stopped ? 0f : Tuning.LEASH * r;
+        }
+    }
+}

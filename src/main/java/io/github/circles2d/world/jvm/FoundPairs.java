@@ -1,0 +1,155 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.GridLevels;
+import java.util.Arrays;
+
+/**
+ * The pairs that one worker found, in the order of the contacts to be; and a place at the end of the list where the pairs of a
+ * few groups gather until their order is known.
+ */
+final class FoundPairs {
+    /** Groups whose contacts are laid out together. */
+    static final int TOGETHER = 16;
+
+    private static final int SHORT = 24;
+
+    /** Number of pairs in order. */
+    int count;
+
+    /** By pair: ids, lower above higher. */
+    long[] ids = new long[256];
+
+    /** By pair: slots, in the same order as the ids. */
+    long[] slots = new long[256];
+
+    /** Number of pairs whose distance was tested. */
+    long tested;
+
+    /** Number of pairs from which on the list is given up. */
+    private int room;
+
+    /** Whether the list was given up. */
+    boolean overflowed;
+
+    /** Greatest number of candidates of one circle, of those whose contacts this worker has filled last. */
+    int most;
+
+    /** By level in use: number of the first pair; one more element for the end. */
+    final int[] ofLevel = new int[GridLevels.COUNT + 1];
+
+    private long[] gatheredIds = new long[256];
+    private long[] gatheredSlots = new long[256];
+
+    /** Number of pairs gathered. */
+    private int gathered;
+
+    /** By gathered group: the first of its pairs; one more element for the end. */
+    private final int[] groupStart = new int[TOGETHER + 1];
+
+    /** By gathered group that is not empty: the next of its pairs. */
+    private final int[] next = new int[TOGETHER];
+
+    /** By gathered group that is not empty: the end of its pairs. */
+    private final int[] end = new int[TOGETHER];
+
+    private int groups;
+
+    /** What {@link Pairs} works with. */
+    final long[] hits = Pairs.newHits();
+
+    void reset(int newRoom) {
+        room = newRoom;
+        overflowed = false;
+        count = 0;
+        gathered = 0;
+        groups = 0;
+        tested = 0;
+        most = 0;
+    }
+
+    /** Gathers a pair of the group that is being found. */
+    void gather(int slot, int id, int other, int otherId) {
+        if (gathered == gatheredIds.length) {
+            gatheredIds = Arrays.copyOf(gatheredIds, 2 * gathered);
+            gatheredSlots = Arrays.copyOf(gatheredSlots, 2 * gathered);
+        }
+        // exchanged where the other has the lower id; no branch, which would be taken as if by chance
+        int exchange = (slot ^ other) & (otherId - id >> 31);
+        gatheredIds[gathered] = (long) Math.min(id, otherId) << 32 | Math.max(id, otherId);
+        gatheredSlots[gathered++] = (long) (slot ^ exchange) << 32 | (other ^ exchange);
+        overflowed |= count + gathered > room;
+    }
+
+    /** Ends a group: its pairs are put in order of their ids. */
+    void endGroup() {
+        int from = groupStart[groups];
+        if (gathered == from) {
+            return;
+        }
+        sort(from, gathered);
+        groupStart[++groups] = gathered;
+        if (groups == TOGETHER) {
+            flush();
+        }
+    }
+
+    private void sort(int from, int to) {
+        if (to - from > SHORT) {
+            HeapSort.longs(gatheredIds, gatheredSlots, from, to);
+            return;
+        }
+        for (int k = from + 1; k < to; k++) {
+            long id = gatheredIds[k];
+            long slot = gatheredSlots[k];
+            int p = k;
+            while (p > from && gatheredIds[p - 1] > id) {
+                gatheredIds[p] = gatheredIds[p - 1];
+                gatheredSlots[p] = gatheredSlots[p - 1];
+                p--;
+            }
+            gatheredIds[p] = id;
+            gatheredSlots[p] = slot;
+        }
+    }
+
+    /**
+     * Puts what has been gathered into the list: the first pair of each group, then the second of each. The groups share no
+     * circle, so a processor can work on neighbours in this order at the same time.
+     */
+    void flush() {
+        ensure(count + gathered);
+        int open = groups;
+        for (int k = 0; k < open; k++) {
+            next[k] = groupStart[k];
+            end[k] = groupStart[k + 1];
+        }
+        while (open > 0) {
+            int left = 0;
+            for (int k = 0; k < open; k++) {
+                int from = next[k];
+                ids[count] = gatheredIds[from];
+                slots[count++] = gatheredSlots[from];
+                if (from + 1 < end[k]) {
+                    next[left] = from + 1;
+                    end[left++] = end[k];
+                }
+            }
+            open = left;
+        }
+        gathered = 0;
+        groups = 0;
+    }
+
+    private void ensure(int pairs) {
+        if (pairs > ids.length) {
+            int c = Math.max(pairs, ids.length + (ids.length >> 1));
+            ids = Arrays.copyOf(ids, c);
+            slots = Arrays.copyOf(slots, c);
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 16L * (ids.length + gatheredIds.length);
+    }
+}

@@ -1,0 +1,195 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.Arrays;
+
+/**
+ * Stage Grid: sorts the circles by (level, bucket), and by id within a bucket, so that a bucket's circles have consecutive
+ * slots. A counting sort: count, sum up, scatter, then order each bucket, which undoes whatever order the threads met in.
+ */
+public final class Grid {
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
+    private final State state;
+    private final GridLevels levels;
+    private final Team team;
+
+    /** By slot: the bucket, before the sort; {@link #bucketOf} after it. */
+    private int[] bucketBefore = new int[0];
+
+    /** By slot, before the sort: how many of its bucket were counted before it. */
+    private int[] rank = new int[0];
+
+    /** By new slot: the old slot. */
+    private int[] order = new int[0];
+
+    /** By slot: the bucket. */
+    int[] bucketOf = new int[0];
+
+    /** By slot: how far the circle looks for contacts. */
+    float[] reach = new float[0];
+
+    /** By slot: length of what the circle would move in the step. */
+    float[] path = new float[0];
+
+    /** By slot: the level. */
+    byte[] level = new byte[0];
+
+    /** By bucket: its first slot; one more element for the end. */
+    int[] start = new int[1];
+
+    private final Sums sums;
+
+    private volatile boolean moved;
+    private volatile boolean fast;
+
+    Grid(State state, GridLevels levels, Team team) {
+        this.state = state;
+        this.levels = levels;
+        this.team = team;
+        sums = new Sums(team);
+    }
+
+    void ensure() {
+        if (bucketOf.length < state.capacity()) {
+            int c = state.capacity();
+            bucketBefore = new int[c];
+            rank = new int[c];
+            order = new int[c];
+            bucketOf = new int[c];
+            reach = new float[c];
+            path = new float[c];
+            level = new byte[c];
+        }
+        if (start.length <= levels.buckets()) {
+            start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
+        }
+        moved = false;
+        fast = false;
+    }
+
+    void build(int worker, StepConstants constants) {
+        int n = state.n;
+        int buckets = levels.buckets();
+        Arrays.fill(start, team.part(buckets, worker), team.part(buckets, worker + 1), 0);
+        team.sync(worker);
+        count(team.part(n, worker), team.part(n, worker + 1));
+        team.sync(worker);
+        sums.sumUp(worker, start, buckets);
+        scatter(team.part(n, worker), team.part(n, worker + 1));
+        team.sync(worker);
+        sortBuckets(team.part(buckets, worker), team.part(buckets, worker + 1));
+        team.sync(worker);
+        if (moved) {
+            state.permute(order, team.part(n, worker), team.part(n, worker + 1));
+            team.sync(worker);
+            if (worker == 0) {
+                state.swap();
+            }
+            team.sync(worker);
+        }
+        describe(team.part(n, worker), team.part(n, worker + 1), constants);
+        team.sync(worker);
+    }
+
+    private void count(int from, int to) {
+        float[] circle = state.circle;
+        boolean shared = team.size() > 1;
+        for (int slot = from; slot < to; slot++) {
+            int s = 4 * slot;
+            int bucket = bucket(circle[s], circle[s + 1], levels.level(circle[s + 2]));
+            bucketBefore[slot] = bucket;
+            rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
+        }
+    }
+
+    private int bucket(float x, float y, int atLevel) {
+        int column = column(x, atLevel);
+        int row = row(y, atLevel);
+        return levels.first[atLevel] + column + (row << levels.columnsLog[atLevel]);
+    }
+
+    int column(float x, int atLevel) {
+        return GridLevels.onRing(
+                CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]), levels.columnCount[atLevel]);
+    }
+
+    int row(float y, int atLevel) {
+        return GridLevels.onRing(
+                CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]), levels.rowCount[atLevel]);
+    }
+
+    private void scatter(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            order[start[bucketBefore[slot]] + rank[slot]] = slot;
+        }
+    }
+
+    /** Insertion sort by id: buckets are short, and nearly in order from the step before; a long one takes a heap sort. */
+    private void sortBuckets(int from, int to) {
+        int[] id = state.id;
+        boolean same = true;
+        for (int bucket = from; bucket < to; bucket++) {
+            int first = start[bucket];
+            int end = start[bucket + 1];
+            if (end - first > 64) {
+                HeapSort.byKey(order, id, first, end);
+            }
+            for (int k = first; k < end; k++) {
+                int slot = order[k];
+                int key = id[slot];
+                int p = k;
+                while (p > first && id[order[p - 1]] > key) {
+                    order[p] = order[p - 1];
+                    p--;
+                }
+                order[p] = slot;
+                bucketOf[k] = bucket;
+            }
+            for (int k = first; k < end; k++) {
+                same &= order[k] == k;
+            }
+        }
+        if (!same) {
+            moved = true;
+        }
+    }
+
+    private void describe(int from, int to, StepConstants constants) {
+        float[] circle = state.circle;
+        float[] motion = state.motion;
+        float[] plan = state.plan;
+        boolean some = false;
+        for (int slot = from; slot < to; slot++) {
+            int s = 4 * slot;
+            float r = circle[s + 2];
+            boolean fixed = state.traits[s] == 0f;
+            float px = CircleMath.plan(motion[s + 2], constants.dt, fixed ? 0f : constants.fallX);
+            float py = CircleMath.plan(motion[s + 3], constants.dt, fixed ? 0f : constants.fallY);
+            plan[2 * slot] = px;
+            plan[2 * slot + 1] = py;
+            level[slot] = (byte) levels.level(r);
+            path[slot] = CircleMath.norm(px, py);
+            reach[slot] = CircleMath.reach(r, path[slot]);
+            some |= !fixed && CircleMath.isFast(path[slot], r);
+        }
+        if (some) {
+            fast = true;
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return (6 * 4 + 1L) * bucketOf.length + 4L * start.length;
+    }
+
+    /** Whether any circle is fast in this step. */
+    boolean anyFast() {
+        return fast;
+    }
+}

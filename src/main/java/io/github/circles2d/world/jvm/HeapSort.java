@@ -1,0 +1,74 @@
+package io.github.circles2d.world.jvm;
+
+/** Heap sorts in place: no recursion, no memory, and no input that makes them slow. */
+final class HeapSort {
+    private HeapSort() {}
+
+    /** Sorts items [from, to) by key[item]; keys are distinct. */
+    static void byKey(int[] items, int[] key, int from, int to) {
+        int n = to - from;
+        for (int k = n / 2 - 1; k >= 0; k--) {
+            sink(items, key, from, k, n);
+        }
+        for (int end = n - 1; end > 0; end--) {
+            int top = items[from];
+            items[from] = items[from + end];
+            items[from + end] = top;
+            sink(items, key, from, 0, end);
+        }
+    }
+
+    private static void sink(int[] items, int[] key, int from, int root, int n) {
+        int item = items[from + root];
+        int k = root;
+        while (2 * k + 1 < n) {
+            int child = 2 * k + 1;
+            if (child + 1 < n && key[items[from + child]] < key[items[from + child + 1]]) {
+                child++;
+            }
+            if (key[items[from + child]] <= key[item]) {
+                break;
+            }
+            items[from + k] = items[from + child];
+            k = child;
+        }
+        items[from + k] = item;
+    }
+
+    /** Sorts keys [from, to), distinct, and with them their values. */
+    static void longs(long[] keys, long[] values, int from, int to) {
+        int n = to - from;
+        for (int k = n / 2 - 1; k >= 0; k--) {
+            sink(keys, values, from, k, n);
+        }
+        for (int end = n - 1; end > 0; end--) {
+            long key = keys[from];
+            keys[from] = keys[from + end];
+            keys[from + end] = key;
+            long value = values[from];
+            values[from] = values[from + end];
+            values[from + end] = value;
+            sink(keys, values, from, 0, end);
+        }
+    }
+
+    private static void sink(long[] keys, long[] values, int from, int root, int n) {
+        long key = keys[from + root];
+        long value = values[from + root];
+        int k = root;
+        while (2 * k + 1 < n) {
+            int child = 2 * k + 1;
+            if (child + 1 < n && keys[from + child] < keys[from + child + 1]) {
+                child++;
+            }
+            if (keys[from + child] <= key) {
+                break;
+            }
+            keys[from + k] = keys[from + child];
+            values[from + k] = values[from + child];
+            k = child;
+        }
+        keys[from + k] = key;
+        values[from + k] = value;
+    }
+}

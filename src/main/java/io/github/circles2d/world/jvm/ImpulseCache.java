@@ -1,0 +1,95 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.StateHash;
+import java.util.Arrays;
+
+/**
+ * The impulses that the contacts of a step ended with, for the step after it to start from. They are kept by the contacts'
+ * numbers in that step, in a chain for each circle of lower id, which begins at {@link State#memory}; circles of higher id
+ * are named by their ids, so slots may change in between.
+ */
+final class ImpulseCache {
+    private final State state;
+
+    /** By contact of the step before: id of the circle of higher id. */
+    private int[] hiId = new int[0];
+
+    /** By contact of the step before: its impulse. */
+    private float[] lambda = new float[0];
+
+    /** By contact of the step before: the next with the same circle of lower id, or -1. */
+    private int[] next = new int[0];
+
+    ImpulseCache(State state) {
+        this.state = state;
+    }
+
+    /** Makes room for contacts. The length of the array that grows last tells whether there is room. */
+    void ensure(int contacts) {
+        if (next.length < contacts) {
+            hiId = Arrays.copyOf(hiId, contacts);
+            lambda = Arrays.copyOf(lambda, contacts);
+            next = Arrays.copyOf(next, contacts);
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 12L * hiId.length;
+    }
+
+    /** The impulse of a pair of slots, of which the higher id is known; 0 where there is none. */
+    float recall(int lo, int hi, int id) {
+        if (!state.fresh[hi]) {
+            for (int c = state.memory[lo]; c >= 0; c = next[c]) {
+                if (hiId[c] == id) {
+                    return lambda[c];
+                }
+            }
+        }
+        return 0f;
+    }
+
+    /** Remembers the impulse of contact c. No two contacts with a circle in common at once. */
+    void remember(int c, int lo, int id, float impulse) {
+        hiId[c] = id;
+        lambda[c] = impulse;
+        next[c] = state.memory[lo];
+        state.memory[lo] = c;
+    }
+
+    /** Whether the circle of higher id is still the one that the impulse belongs to. */
+    private boolean isRecalled(int c) {
+        int hi = state.slotOf[hiId[c]];
+        return hi >= 0 && !state.fresh[hi];
+    }
+
+    /** Saves the impulses of a slot, as the circle of lower id, that the next step may recall. */
+    void save(int slot, SavedState into) {
+        for (int c = state.memory[slot]; c >= 0; c = next[c]) {
+            if (isRecalled(c)) {
+                into.addImpulse(state.id[slot], hiId[c], lambda[c]);
+            }
+        }
+    }
+
+    /** Takes over saved impulses, for which there is room; the circles have been taken over before. */
+    void load(SavedState from) {
+        for (int c = 0; c < from.impulses; c++) {
+            remember(c, state.slotOf[from.lo[c]], from.hi[c], from.lambda[c]);
+        }
+    }
+
+    /** The part of the impulses of a slot, as the circle of lower id, in the hash of the state. */
+    long hash(int slot) {
+        long sum = 0;
+        for (int c = state.memory[slot]; c >= 0; c = next[c]) {
+            if (isRecalled(c)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), hiId[c]);
+                sum += StateHash.absorb(h, lambda[c]);
+            }
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,269 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
+import java.nio.FloatBuffer;
+import java.util.Map;
+
+/** The World engine in plain Java: the oracle that every other pipeline is compared with. */
+public final class JvmPipeline implements Pipeline {
+    /** Circles that a thread has at least: with fewer, waiting for each other costs more than it saves. */
+    public static final int LEAST_SHARE = 512;
+
+    private static final int GRID = 0;
+    private static final int SWEEP = 1;
+    private static final int CONTACTS = 2;
+    private static final int SOLVER = 3;
+
+    private final State state = new State();
+    private final GridLevels levels = new GridLevels();
+    private final Team team;
+    private final Grid grid;
+    private final Contacts contacts;
+    private final ContinuousCollision sweep;
+    private final Solver solver;
+    private final StageTimes times;
+    private final int leastShare;
+    private final Team.Work work = this::makeSteps;
+
+    /** What the workers are to do, and with what. */
+    private StepConstants constants;
+
+    private int steps;
+
+    private final Positions positions = new Positions();
+
+    /** The positions requested last, and those taken last, which a caller may still look into. */
+    private Positions requested = new Positions();
+
+    private Positions taken = new Positions();
+
+    /**
+     * An empty world.
+     *
+     * @param threads greatest number of threads of a step, at least 1
+     * @param leastShare number of circles that a thread has at least; {@link #LEAST_SHARE} but in tests
+     * @param capacity number of circles to make room for
+     * @param profiling whether to measure the time of each stage
+     */
+    public JvmPipeline(int threads, int leastShare, int capacity, boolean profiling) {
+        team = new Team(threads);
+        this.leastShare = leastShare;
+        times = new StageTimes(profiling, "Grid", "Sweep", "Contacts", "Solver");
+        grid = new Grid(state, levels, team);
+        contacts = new Contacts(state, grid, levels, team);
+        sweep = new ContinuousCollision(state, grid, levels, team);
+        solver = new Solver(state, grid, contacts, levels, team);
+        state.ensure(capacity);
+    }
+
+    @Override
+    public void makeRoom(Commands commands) {
+        state.makeRoom(commands);
+    }
+
+    @Override
+    public void apply(Commands commands) {
+        state.apply(commands);
+    }
+
+    @Override
+    public void step(StepConstants stepConstants, GridLevels shape, int count) {
+        levels.copy(shape);
+        constants = stepConstants;
+        steps = count;
+        team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
+    }
+
+    /** What each worker does. Arrays grow, and are exchanged, by worker 0 alone, while the others wait. */
+    private void makeSteps(int worker) {
+        for (int step = 0; step < steps; step++) {
+            if (worker == 0) {
+                begin(step);
+            }
+            team.sync(worker);
+            makeStep(worker);
+        }
+    }
+
+    private void begin(int step) {
+        if (step > 0) {
+            constants.warmScale = 1f;
+        }
+        times.begin();
+        grid.ensure();
+        contacts.ensure();
+        sweep.ensure();
+    }
+
+    private void makeStep(int worker) {
+        grid.build(worker, constants);
+        end(worker, GRID);
+        sweep.sweep(worker);
+        end(worker, SWEEP);
+        contacts.find(worker);
+        boolean overflowed = contacts.overflowed();
+        if (!overflowed) {
+            solver.prepare(worker, constants);
+        }
+        if (overflowed || contacts.crowded()) {
+            contacts.findShare(worker);
+            solver.prepare(worker, constants);
+        }
+        end(worker, CONTACTS);
+        solver.solve(worker, constants);
+        end(worker, SOLVER);
+    }
+
+    private void end(int worker, int stage) {
+        if (worker == 0) {
+            times.end(stage);
+        }
+    }
+
+    @Override
+    public void finish() {
+        // a step has been made when step returns
+    }
+
+    @Override
+    public void confine(Bounds bounds) {
+        state.confine(bounds);
+    }
+
+    @Override
+    public long hash() {
+        long sum = state.hash();
+        for (int slot = 0; slot < state.n; slot++) {
+            sum += contacts.memory().hash(slot);
+        }
+        return sum;
+    }
+
+    @Override
+    public void readCircles(HandleTable roster, float[] to) {
+        int k = 0;
+        for (int id = 0; id < roster.end(); id++) {
+            if (roster.lives(id)) {
+                System.arraycopy(state.circle, 4 * state.slotOf[id], to, 4 * k++, 4);
+            }
+        }
+    }
+
+    @Override
+    public FloatBuffer positions(HandleTable roster) {
+        positions.copy(state, roster);
+        return positions.view();
+    }
+
+    @Override
+    public void requestPositions(HandleTable roster) {
+        requested.copy(state, roster);
+    }
+
+    @Override
+    public boolean positionsArrived() {
+        return true;
+    }
+
+    @Override
+    public FloatBuffer takePositions() {
+        Positions next = taken;
+        taken = requested;
+        requested = next;
+        return taken.view();
+    }
+
+    @Override
+    public void readVelocities(HandleTable roster, float[] to) {
+        int k = 0;
+        for (int id = 0; id < roster.end(); id++) {
+            if (roster.lives(id)) {
+                int s = 4 * state.slotOf[id];
+                to[2 * k] = state.motion[s + 2];
+                to[2 * k + 1] = state.motion[s + 3];
+                k++;
+            }
+        }
+    }
+
+    @Override
+    public void save(SavedState into) {
+        into.impulses = 0;
+        for (int k = 0; k < into.circles; k++) {
+            int slot = state.slotOf[into.id[k]];
+            state.save(slot, into, k);
+            contacts.memory().save(slot, into);
+        }
+    }
+
+    @Override
+    public void makeRoom(SavedState from) {
+        state.ensure(from.circles);
+        state.ensureIds(from.ids);
+        contacts.memory().ensure(from.impulses);
+    }
+
+    @Override
+    public void load(SavedState from) {
+        state.load(from);
+        contacts.load(from);
+    }
+
+    @Override
+    public long candidatePairs() {
+        return contacts.candidatePairs();
+    }
+
+    @Override
+    public int contacts() {
+        return contacts.count;
+    }
+
+    @Override
+    public int greatestContacts() {
+        return contacts.greatest();
+    }
+
+    @Override
+    public long bytesHeld() {
+        return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes();
+    }
+
+    @Override
+    public Map<String, Double> stageMillis() {
+        return times.millis();
+    }
+
+    @Override
+    public String device() {
+        return "Java " + System.getProperty("java.version") + ", " + team.most()
+                + (team.most() == 1 ? " thread" : " threads");
+    }
+
+    @Override
+    public void close() {
+        team.close();
+    }
+
+    /** The contacts of the last step. */
+    Contacts lastContacts() {
+        return contacts;
+    }
+
+    /**
+     * Puts the circles into other slots, of which nothing may depend.
+     *
+     * @param order the present slot of each slot to be
+     */
+    void permute(int[] order) {
+        state.permute(order, 0, state.n);
+        state.swap();
+    }
+}

@@ -1,0 +1,102 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.GridLevels;
+
+/**
+ * Finds the pairs of circles of one level whose reaches meet, group by group: in the 2 x 2 cells of a group, those pairs whose
+ * lesser column and lesser row are the group's. So each pair is found once, and where its contact belongs.
+ */
+public final class Pairs {
+    /** Circles that are tested against another in one go. */
+    private static final int BLOCK = 64;
+
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+
+    private final Candidates candidates;
+
+    Pairs(State state, Grid grid, GridLevels levels, Candidates candidates) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.candidates = candidates;
+    }
+
+    /** Pairs near to each other, a few at a time: slot of the one above slot of the other. */
+    static long[] newHits() {
+        return new long[2 * BLOCK];
+    }
+
+    /** Gathers the pairs of a group. */
+    void find(FoundPairs f, int level, int column, int row) {
+        int[] start = grid.start;
+        int nextColumn = GridLevels.neighbour(column, 1, levels.columnCount[level]);
+        int own = levels.rowStart(level, row);
+        int above = levels.rowStart(level, GridLevels.neighbour(row, 1, levels.rowCount[level]));
+        int from = start[own + column];
+        int to = start[own + column + 1];
+        int rightFrom = start[own + nextColumn];
+        int rightTo = start[own + nextColumn + 1];
+        int aboveFrom = start[above + column];
+        int aboveTo = start[above + column + 1];
+        int count = 0;
+        for (int slot = rightFrom; slot < rightTo; slot++) {
+            count = scan(f, count, slot, aboveFrom, aboveTo);
+        }
+        if (nextColumn > 0) {
+            int aboveRightTo = start[above + nextColumn + 1];
+            for (int slot = from; slot < to; slot++) {
+                count = scan(f, count, slot, slot + 1, rightTo);
+                count = scan(f, count, slot, aboveFrom, aboveRightTo);
+            }
+        } else {
+            for (int slot = from; slot < to; slot++) {
+                count = scan(f, count, slot, slot + 1, to);
+                count = scan(f, count, slot, rightFrom, rightTo);
+                count = scan(f, count, slot, aboveFrom, aboveTo);
+                count = scan(f, count, slot, start[above], start[above + 1]);
+            }
+        }
+        gather(f, count);
+    }
+
+    /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */
+    private int scan(FoundPairs f, int hitsBefore, int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = grid.reach;
+        long[] hits = f.hits;
+        float x = circle[4 * slot];
+        float y = circle[4 * slot + 1];
+        float own = reach[slot];
+        int count = hitsBefore;
+        for (int begin = from; begin < to; begin += BLOCK) {
+            int end = Math.min(to, begin + BLOCK);
+            for (int other = begin; other < end; other++) {
+                float dx = circle[4 * other] - x;
+                float dy = circle[4 * other + 1] - y;
+                float limit = own + reach[other];
+                hits[count] = (long) slot << 32 | other;
+                // one more where the difference is negative; no branch, which would be taken as if by chance
+                count -= Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) >> 31;
+            }
+            f.tested += end - begin;
+            if (count > BLOCK) {
+                gather(f, count);
+                count = 0;
+            }
+        }
+        return count;
+    }
+
+    private void gather(FoundPairs f, int count) {
+        int[] id = state.id;
+        for (int k = 0; k < count && !f.overflowed; k++) {
+            int slot = (int) (f.hits[k] >>> 32);
+            int other = (int) f.hits[k];
+            if (candidates.keeps(slot, other)) {
+                f.gather(slot, id[slot], other, id[other]);
+            }
+        }
+    }
+}

@@ -1,0 +1,33 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.HandleTable;
+import java.nio.FloatBuffer;
+
+/** Positions that callers look into. */
+public final class Positions {
+    private FloatBuffer floats = FloatBuffer.allocate(0);
+    private FloatBuffer view = floats.asReadOnlyBuffer();
+
+    /** Takes the positions of now, in ascending order of ids. */
+    void copy(State state, HandleTable roster) {
+        if (floats.capacity() < 2 * roster.size()) {
+            FloatBuffer larger = FloatBuffer.allocate(3 * roster.size());
+            view = larger.asReadOnlyBuffer();
+            floats = larger;
+        }
+        int k = 0;
+        for (int id = 0; id < roster.end(); id++) {
+            if (roster.lives(id)) {
+                int s = 4 * state.slotOf[id];
+                floats.put(k++, state.circle[s]);
+                floats.put(k++, state.circle[s + 1]);
+            }
+        }
+        view.clear().limit(k);
+    }
+
+    /** What was copied last, read-only. */
+    FloatBuffer view() {
+        return view;
+    }
+}

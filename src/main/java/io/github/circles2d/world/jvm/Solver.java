@@ -1,0 +1,254 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
+
+/**
+ * Stage Solver: moves the circles through one step of a number of sub-steps.
+ *
+ * <p>Soft contacts with warm starting, one biased and one relaxing pass over the contacts a sub-step (after E. Catto,
+ * "Solver2D", 2024), with restitution inside the sub-step. See the package's documentation for the order. What is done to the
+ * contacts is in {@link ContactPasses}, what is done to the circles in {@link CirclePasses}; here is who does it when.
+ *
+ * <p>The groups of a row touch circles of that row of cells and of the next. So the even rows may run at the same time, and
+ * then the odd ones; and an odd row may run as soon as the two even ones beside it have. Within a row, contacts run as they are
+ * laid out: groups of even columns before those of odd ones.
+ *
+ * <p>Where all circles are of one level, this goes for whole sub-steps too: what a row needs is what the rows beside it have come
+ * to. So each worker sweeps over its band of rows, and takes all passes of a sub-step or of several along, each some rows behind
+ * the one before: the rows are still in the processor's cache, and workers wait for each other twice a sweep. What a sweep
+ * cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge outwards.
+ */
+public final class Solver {
+    /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */
+    private static final int LAG = 4;
+
+    /** Rows of the narrowest band a sub-step of a sweep: the work at the edges is not shared as evenly as the rest. */
+    private static final int ROWS_PER_SUB_STEP = 24;
+
+    private final State state;
+    private final Grid grid;
+    private final Contacts contacts;
+    private final GridLevels levels;
+    private final Team team;
+    private final CirclePasses mover;
+
+    /** By worker: each has its own place to work. */
+    private final ContactPasses[] passes;
+
+    private final Bands bands;
+
+    Solver(State state, Grid grid, Contacts contacts, GridLevels levels, Team team) {
+        this.state = state;
+        this.grid = grid;
+        this.contacts = contacts;
+        this.levels = levels;
+        this.team = team;
+        mover = new CirclePasses(state);
+        passes = new ContactPasses[team.most()];
+        for (int worker = 0; worker < passes.length; worker++) {
+            passes[worker] = new ContactPasses(state, contacts);
+        }
+        bands = new Bands(grid, levels, team);
+    }
+
+    /** Fills the contacts, and measures them for the first sub-step. */
+    void prepare(int worker, StepConstants k) {
+        if (worker == 0) {
+            bands.divide(contacts.rowStart, 2 * LAG);
+        }
+        mover.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        team.sync(worker);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int from = contacts.firstRow(levels.used[l], worker);
+            int to = contacts.firstRow(levels.used[l], worker + 1);
+            for (int row = from; row < to; row += 2) {
+                prepare(worker, l, row, k);
+                if (row > from) {
+                    prepare(worker, l, row - 1, k);
+                }
+            }
+            team.sync(worker);
+            if (from < to) {
+                prepare(worker, l, to - 1, k);
+            }
+            team.sync(worker);
+        }
+    }
+
+    void solve(int worker, StepConstants k) {
+        if (levels.usedCount == 1 && bands.narrowest() >= 2 * LAG) {
+            solveInSweeps(worker, k);
+        } else {
+            solveInPasses(worker, k);
+        }
+    }
+
+    // ---- sweeps, where there is one level
+    // ----------------------------------------------------------------------------
+
+    private void solveInSweeps(int worker, StepConstants k) {
+        int from = bands.first(levels.used[0], worker);
+        int to = bands.first(levels.used[0], worker + 1);
+        int most = Math.max(1, bands.narrowest() / ROWS_PER_SUB_STEP);
+        for (int sub = 0; sub < k.subSteps; sub += most) {
+            int end = Math.min(k.subSteps, sub + most);
+            sweep(worker, from, to, 1, sub, end, k);
+            team.sync(worker);
+            sweep(worker, to, to, -1, sub, end, k);
+            team.sync(worker);
+        }
+    }
+
+    /**
+     * Makes sub-steps [sub, endSub) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
+     * (inwards -1, from an empty band at the edge of two).
+     */
+    private void sweep(int worker, int low, int high, int inwards, int sub, int endSub, StepConstants k) {
+        int lag = LAG * (endSub - sub);
+        int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
+        for (int front = low; front < end; front += 2) {
+            int behind = 0;
+            for (int s = sub; s < endSub; s++) {
+                visit(worker, front - behind, low + inwards * behind, high - inwards * behind, inwards, s, k);
+                behind += LAG;
+            }
+            if (endSub == k.subSteps) {
+                finish(front - lag, low + inwards * lag, high - inwards * lag, k);
+                finish(front - lag + 1, low + inwards * lag, high - inwards * lag, k);
+            }
+        }
+    }
+
+    /** All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row. */
+    private void visit(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
+        if (low <= row && row < high) {
+            accelerate(row, k);
+            accelerate(row + 1, k);
+            push(worker, row, k);
+        }
+        int from = low + inwards;
+        int to = high - inwards;
+        if (from <= row - 1 && row - 1 < to) {
+            push(worker, row - 1, k);
+        }
+        move(row - 2, from, to, sub, k);
+        move(row - 1, from, to, sub, k);
+        relax(worker, row - 2, from + inwards, to - inwards, sub, k);
+        relax(worker, row - 3, from + 2 * inwards, to - 2 * inwards, sub, k);
+    }
+
+    private int ring(int row) {
+        return GridLevels.onRing(row, levels.rowCount[levels.used[0]]);
+    }
+
+    private int firstSlot(int row) {
+        return grid.start[levels.rowStart(levels.used[0], ring(row))];
+    }
+
+    private int endSlot(int row) {
+        return grid.start[levels.rowStart(levels.used[0], ring(row) + 1)];
+    }
+
+    private void accelerate(int row, StepConstants k) {
+        mover.accelerate(firstSlot(row), endSlot(row), k);
+    }
+
+    private void push(int worker, int row, StepConstants k) {
+        push(worker, levels.used[0], ring(row), k);
+    }
+
+    private void move(int row, int from, int to, int sub, StepConstants k) {
+        if (from <= row && row < to) {
+            mover.move(firstSlot(row), endSlot(row), k, sub == 0);
+        }
+    }
+
+    private void relax(int worker, int row, int from, int to, int sub, StepConstants k) {
+        if (from <= row && row < to) {
+            relax(worker, levels.used[0], ring(row), sub, k);
+        }
+    }
+
+    private void finish(int row, int from, int to, StepConstants k) {
+        if (from <= row && row < to) {
+            mover.finish(firstSlot(row), endSlot(row), k);
+        }
+    }
+
+    // ---- pass after pass, where there are more levels, or hardly any rows
+    // --------------------------------------------
+
+    private void solveInPasses(int worker, StepConstants k) {
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        for (int sub = 0; sub < k.subSteps; sub++) {
+            mover.accelerate(from, to, k);
+            team.sync(worker);
+            for (int l = 0; l < levels.usedCount; l++) {
+                pushAll(worker, levels.used[l], k);
+            }
+            mover.move(from, to, k, sub == 0);
+            team.sync(worker);
+            for (int l = 0; l < levels.usedCount; l++) {
+                relaxAll(worker, levels.used[l], sub, k);
+            }
+        }
+        mover.finish(from, to, k);
+        team.sync(worker);
+    }
+
+    private void pushAll(int worker, int level, StepConstants k) {
+        int from = bands.first(level, worker);
+        int to = bands.first(level, worker + 1);
+        for (int row = from; row < to; row += 2) {
+            push(worker, level, row, k);
+            if (row > from) {
+                push(worker, level, row - 1, k);
+            }
+        }
+        team.sync(worker);
+        if (from < to) {
+            push(worker, level, to - 1, k);
+        }
+        team.sync(worker);
+    }
+
+    private void relaxAll(int worker, int level, int sub, StepConstants k) {
+        int from = bands.first(level, worker);
+        int to = bands.first(level, worker + 1);
+        for (int row = from; row < to; row += 2) {
+            relax(worker, level, row, sub, k);
+            if (row > from) {
+                relax(worker, level, row - 1, sub, k);
+            }
+        }
+        team.sync(worker);
+        if (from < to) {
+            relax(worker, level, to - 1, sub, k);
+        }
+        team.sync(worker);
+    }
+
+    // ---- rows of contacts
+    // --------------------------------------------------------------------------------------------
+
+    private int firstContact(int level, int row) {
+        return contacts.rowStart[levels.firstRow[level] + row];
+    }
+
+    private void prepare(int worker, int l, int row, StepConstants k) {
+        contacts.fillRow(worker, l, row, k);
+        int level = levels.used[l];
+        passes[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
+    }
+
+    private void push(int worker, int level, int row, StepConstants k) {
+        passes[worker].push(firstContact(level, row), firstContact(level, row + 1), k);
+    }
+
+    private void relax(int worker, int level, int row, int sub, StepConstants k) {
+        passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
+    }
+}

@@ -1,0 +1,307 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
+import java.util.Arrays;
+
+/**
+ * The circles on the JVM: dense slots 0 to n - 1, in the cell order of the last grid, in flat arrays.
+ *
+ * <p>A position is a base that stays for a step and a displacement since: what a step adds to a coordinate is far smaller
+ * than the coordinate, and would drown in its rounding where millions of circles share an arena. At the end of a step the
+ * base takes the sum, and the displacement what the sum lost.
+ */
+final class State {
+    /** Number of circles. */
+    int n;
+
+    /** Circles that all arrays have room for; some have room for more after a growth that ran out of memory. */
+    private int capacity;
+
+    /** By slot: x, y of the base, radius, mass. */
+    float[] circle = new float[0];
+
+    /** By slot: displacement x, y, velocity x, y. */
+    float[] motion = new float[0];
+
+    /** By slot: inverse mass (0: fixed), restitution, impulse speed of the walls x, y (positive: lower wall). */
+    float[] traits = new float[0];
+
+    /** By slot: the id. */
+    int[] id = new int[0];
+
+    /** By slot: first of the circle's remembered contacts as the one of lower id, or -1. */
+    int[] memory = new int[0];
+
+    /** By slot: true if impulses of the step before are not its own (a new circle, maybe under a recycled id). */
+    boolean[] fresh = new boolean[0];
+
+    /**
+     * By slot, within a sub-step. Up to the biased pass: velocity before impulses x, y, whether the circle is loaded (1, 0),
+     * unused. In the relaxing pass: sum of contact impulses x, y, loaded, loaded in the sub-step to come.
+     */
+    float[] load = new float[0];
+
+    /** By slot, within a sub-step: speed that the walls bounce the circle to, x, y; 0 for none. */
+    float[] wallBounce = new float[0];
+
+    /** By slot, within a step: what the circle would move in a step, x, y. */
+    float[] plan = new float[0];
+
+    /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
+    float[] leash = new float[0];
+
+    /** By id: the slot, or -1. */
+    int[] slotOf = new int[0];
+
+    private float[] circleSpare = new float[0];
+    private float[] motionSpare = new float[0];
+    private float[] traitsSpare = new float[0];
+    private int[] idSpare = new int[0];
+    private int[] memorySpare = new int[0];
+    private boolean[] freshSpare = new boolean[0];
+
+    /** Memory of the arrays. */
+    long bytes() {
+        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
+    }
+
+    int capacity() {
+        return capacity;
+    }
+
+    void ensure(int circles) {
+        if (circles > capacity) {
+            int c = Math.max(circles, capacity + (capacity >> 1));
+            circle = Arrays.copyOf(circle, 4 * c);
+            motion = Arrays.copyOf(motion, 4 * c);
+            traits = Arrays.copyOf(traits, 4 * c);
+            id = Arrays.copyOf(id, c);
+            memory = Arrays.copyOf(memory, c);
+            fresh = Arrays.copyOf(fresh, c);
+            load = new float[4 * c];
+            wallBounce = new float[2 * c];
+            plan = new float[2 * c];
+            leash = new float[4 * c];
+            circleSpare = new float[4 * c];
+            motionSpare = new float[4 * c];
+            traitsSpare = new float[4 * c];
+            idSpare = new int[c];
+            memorySpare = new int[c];
+            freshSpare = new boolean[c];
+            capacity = c;
+        }
+    }
+
+    void ensureIds(int ids) {
+        if (ids > slotOf.length) {
+            int old = slotOf.length;
+            int[] longer = Arrays.copyOf(slotOf, Math.max(ids, old + (old >> 1)));
+            Arrays.fill(longer, old, longer.length, -1);
+            slotOf = longer;
+        }
+    }
+
+    /** Makes room for what the caller asked for. */
+    void makeRoom(Commands commands) {
+        int[] records = commands.records();
+        int circles = n;
+        int most = n;
+        int ids = 0;
+        for (int k = 0; k < commands.count() * Commands.STRIDE; k += Commands.STRIDE) {
+            if (records[k] == Commands.ADD) {
+                most = Math.max(most, ++circles);
+                ids = Math.max(ids, records[k + 1] + 1);
+            } else if (records[k] == Commands.REMOVE) {
+                circles--;
+            }
+        }
+        ensure(most);
+        ensureIds(ids);
+    }
+
+    /** Applies what the caller asked for, for which there is room. */
+    void apply(Commands commands) {
+        int[] records = commands.records();
+        for (int c = 0; c < commands.count(); c++) {
+            int k = c * Commands.STRIDE;
+            int circleId = records[k + 1];
+            if (records[k] == Commands.ADD) {
+                add(circleId, records, k);
+                continue;
+            }
+            int slot = slotOf[circleId];
+            if (records[k] == Commands.REMOVE) {
+                remove(slot);
+                continue;
+            }
+            float a = Float.intBitsToFloat(records[k + 2]);
+            float b = Float.intBitsToFloat(records[k + 3]);
+            int s = 4 * slot;
+            switch (records[k]) {
+                case Commands.POSITION -> {
+                    circle[s] = a;
+                    circle[s + 1] = b;
+                    motion[s] = 0;
+                    motion[s + 1] = 0;
+                }
+                case Commands.VELOCITY -> {
+                    motion[s + 2] = a;
+                    motion[s + 3] = b;
+                }
+                case Commands.RADIUS -> {
+                    circle[s + 2] = a;
+                    forget(slot);
+                }
+                case Commands.MASS -> {
+                    circle[s + 3] = a;
+                    traits[s] = CircleMath.inverseMass(a);
+                    forget(slot);
+                }
+                case Commands.RESTITUTION -> traits[s + 1] = a;
+                case Commands.IMPULSE -> {
+                    motion[s + 2] = CircleMath.afterImpulse(motion[s + 2], traits[s], a);
+                    motion[s + 3] = CircleMath.afterImpulse(motion[s + 3], traits[s], b);
+                }
+                default -> throw new AssertionError("unknown operation " + records[k]);
+            }
+        }
+    }
+
+    private void add(int circleId, int[] records, int k) {
+        int slot = n++;
+        int s = 4 * slot;
+        circle[s] = Float.intBitsToFloat(records[k + 2]);
+        circle[s + 1] = Float.intBitsToFloat(records[k + 3]);
+        circle[s + 2] = Float.intBitsToFloat(records[k + 4]);
+        circle[s + 3] = Float.intBitsToFloat(records[k + 5]);
+        motion[s] = 0;
+        motion[s + 1] = 0;
+        motion[s + 2] = Float.intBitsToFloat(records[k + 7]);
+        motion[s + 3] = Float.intBitsToFloat(records[k + 8]);
+        traits[s] = CircleMath.inverseMass(circle[s + 3]);
+        traits[s + 1] = Float.intBitsToFloat(records[k + 6]);
+        id[slot] = circleId;
+        slotOf[circleId] = slot;
+        forget(slot);
+    }
+
+    private void forget(int slot) {
+        memory[slot] = -1;
+        fresh[slot] = true;
+        traits[4 * slot + 2] = 0;
+        traits[4 * slot + 3] = 0;
+    }
+
+    private void remove(int slot) {
+        slotOf[id[slot]] = -1;
+        int last = --n;
+        if (slot != last) {
+            System.arraycopy(circle, 4 * last, circle, 4 * slot, 4);
+            System.arraycopy(motion, 4 * last, motion, 4 * slot, 4);
+            System.arraycopy(traits, 4 * last, traits, 4 * slot, 4);
+            id[slot] = id[last];
+            memory[slot] = memory[last];
+            fresh[slot] = fresh[last];
+            slotOf[id[slot]] = slot;
+        }
+    }
+
+    /** Brings circles that the walls have left outside to the nearest place inside. */
+    void confine(Bounds bounds) {
+        for (int s = 0; s < 4 * n; s += 4) {
+            float margin = traits[s] == 0f ? 0f : circle[s + 2];
+            float x = CircleMath.bounded(circle[s], bounds.minX() + margin, bounds.maxX() - margin);
+            float y = CircleMath.bounded(circle[s + 1], bounds.minY() + margin, bounds.maxY() - margin);
+            if (x != circle[s]) {
+                circle[s] = x;
+                motion[s] = 0f;
+            }
+            if (y != circle[s + 1]) {
+                circle[s + 1] = y;
+                motion[s + 1] = 0f;
+            }
+        }
+    }
+
+    /** Saves the circle of a slot as circle k. */
+    void save(int slot, SavedState into, int k) {
+        System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
+        System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
+        System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
+    }
+
+    /** Takes over saved circles, for which there is room, without remembered contacts; slots are in the order of the ids. */
+    void load(SavedState from) {
+        n = from.circles;
+        System.arraycopy(from.circle, 0, circle, 0, 4 * n);
+        System.arraycopy(from.motion, 0, motion, 0, 4 * n);
+        System.arraycopy(from.traits, 0, traits, 0, 4 * n);
+        System.arraycopy(from.id, 0, id, 0, n);
+        Arrays.fill(memory, 0, n, -1);
+        Arrays.fill(fresh, 0, n, false);
+        Arrays.fill(slotOf, -1);
+        for (int slot = 0; slot < n; slot++) {
+            slotOf[id[slot]] = slot;
+        }
+    }
+
+    /** The part of the circles in the hash of the state. */
+    long hash() {
+        long sum = 0;
+        for (int slot = 0; slot < n; slot++) {
+            int s = 4 * slot;
+            long h = StateHash.absorb(StateHash.circle(), id[slot]);
+            for (int k = 0; k < 4; k++) {
+                h = StateHash.absorb(h, circle[s + k]);
+            }
+            for (int k = 0; k < 4; k++) {
+                h = StateHash.absorb(h, motion[s + k]);
+            }
+            for (int k = 1; k < 4; k++) {
+                h = StateHash.absorb(h, traits[s + k]);
+            }
+            sum += h;
+        }
+        return sum;
+    }
+
+    /** Copies a range of slots into the spare arrays in a new order; {@link #swap} then makes them the state. */
+    void permute(int[] order, int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            int old = order[slot];
+            System.arraycopy(circle, 4 * old, circleSpare, 4 * slot, 4);
+            System.arraycopy(motion, 4 * old, motionSpare, 4 * slot, 4);
+            System.arraycopy(traits, 4 * old, traitsSpare, 4 * slot, 4);
+            idSpare[slot] = id[old];
+            memorySpare[slot] = memory[old];
+            freshSpare[slot] = fresh[old];
+            slotOf[id[old]] = slot;
+        }
+    }
+
+    void swap() {
+        float[] f = circle;
+        circle = circleSpare;
+        circleSpare = f;
+        f = motion;
+        motion = motionSpare;
+        motionSpare = f;
+        f = traits;
+        traits = traitsSpare;
+        traitsSpare = f;
+        int[] i = id;
+        id = idSpare;
+        idSpare = i;
+        i = memory;
+        memory = memorySpare;
+        memorySpare = i;
+        boolean[] b = fresh;
+        fresh = freshSpare;
+        freshSpare = b;
+    }
+}

@@ -1,0 +1,92 @@
+package io.github.circles2d.world.jvm.threads;
+
+import java.lang.ref.Cleaner;
+
+/**
+ * The threads of a step. All of them run the same method on their shares of the work, and wait for each other at
+ * {@link #sync}; the caller's thread is worker 0. Between two runs the others sleep. Nothing here is allocated in a run.
+ *
+ * <p>Shares are ranges of items, so which worker does what depends on their number alone; the stages see to it that results
+ * do not depend even on that.
+ *
+ * <p>The threads know only the {@link Crew}, not this object, so a team that nobody refers to any more is noticed, and its
+ * threads end.
+ */
+public final class Team implements AutoCloseable {
+    /** What all workers run. */
+    public interface Work {
+        /**
+         * The part of one worker.
+         *
+         * @param worker its number, 0 to {@link Team#size} - 1
+         */
+        public void run(int worker);
+    }
+
+    private final int most;
+    private final Crew crew;
+
+    /** Ends the threads; null where there are none. */
+    private final Cleaner.Cleanable cleanable;
+
+    private int size = 1;
+
+    /**
+     * A team.
+     *
+     * @param most greatest number of workers, at least 1; threads beyond the caller's start when they are first needed
+     */
+    public Team(int most) {
+        this.most = most;
+        crew = most > 1 ? new Crew(most) : null;
+        cleanable = most > 1 ? Crew.CLEANER.register(this, crew::dismiss) : null;
+    }
+
+    /** Number of workers of this run, or of the last one. */
+    public int size() {
+        return size;
+    }
+
+    /** Greatest number of workers. */
+    public int most() {
+        return most;
+    }
+
+    /** Where the share of a worker begins, of n equal items; the share of the last ends at part(n, size). */
+    public int part(int n, int worker) {
+        return (int) ((long) n * worker / size);
+    }
+
+    /**
+     * Runs some work, and returns when all workers are through. What one of them throws is thrown here, as it is; the others
+     * stop at their next barrier, and the team is of no use after that.
+     *
+     * @param workers number of workers, at most {@link #most}; there are fewer where the system has no more threads
+     * @param work the work
+     */
+    public void run(int workers, Work work) {
+        size = workers == 1 ? 1 : crew.start(workers);
+        if (size == 1) {
+            work.run(0);
+        } else {
+            crew.run(size, work);
+        }
+    }
+
+    /** Waits for all workers of this run: what any of them did before, all of them see after. */
+    public void sync(int worker) {
+        if (size > 1) {
+            crew.sync(worker);
+        }
+    }
+
+    /** Ends the threads and waits for their end. May be called again, if it was cut short by an error. */
+    @Override
+    public void close() {
+        if (crew != null) {
+            crew.dismiss();
+            cleanable.clean();
+            crew.join();
+        }
+    }
+}

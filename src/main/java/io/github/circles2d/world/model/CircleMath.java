@@ -1,0 +1,557 @@
+package io.github.circles2d.world.model;
+
+/**
+ * Every floating-point formula of the World engine, in small functions of scalars. The file {@code
+ * kernels/world/CircleMath.cl} has the same functions under the same names, and both give the same bits: nothing but
+ * {@code + - * /}, square roots, comparisons and integer operations, each written in one fixed bracketing, never
+ * contracted.
+ *
+ * <p>Units: lengths, masses and seconds are the caller's. n is the contact normal, a unit vector from the circle of the
+ * lower id to that of the higher; s the separation of two surfaces, negative where they overlap; vn the relative speed
+ * along n, negative where they approach; w an inverse mass, 0 for a fixed circle.
+ */
+public final class CircleMath {
+    /** Solve the contact. */
+    public static final int SOLVE = 0;
+
+    /** Leave the contact alone. */
+    public static final int LEAVE = 1;
+
+    /** Let the pair bounce, and store no impulse. */
+    public static final int BOUNCE = 2;
+
+    private CircleMath() {}
+
+    // ---- geometry
+    // ----------------------------------------------------------------------------------------------------
+
+    /**
+     * Length of a vector.
+     *
+     * @param x component
+     * @param y component
+     * @return the length
+     */
+    public static float norm(float x, float y) {
+        return (float) Math.sqrt(x * x + y * y);
+    }
+
+    /**
+     * The lesser of two numbers; the second where they are equal.
+     *
+     * @param a a number, not NaN
+     * @param b a number, not NaN
+     * @return the lesser
+     */
+    public static float least(float a, float b) {
+        return a < b ? a : b;
+    }
+
+    /**
+     * The greater of two numbers; the second where they are equal.
+     *
+     * @param a a number, not NaN
+     * @param b a number, not NaN
+     * @return the greater
+     */
+    public static float greatest(float a, float b) {
+        return a > b ? a : b;
+    }
+
+    /**
+     * A number brought into a range.
+     *
+     * @param a a number, not NaN
+     * @param low the least result
+     * @param high the greatest result; where it is less than low, low wins
+     * @return a, or the end of the range nearest to it
+     */
+    public static float bounded(float a, float low, float high) {
+        return greatest(least(a, high), low);
+    }
+
+    /**
+     * Difference of two positions, each given as a base that stays for a step and a displacement since.
+     *
+     * @param base difference of the bases
+     * @param from displacement of the first
+     * @param to displacement of the second
+     * @return second minus first
+     */
+    public static float difference(float base, float from, float to) {
+        return base + (to - from);
+    }
+
+    /**
+     * What the sum of a base and a displacement lost by rounding (the exact error of an addition, after Knuth).
+     *
+     * @param base a
+     * @param displacement b
+     * @param sum fl(a + b)
+     * @return a + b - fl(a + b), exactly
+     */
+    public static float lostByRounding(float base, float displacement, float sum) {
+        float part = sum - base;
+        return (base - (sum - part)) + (displacement - part);
+    }
+
+    /**
+     * Inverse mass.
+     *
+     * @param mass greater than 0; infinite for a fixed circle
+     * @return 1 / mass, exactly 0 for a fixed circle
+     */
+    public static float inverseMass(float mass) {
+        return 1f / mass;
+    }
+
+    /**
+     * One component of a velocity after an impulse.
+     *
+     * @param v before
+     * @param w inverse mass
+     * @param impulse component of the impulse
+     * @return after
+     */
+    public static float afterImpulse(float v, float w, float impulse) {
+        return limitSpeed(v + w * impulse);
+    }
+
+    /**
+     * A component of a velocity, kept below the greatest speed.
+     *
+     * @param v component
+     * @return the component
+     */
+    public static float limitSpeed(float v) {
+        return bounded(v, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
+    }
+
+    // ---- broad phase
+    // -------------------------------------------------------------------------------------------------
+
+    /**
+     * What a circle moves in a step if nothing comes in its way, one component.
+     *
+     * @param v velocity
+     * @param dt length of the step
+     * @param fall what gravity adds in the sub-steps of a step
+     * @return a displacement
+     */
+    public static float plan(float v, float dt, float fall) {
+        return v * dt + fall;
+    }
+
+    /**
+     * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
+     * Two circles are listed as a contact where the distance of their centres is less than the sum of their reaches.
+     *
+     * @param r radius
+     * @param path length of what it moves in a step
+     * @return the reach
+     */
+    public static float reach(float r, float path) {
+        return (r + Tuning.MARGIN * r) + least(path, Tuning.CAP * r);
+    }
+
+    /**
+     * Whether a circle is fast: it moves farther than its radius in a step, so it might pass through another unseen.
+     *
+     * @param path length of what it moves in a step
+     * @param r radius
+     * @return true where it is
+     */
+    public static boolean isFast(float path, float r) {
+        return path > r;
+    }
+
+    /**
+     * The share of its path that a circle goes at most.
+     *
+     * @param path length of what it moves in a step
+     * @param r radius
+     * @return 1, or less for a path of very many radii
+     */
+    public static float travelShare(float path, float r) {
+        float most = Tuning.TRAVEL * r;
+        return path > most ? most / path : 1f;
+    }
+
+    /**
+     * Whether a fast circle looks out for another: not for one so much smaller that it would push it aside.
+     *
+     * @param r radius of the fast circle
+     * @param other radius of the other
+     * @return true where it does
+     */
+    public static boolean sweeps(float r, float other) {
+        return other * Tuning.SWEEP_RATIO >= r;
+    }
+
+    /**
+     * Whether two circles could pass through each other: they move against each other by more than half the sum of their
+     * radii, and neither is much smaller.
+     *
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param r radius of the fast circle
+     * @param other radius of the other
+     * @return true where they could
+     */
+    public static boolean mayPass(float ux, float uy, float r, float other) {
+        float half = 0.5f * (r + other);
+        return ux * ux + uy * uy > half * half && sweeps(r, other);
+    }
+
+    /**
+     * Whether some path in a range differs from a given one by more than a length.
+     *
+     * @param px the path
+     * @param py the path
+     * @param lowX least x in the range
+     * @param highX greatest x
+     * @param lowY least y
+     * @param highY greatest y
+     * @param length the length
+     * @return false where none can; false for an empty range, whose least is greater than its greatest
+     */
+    public static boolean differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
+        if (lowX > highX) {
+            return false;
+        }
+        float ux = greatest(px - lowX, highX - px);
+        float uy = greatest(py - lowY, highY - py);
+        return ux * ux + uy * uy > length * length;
+    }
+
+    /**
+     * When two circles touch that move evenly, as the share of their motion, or a number greater than 1 where they do not.
+     *
+     * @param dx second position minus first
+     * @param dy second position minus first
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param sum sum of the radii
+     * @return the share, at least 0
+     */
+    public static float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
+        float b = dx * ux + dy * uy;
+        float a = ux * ux + uy * uy;
+        float c = (dx * dx + dy * dy) - sum * sum;
+        float disc = b * b - a * c;
+        if (!(b > 0f) || !(disc >= 0f)) {
+            return 2f;
+        }
+        return greatest(c, 0f) / (b + (float) Math.sqrt(disc));
+    }
+
+    /**
+     * Where on a path a displacement is nearest, as a share of the path.
+     *
+     * @param dx displacement
+     * @param dy displacement
+     * @param px path
+     * @param py path
+     * @return 0 to 1
+     */
+    public static float nearest(float dx, float dy, float px, float py) {
+        float square = px * px + py * py;
+        return square > 0f ? bounded((dx * px + dy * py) / square, 0f, 1f) : 0f;
+    }
+
+    /**
+     * The size class of a radius: class k holds radii in (rmax / 2^(k+1), rmax / 2^k], the last class all smaller ones too.
+     *
+     * @param r radius
+     * @param rmax greatest radius of all circles
+     * @return 0 to {@link GridLevels#COUNT} - 1
+     */
+    public static int sizeClass(float r, float rmax) {
+        int k = 0;
+        float half = rmax * 0.5f;
+        while (r <= half && k < GridLevels.COUNT - 1) {
+            k++;
+            half *= 0.5f;
+        }
+        return k;
+    }
+
+    /**
+     * The number of the grid column (or row) of a coordinate.
+     *
+     * @param x coordinate, not less than min
+     * @param min where column 0 begins
+     * @param inverseEdge 1 / the edge of a cell
+     * @return the column, at least 0
+     */
+    public static int cell(float x, float min, float inverseEdge) {
+        return (int) greatest((x - min) * inverseEdge, 0f);
+    }
+
+    /**
+     * The first of two columns (or rows) that are equal or next to each other on a ring.
+     *
+     * @param a a column
+     * @param b a column
+     * @param size columns of the ring, at least 4
+     * @return b where a follows b, else a
+     */
+    public static int ringFirst(int a, int b, int size) {
+        return (b + 1 == size ? 0 : b + 1) == a ? b : a;
+    }
+
+    /**
+     * A well-mixed number of a pair of ids (the finalizer of MurmurHash3, twice).
+     *
+     * @param lo the lower id
+     * @param hi the higher id
+     * @return 32 mixed bits
+     */
+    public static int pairHash(int lo, int hi) {
+        return mix(mix(lo) + hi);
+    }
+
+    private static int mix(int h) {
+        h = (h ^ (h >>> 16)) * 0x85ebca6b;
+        h = (h ^ (h >>> 13)) * 0xc2b2ae35;
+        return h ^ (h >>> 16);
+    }
+
+    /**
+     * Whether a pair in a crowd is kept: all pairs where one of the two has few candidates, else a share of them, drawn by the
+     * hash of the pair. So one point that holds all circles has a number of contacts that grows with theirs, not with its
+     * square.
+     *
+     * @param hash the hash of the pair
+     * @param fewer the number of candidates of the one that has fewer
+     * @return true where it is kept
+     */
+    public static boolean keeps(int hash, int fewer) {
+        return fewer <= Tuning.CROWD || (hash >>> 16) * (long) fewer < (long) Tuning.CROWD << 16;
+    }
+
+    /**
+     * x of the direction in which two circles with one centre part; not of unit length, never zero.
+     *
+     * @param hash the hash of the pair
+     * @return a number from -511.5 to 511.5
+     */
+    public static float partingX(int hash) {
+        return (float) (hash & 1023) - 511.5f;
+    }
+
+    /**
+     * y of the direction in which two circles with one centre part.
+     *
+     * @param hash the hash of the pair
+     * @return a number from -511.5 to 511.5
+     */
+    public static float partingY(int hash) {
+        return (float) ((hash >>> 10) & 1023) - 511.5f;
+    }
+
+    // ---- contacts
+    // ----------------------------------------------------------------------------------------------------
+
+    /**
+     * Component of a relative velocity along a normal.
+     *
+     * @param nx normal
+     * @param ny normal
+     * @param vx velocity of the second minus that of the first
+     * @param vy velocity of the second minus that of the first
+     * @return vn
+     */
+    public static float along(float nx, float ny, float vx, float vy) {
+        return nx * vx + ny * vy;
+    }
+
+    /**
+     * The speed below which an impact does not bounce: what gravity would give within a small part of a radius, so that piles
+     * come to rest; and without gravity a creeping speed, less the more elastic the pair is, so that clumps come to rest too.
+     *
+     * @param sum sum of the radii
+     * @param e restitution of the pair
+     * @param gravityRate square of the threshold per sum of radii, from gravity
+     * @param lengthRate threshold per sum of radii, of a pair without restitution
+     * @return the square of the speed; 0 for an elastic pair without gravity
+     */
+    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+        float creep = lengthRate * ((1f - e) * sum);
+        return gravityRate * sum + creep * creep;
+    }
+
+    /**
+     * What to do with a contact that does not carry, of circles that are in free flight: nothing where they part faster than
+     * the threshold, a bounce where they meet faster than it, else solve it as any other.
+     *
+     * @param vn normal speed
+     * @param meets whether they touch, or would within the sub-step
+     * @param thr2 square of the bounce threshold
+     * @return {@link #SOLVE}, {@link #LEAVE} or {@link #BOUNCE}
+     */
+    public static int freeFlight(float vn, boolean meets, float thr2) {
+        if (vn * vn > thr2) {
+            if (vn > 0f) {
+                return LEAVE;
+            }
+            if (meets) {
+                return BOUNCE;
+            }
+        }
+        return SOLVE;
+    }
+
+    /**
+     * Whether a contact carries its circles: it presses, or touches at rest.
+     *
+     * @param lambda its impulse
+     * @param s separation
+     * @param vn normal speed
+     * @param thr2 square of the bounce threshold
+     * @return true where it does
+     */
+    public static boolean carries(float lambda, float s, float vn, float thr2) {
+        return lambda > 0f || (s < 0f && vn * vn <= thr2);
+    }
+
+    /**
+     * The separation speed that a loaded contact bounces to, or 0 where it does not bounce in this sub-step.
+     *
+     * @param e restitution of the pair
+     * @param vn normal speed at the start of the sub-step, before any impulse
+     * @param s separation
+     * @param h length of the sub-step
+     * @param thr2 square of the bounce threshold
+     * @return a speed greater than 0, or 0
+     */
+    public static float bounceSpeed(float e, float vn, float s, float h, float thr2) {
+        return vn * vn > thr2 && vn < 0f && s + vn * h < 0f ? -e * vn : 0f;
+    }
+
+    /**
+     * Impulse by which two free circles bounce.
+     *
+     * @param e restitution of the pair
+     * @param vn normal speed, negative
+     * @param k effective mass 1 / (w_lo + w_hi)
+     * @return an impulse greater than 0
+     */
+    public static float freeBounce(float e, float vn, float k) {
+        return -(1f + e) * vn * k;
+    }
+
+    /**
+     * The accumulated impulse of a rigid contact after one visit: it stops the approach, or as much of it as would close the
+     * gap within the sub-step, or brings the pair to a target speed.
+     *
+     * @param lambda accumulated impulse before
+     * @param k effective mass
+     * @param vn normal speed
+     * @param b bias speed: gap / h where there is a gap, minus the target speed of a bounce, else 0
+     * @return accumulated impulse, at least 0
+     */
+    public static float rigid(float lambda, float k, float vn, float b) {
+        return greatest(lambda - k * (vn + b), 0f);
+    }
+
+    /**
+     * The accumulated impulse of a soft contact after one visit (soft constraints: E. Catto, "Solver2D", 2024).
+     *
+     * @param lambda accumulated impulse before
+     * @param k effective mass
+     * @param vn normal speed
+     * @param s separation, at most 0
+     * @param push greatest push-out speed
+     * @param biasRate push-out speed per depth
+     * @param massScale softness: share of the impulse
+     * @param impulseScale softness: decay of the impulse
+     * @return accumulated impulse, at least 0
+     */
+    public static float soft(
+            float lambda, float k, float vn, float s, float push, float biasRate, float massScale, float impulseScale) {
+        float b = massScale * greatest(biasRate * s, -push);
+        return greatest((lambda - k * (massScale * vn + b)) - impulseScale * lambda, 0f);
+    }
+
+    /**
+     * Greatest push-out speed of a pair.
+     *
+     * @param sum sum of the radii
+     * @param perLength the part that grows with the radii, speed per length
+     * @param perRoot the part that grows with gravity, speed per root of a length
+     * @return the greater of the two
+     */
+    public static float pushSpeed(float sum, float perLength, float perRoot) {
+        return greatest(perLength * sum, perRoot * (float) Math.sqrt(sum));
+    }
+
+    // ---- walls
+    // -------------------------------------------------------------------------------------------------------
+
+    /**
+     * The wall of an axis that a circle is nearer to: its direction away from that wall.
+     *
+     * @param x coordinate
+     * @param min lower wall
+     * @param max upper wall
+     * @return 1 for the lower wall, -1 for the upper
+     */
+    public static float wallSide(float x, float min, float max) {
+        return x - min <= max - x ? 1f : -1f;
+    }
+
+    /**
+     * Separation of a circle from a wall.
+     *
+     * @param base coordinate at the start of the step
+     * @param displacement displacement since
+     * @param r radius
+     * @param side the wall, by {@link #wallSide}
+     * @param min lower wall
+     * @param max upper wall
+     * @return s
+     */
+    public static float wallGap(float base, float displacement, float r, float side, float min, float max) {
+        return side > 0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
+    }
+
+    /**
+     * By how much a circle would end a sub-step too far from a wall, had it turned at its start: it flies on to the wall first.
+     *
+     * @param gap separation at the start
+     * @param vn normal speed, negative where it bounces
+     * @param gain what the bounce adds to the velocity, 0 for none
+     * @param dt length of the step
+     * @param r radius
+     * @return a displacement to take back; 0 for a circle that flies farther than its radius in a step, whose path is watched
+     */
+    public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
+        return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
+    }
+
+    /**
+     * The part of a circle's stored wall impulse that belongs to one side.
+     *
+     * @param signed stored impulse, positive where the lower wall pushes
+     * @param side the wall
+     * @return at least 0
+     */
+    public static float wallImpulse(float signed, float side) {
+        return greatest(side * signed, 0f);
+    }
+
+    /**
+     * A displacement, cut so that a coordinate stays in a range.
+     *
+     * @param base coordinate at the start of the step
+     * @param displacement displacement since
+     * @param low least coordinate
+     * @param high greatest coordinate
+     * @return the displacement, or what leads to the end of the range
+     */
+    public static float within(float base, float displacement, float low, float high) {
+        float x = base + displacement;
+        return x < low ? low - base : x > high ? high - base : displacement;
+    }
+}

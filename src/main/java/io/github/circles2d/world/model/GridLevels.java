@@ -1,0 +1,241 @@
+package io.github.circles2d.world.model;
+
+/**
+ * The shape of the grids: one a level of radii, each on a torus. A level is a size class, a factor of two, or two of them where
+ * the smaller does not outnumber the larger by far: fewer levels are fewer stages, but many small circles in a grid made for
+ * a few large ones would be many neighbours. Decided on the host from the bounds, the greatest radius
+ * and the number of circles of each level; the same for every back end.
+ *
+ * <p>A level's torus has W columns and H rows of buckets. The cell (cx, cy) lies in column cx mod W and row cy mod H: far cells
+ * may share a bucket, which costs time and nothing else, because the distance of two circles decides. So memory is bounded by the
+ * number of circles, however small they are and however large the arena is: rounded up to powers of two, W and H are at
+ * least 4, no more than the arena needs, and their product is at most twice the number of circles.
+ *
+ * <p>W (or H) is this power of two where the arena has at most four times as many columns (or rows): then few cells share a
+ * bucket. In a wider arena it is twice a prime, and another prime for rows than for columns. With powers of two, a square
+ * lattice of circles that are 128 cells apart would lie in a few buckets. With two primes, a square lattice does only if its
+ * spacing is a multiple of both primes; if it is a multiple of one, the other prime is the least number of buckets in use.
+ * Other patterns remain: a lattice whose columns are a multiple of one prime apart and whose rows are a multiple of the other,
+ * or a line of circles that are a multiple of one prime apart, lie in a few buckets.
+ *
+ * <p>In memory, a row of buckets begins at a multiple of the power of two. For OpenCL, groups of contacts are numbered so that
+ * those of one colour are consecutive: the group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and is number
+ * (oy / 2)(V / 2) + ox / 2 within its colour, where V is that power of two.
+ */
+public final class GridLevels {
+    /** Number of size classes, and so of levels at most: with factors of two, they span all radii that a world takes. */
+    public static final int COUNT = 20;
+
+    private static final int LEAST_SIDE_LOG = 2;
+
+    private static final int GREATEST_SIDE_LOG = 15;
+
+    /** How many times as many columns (or rows) as the torus an arena has before their number is made for lattices. */
+    private static final int WRAPS = 4;
+
+    /** Sides below this are powers of two in any case. */
+    private static final int LEAST_PRIME_SIDE_LOG = 4;
+
+    /** By log2 of the next power of two, from {@link #LEAST_PRIME_SIDE_LOG} on: columns of the torus in a wide arena. */
+    private static final int[] PRIME_COLUMNS = {
+        2 * 7, 2 * 13, 2 * 31, 2 * 61, 2 * 127, 2 * 251, 2 * 509, 2 * 1021, 2 * 2039, 2 * 4093, 2 * 8191, 2 * 16381
+    };
+
+    /** The same for rows. */
+    private static final int[] PRIME_ROWS = {
+        2 * 5, 2 * 11, 2 * 29, 2 * 59, 2 * 113, 2 * 241, 2 * 503, 2 * 1019, 2 * 2029, 2 * 4091, 2 * 8179, 2 * 16369
+    };
+
+    /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
+    public final int[] levelOf = new int[COUNT];
+
+    /** Circles of each level. */
+    final int[] population = new int[COUNT];
+
+    /** 1 / edge of a cell, by level. */
+    public final float[] inverseEdge = new float[COUNT];
+
+    /** log2 of the number of columns, rounded up to a power of two, by level. */
+    public final int[] columnsLog = new int[COUNT];
+
+    /** log2 of the number of rows, rounded up to a power of two, by level. */
+    public final int[] rowsLog = new int[COUNT];
+
+    /** Number of columns of the torus, by level. */
+    public final int[] columnCount = new int[COUNT];
+
+    /** Number of rows of the torus, by level. */
+    public final int[] rowCount = new int[COUNT];
+
+    /** Columns that circles can be in, by level: less than all of them where the torus is larger than the arena. */
+    public final int[] columnsUsed = new int[COUNT];
+
+    /** Rows that circles can be in, by level. */
+    public final int[] rowsUsed = new int[COUNT];
+
+    /** Number of the first bucket, and of the first group, of each level. */
+    public final int[] first = new int[COUNT];
+
+    /** Number of the first row of buckets of each level, where the rows of all levels are counted as their buckets are. */
+    public final int[] firstRow = new int[COUNT];
+
+    /** Numbers of the levels that have circles, finest first: the order in which their buckets are numbered. */
+    public final int[] used = new int[COUNT];
+
+    /** Greatest radius of each level. */
+    public final float[] top = new float[COUNT];
+
+    public int usedCount;
+    public int buckets;
+    public int rows;
+    public float minX;
+    public float minY;
+    public float rmax;
+
+    /** No levels, until they are laid out. */
+    public GridLevels() {}
+
+    /**
+     * Lays the grids out.
+     *
+     * @param bounds the arena
+     * @param greatestRadius greatest radius of all circles
+     * @param counts number of circles of each size class
+     */
+    public void layOut(Bounds bounds, float greatestRadius, int[] counts) {
+        minX = bounds.minX();
+        minY = bounds.minY();
+        rmax = greatestRadius;
+        usedCount = 0;
+        join(counts);
+        top[0] = greatestRadius;
+        for (int level = 1; level < COUNT; level++) {
+            top[level] = top[level - 1] * 0.5f;
+        }
+        buckets = 0;
+        rows = 0;
+        for (int level = COUNT - 1; level >= 0; level--) {
+            first[level] = buckets;
+            firstRow[level] = rows;
+            if (population[level] > 0) {
+                used[usedCount++] = level;
+                layOutLevel(level, bounds);
+                buckets += 1 << (columnsLog[level] + rowsLog[level]);
+                rows += rowCount[level];
+            }
+        }
+    }
+
+    private void join(int[] counts) {
+        for (int k = 0; k < COUNT; k++) {
+            boolean joins = k > 0 && levelOf[k - 1] == k - 1 && counts[k] <= (long) Tuning.JOIN * counts[k - 1];
+            levelOf[k] = joins ? k - 1 : k;
+            population[k] = 0;
+            population[levelOf[k]] += counts[k];
+        }
+    }
+
+    private void layOutLevel(int level, Bounds bounds) {
+        float edge = edge(top[level], bounds);
+        inverseEdge[level] = 1f / edge;
+        float across = (bounds.maxX() - bounds.minX()) / edge;
+        float down = (bounds.maxY() - bounds.minY()) / edge;
+        int columns = sideLog(across);
+        int rows = sideLog(down);
+        int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
+        while (columns + rows > budget) {
+            if (columns >= rows) {
+                columns--;
+            } else {
+                rows--;
+            }
+        }
+        columnsLog[level] = columns;
+        rowsLog[level] = rows;
+        columnCount[level] = side(columns, across, PRIME_COLUMNS);
+        rowCount[level] = side(rows, down, PRIME_ROWS);
+        columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columnCount[level]);
+        rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
+    }
+
+    private static int side(int sideLog, float cells, int[] primes) {
+        return sideLog < LEAST_PRIME_SIDE_LOG || cells <= WRAPS << sideLog
+                ? 1 << sideLog
+                : primes[sideLog - LEAST_PRIME_SIDE_LOG];
+    }
+
+    /** Cells from the one of the lower wall to the one of the upper, where there are as many: no base is outside the walls. */
+    private int cellsUsed(float max, float min, int level, int side) {
+        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), side - 1) + 1;
+    }
+
+    /**
+     * A cell is at least as wide as the greatest distance at which two of its level are listed, plus what the rounding of
+     * coordinates can move two circles apart: then whatever a circle may touch lies in 3 x 3 cells.
+     */
+    private static float edge(float greatestRadius, Bounds bounds) {
+        float reach = greatestRadius * (1f + Tuning.MARGIN + Tuning.CAP);
+        return 2f * reach + bounds.magnitude() * 0x1p-20f;
+    }
+
+    private static int sideLog(float cells) {
+        int side = LEAST_SIDE_LOG;
+        while (side < GREATEST_SIDE_LOG && cells > 1 << side) {
+            side++;
+        }
+        return side;
+    }
+
+    /** Takes the shape of another. */
+    public void copy(GridLevels other) {
+        System.arraycopy(other.levelOf, 0, levelOf, 0, COUNT);
+        System.arraycopy(other.population, 0, population, 0, COUNT);
+        System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
+        System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
+        System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
+        System.arraycopy(other.columnCount, 0, columnCount, 0, COUNT);
+        System.arraycopy(other.rowCount, 0, rowCount, 0, COUNT);
+        System.arraycopy(other.columnsUsed, 0, columnsUsed, 0, COUNT);
+        System.arraycopy(other.rowsUsed, 0, rowsUsed, 0, COUNT);
+        System.arraycopy(other.first, 0, first, 0, COUNT);
+        System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
+        System.arraycopy(other.used, 0, used, 0, COUNT);
+        System.arraycopy(other.top, 0, top, 0, COUNT);
+        usedCount = other.usedCount;
+        buckets = other.buckets;
+        rows = other.rows;
+        minX = other.minX;
+        minY = other.minY;
+        rmax = other.rmax;
+    }
+
+    public int buckets() {
+        return buckets;
+    }
+
+    /** Level of a radius. */
+    public int level(float r) {
+        return levelOf[CircleMath.sizeClass(r, rmax)];
+    }
+
+    /** The column (or row) of the torus of a cell's column (or row). */
+    public static int onRing(int cell, int side) {
+        return cell < side ? cell : cell % side;
+    }
+
+    /** The column (or row) of the torus that is at (0), behind (1) or before (-1) another. */
+    public static int neighbour(int column, int offset, int side) {
+        int moved = column + offset;
+        return moved < 0 ? side - 1 : moved < side ? moved : 0;
+    }
+
+    /** Number of the bucket before which a row of buckets begins. */
+    public int rowStart(int level, int row) {
+        return first[level] + (row << columnsLog[level]);
+    }
+
+    /** Number of the first group of a colour (0 to 4: colour 4 is the end). */
+    public int firstOfColour(int level, int colour) {
+        return first[level] + (colour << (columnsLog[level] + rowsLog[level] - 2));
+    }
+}

@@ -1,0 +1,166 @@
+package io.github.circles2d.world.model;
+
+/**
+ * What a world takes. Within these limits no sequence of calls can make a state that is not finite. Every check throws an
+ * {@link IllegalArgumentException} that names the value and what is allowed.
+ */
+public final class Limits {
+    /** Greatest magnitude of a coordinate. */
+    public static final float COORDINATE = 1e9f;
+
+    /** Least width and height of the arena. */
+    public static final float LEAST_EXTENT = 1e-6f;
+
+    /** A quarter of the least width and height of the arena, and the least radius, in units of the arena's greatest coordinate or extent. */
+    public static final float LEAST_RADIUS_SHARE = 0x1p-20f;
+
+    /** Least mass. */
+    public static final float LEAST_MASS = 1e-9f;
+
+    /** Greatest mass of a circle that is not fixed. */
+    public static final float GREATEST_MASS = 1e9f;
+
+    /** Greatest magnitude of a component of a velocity or of gravity. */
+    public static final float SPEED = Tuning.GREATEST_SPEED;
+
+    /** Greatest magnitude of a component of an impulse. */
+    public static final float IMPULSE = 1e18f;
+
+    /** Greatest impulse that a snapshot may hold: more than any step leaves, and far from overflow in the next one. */
+    public static final float REMEMBERED_IMPULSE = 1e24f;
+
+    /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e11. */
+    public static final float WALL_IMPULSE = 1e12f;
+
+    /** Shortest step, seconds. */
+    public static final float LEAST_STEP = 1e-6f;
+
+    /** Longest step, seconds. */
+    public static final float GREATEST_STEP = 1f;
+
+    /** Greatest number of sub-steps. */
+    public static final int SUB_STEPS = 16;
+
+    /** Greatest number of threads. */
+    public static final int THREADS = 256;
+
+    /** Greatest number of circles: arrays of four floats a circle must fit into a Java array. */
+    public static final int CIRCLES = 100_000_000;
+
+    private Limits() {}
+
+    /**
+     * Checks that a number lies in a range.
+     *
+     * @param what its name
+     * @param value the number
+     * @param least least allowed
+     * @param greatest greatest allowed
+     * @return the number
+     */
+    public static float within(String what, float value, float least, float greatest) {
+        if (!(value >= least && value <= greatest)) {
+            throw new IllegalArgumentException(
+                    what + " is " + value + ", but must be from " + least + " to " + greatest);
+        }
+        return value;
+    }
+
+    /**
+     * Checks that a number lies in a range.
+     *
+     * @param what its name
+     * @param value the number
+     * @param least least allowed
+     * @param greatest greatest allowed
+     * @return the number
+     */
+    public static int within(String what, int value, int least, int greatest) {
+        if (value < least || value > greatest) {
+            throw new IllegalArgumentException(
+                    what + " is " + value + ", but must be from " + least + " to " + greatest);
+        }
+        return value;
+    }
+
+    /**
+     * Checks bounds.
+     *
+     * @param minX left wall
+     * @param minY lower wall
+     * @param maxX right wall
+     * @param maxY upper wall
+     * @return the bounds
+     */
+    public static Bounds bounds(float minX, float minY, float maxX, float maxY) {
+        within("minX", minX, -COORDINATE, COORDINATE);
+        within("minY", minY, -COORDINATE, COORDINATE);
+        within("maxX", maxX, -COORDINATE, COORDINATE);
+        within("maxY", maxY, -COORDINATE, COORDINATE);
+        Bounds bounds = new Bounds(minX, minY, maxX, maxY);
+        float least = Math.max(LEAST_EXTENT, 4 * LEAST_RADIUS_SHARE * bounds.magnitude());
+        if (!(maxX - minX >= least) || !(maxY - minY >= least)) {
+            throw new IllegalArgumentException("the bounds are " + (maxX - minX) + " wide and " + (maxY - minY)
+                    + " high, but must be at least " + least + " for coordinates of this size");
+        }
+        return bounds;
+    }
+
+    /**
+     * Checks a radius.
+     *
+     * @param radius the radius
+     * @param bounds the arena
+     * @return the radius
+     */
+    public static float radius(float radius, Bounds bounds) {
+        return within("radius", radius, bounds.leastRadius(), bounds.greatestRadius());
+    }
+
+    /**
+     * Checks a mass.
+     *
+     * @param mass the mass; positive infinity for a fixed circle
+     * @return the mass
+     */
+    public static float mass(float mass) {
+        if (mass != Float.POSITIVE_INFINITY && !(mass >= LEAST_MASS && mass <= GREATEST_MASS)) {
+            throw new IllegalArgumentException("mass is " + mass + ", but must be from " + LEAST_MASS + " to "
+                    + GREATEST_MASS + ", or positive infinity for a fixed circle");
+        }
+        return mass;
+    }
+
+    /**
+     * Checks the centre of a circle.
+     *
+     * @param x x
+     * @param y y
+     * @param bounds the arena
+     */
+    public static void position(float x, float y, Bounds bounds) {
+        within("x", x, bounds.minX(), bounds.maxX());
+        within("y", y, bounds.minY(), bounds.maxY());
+    }
+
+    /**
+     * Checks a velocity.
+     *
+     * @param vx x
+     * @param vy y
+     */
+    public static void velocity(float vx, float vy) {
+        within("vx", vx, -SPEED, SPEED);
+        within("vy", vy, -SPEED, SPEED);
+    }
+
+    /**
+     * Checks a restitution.
+     *
+     * @param restitution the restitution
+     * @return the restitution
+     */
+    public static float restitution(float restitution) {
+        return within("restitution", restitution, 0f, 1f);
+    }
+}

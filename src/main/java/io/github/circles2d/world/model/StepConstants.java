@@ -1,0 +1,112 @@
+package io.github.circles2d.world.model;
+
+/**
+ * The numbers that a step needs, computed once on the host, in float, and handed to every back end: devices never compute
+ * them again, so they cannot differ.
+ */
+public final class StepConstants {
+    /** Length of the step, seconds. */
+    public float dt;
+
+    /** Sub-steps a step. */
+    public int subSteps;
+
+    /** Length of a sub-step. */
+    public float h;
+
+    /** 1 / length of a sub-step. */
+    public float inverseH;
+
+    /** Gain of speed in a sub-step. */
+    public float gravityStepX;
+
+    /** Gain of speed in a sub-step. */
+    public float gravityStepY;
+
+    /** What gravity moves a circle in the sub-steps of a step. */
+    public float fallX;
+
+    /** What gravity moves a circle in the sub-steps of a step. */
+    public float fallY;
+
+    /** Softness of contacts: push-out speed per depth. */
+    public float biasRate;
+
+    /** Softness of contacts: share of the impulse. */
+    public float massScale;
+
+    /** Softness of contacts: decay of the impulse. */
+    public float impulseScale;
+
+    /** Softness of walls. */
+    public float wallBiasRate;
+
+    /** Softness of walls. */
+    public float wallMassScale;
+
+    /** Softness of walls. */
+    public float wallImpulseScale;
+
+    /** Square of the bounce threshold per sum of radii. */
+    public float thresholdRate;
+
+    /** Bounce threshold per sum of radii, without gravity and restitution. */
+    public float restRate;
+
+    /** Greatest push-out speed per sum of radii. */
+    public float pushPerLength;
+
+    /** Greatest push-out speed per root of the sum of radii. */
+    public float pushPerRoot;
+
+    /** What impulses of the step before are multiplied by: the ratio of the lengths of the steps. */
+    public float warmScale;
+
+    /** The arena. */
+    public Bounds bounds;
+
+    /** No constants, until they are set. */
+    public StepConstants() {}
+
+    /**
+     * Computes the constants.
+     *
+     * @param dt length of the step, seconds
+     * @param subSteps sub-steps a step
+     * @param gravityX gravity
+     * @param gravityY gravity
+     * @param bounds the arena
+     * @param previousDt length of the step before; of no meaning before the first
+     */
+    public void set(float dt, int subSteps, float gravityX, float gravityY, Bounds bounds, float previousDt) {
+        this.dt = dt;
+        this.subSteps = subSteps;
+        this.bounds = bounds;
+        h = dt / subSteps;
+        inverseH = subSteps / dt;
+        gravityStepX = gravityX * h;
+        gravityStepY = gravityY * h;
+        fallX = gravityStepX * h * (0.5f * subSteps * (subSteps + 1));
+        fallY = gravityStepY * h * (0.5f * subSteps * (subSteps + 1));
+        // Not more than it was: after a short step most of an impulse is what the change of length itself has caused.
+        warmScale = Math.min(1f, dt / previousDt);
+
+        float omega = 2f * 3.14159265f * Tuning.FREQUENCY; // times h: a pure number, the same for every step
+        biasRate = (omega / (2f * Tuning.DAMPING + omega)) * inverseH;
+        float a2 = omega * (2f * Tuning.DAMPING + omega);
+        impulseScale = 1f / (1f + a2);
+        massScale = a2 * impulseScale;
+
+        float wallOmega = Tuning.WALL_STIFFNESS * omega;
+        wallBiasRate = (wallOmega / (2f * Tuning.DAMPING + wallOmega)) * inverseH;
+        float wallA2 = wallOmega * (2f * Tuning.DAMPING + wallOmega);
+        wallImpulseScale = 1f / (1f + wallA2);
+        wallMassScale = wallA2 * wallImpulseScale;
+
+        float gravity = CircleMath.norm(gravityX, gravityY);
+        thresholdRate = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f * gravity;
+        restRate = Tuning.REST_SPEED * 0.5f;
+        pushPerLength = Tuning.PUSH * 0.5f;
+        pushPerRoot = Tuning.PUSH_GRAVITY * (float) Math.sqrt(0.5f * gravity);
+    }
+}

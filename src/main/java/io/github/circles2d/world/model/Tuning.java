@@ -1,0 +1,54 @@
+package io.github.circles2d.world.model;
+
+/** The numbers that the physics was tuned with, all in one place. Changing one changes every recorded state. */
+public final class Tuning {
+    private Tuning() {}
+
+    /** A pair is listed as a contact from this gap on, in mean radii of the pair, even if nothing moves; half of it here. */
+    public static final float MARGIN = 0.025f;
+
+    /** Motion within a step that is looked ahead for, in radii of the circle that moves. */
+    public static final float CAP = 0.25f;
+
+    /** A circle goes no farther in a step, in its own radii. */
+    public static final float TRAVEL = 64f;
+
+    /** Fast circles do not look out for others that are this many times smaller. */
+    public static final float SWEEP_RATIO = 16f;
+
+    /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
+    public static final float LEASH = 0.5f;
+
+    /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
+    public static final int CROWD = 32;
+
+    /** A size class joins the level of the next larger class where it has at most this many times as many circles. */
+    static final int JOIN = 2;
+
+    /** Damping ratio of a soft contact. */
+    static final float DAMPING = 4f;
+
+    /** Stiffness of a soft contact: its frequency is this over the length of a sub-step. */
+    static final float FREQUENCY = 0.28f;
+
+    /** Walls are stiffer than contacts by this factor. */
+    static final float WALL_STIFFNESS = 2f;
+
+    /** Greatest push-out speed without gravity, in mean radii of the pair a second. */
+    static final float PUSH = 4f;
+
+    /** Greatest push-out speed under gravity, in units of sqrt(gravity x mean radius of the pair). */
+    static final float PUSH_GRAVITY = 2.7f;
+
+    /** Slower impacts do not bounce, in units of sqrt(gravity x mean radius of the pair). */
+    static final float BOUNCE_THRESHOLD = 1.2f;
+
+    /** Slower impacts do not bounce, in mean radii of the pair a second, where the restitution is 0; at 1 all bounce. */
+    static final float REST_SPEED = 0.1f;
+
+    /** Centres nearer than this, in sums of radii, count as one point. */
+    public static final float COINCIDENT = 1e-6f;
+
+    /** No component of a velocity exceeds this, so that nothing can overflow. */
+    public static final float GREATEST_SPEED = 1e9f;
+}

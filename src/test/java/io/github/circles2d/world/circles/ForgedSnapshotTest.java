@@ -1,0 +1,98 @@
+package io.github.circles2d.world.circles;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.World;
+import io.github.circles2d.WorldScenes;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+/** Snapshots that somebody has written with a check that fits: refused, or a world as sound as any other. */
+class ForgedSnapshotTest {
+    private static final int FORGERIES = 20_000;
+    private static final int[] HOSTILE = {
+        Float.floatToRawIntBits(Float.NaN),
+        Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
+        Float.floatToRawIntBits(Float.NEGATIVE_INFINITY),
+        Float.floatToRawIntBits(Float.MAX_VALUE),
+        Float.floatToRawIntBits(Float.MIN_VALUE),
+        Float.floatToRawIntBits(-0f),
+        Float.floatToRawIntBits(1e9f),
+        Float.floatToRawIntBits(-1e12f),
+        Float.floatToRawIntBits(1e24f),
+        Float.floatToRawIntBits(1e-9f),
+        0,
+        1,
+        -1,
+        Integer.MAX_VALUE,
+        Integer.MIN_VALUE
+    };
+
+    @Test
+    void areRefusedOrLeadToFiniteStates() {
+        Random random = new Random(8);
+        int accepted = 0;
+        try (World world = WorldScenes.jvm()
+                        .bounds(0, 0, 100, 40)
+                        .gravity(0, -9)
+                        .threads(1)
+                        .build();
+                World target = WorldScenes.jvm().threads(1).build()) {
+            for (int i = 0; i < 12; i++) {
+                world.add(10 + 3 * i, 1 + i % 3, 2, i % 5 == 0 ? Float.POSITIVE_INFINITY : 1 + i, 3 * i, -i);
+            }
+            world.remove(world.add(50, 20, 1, 1));
+            world.step(1 / 60f, 30);
+            ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
+            world.snapshot(good);
+            for (int k = 0; k < FORGERIES; k++) {
+                ByteBuffer forged = forge(good, random);
+                long before = target.hash();
+                try {
+                    target.restore(forged);
+                    accepted++;
+                } catch (IllegalArgumentException e) {
+                    assertThat(target.hash()).isEqualTo(before);
+                }
+                target.step(1 / 60f, 3);
+                assertFinite(target);
+            }
+        }
+        assertThat(accepted).isBetween(FORGERIES / 20, FORGERIES);
+    }
+
+    private static ByteBuffer forge(ByteBuffer good, Random random) {
+        int length = good.limit();
+        ByteBuffer forged = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
+        forged.put(0, good, 0, length);
+        for (int changes = 1 + random.nextInt(3); changes > 0; changes--) {
+            switch (random.nextInt(3)) {
+                case 0 -> forged.put(random.nextInt(length), (byte) random.nextInt());
+                case 1 -> forged.putInt(random.nextInt(length - 3), HOSTILE[random.nextInt(HOSTILE.length)]);
+                default -> {
+                    int at = random.nextInt(length);
+                    forged.put(at, (byte) (forged.get(at) ^ 1 << random.nextInt(8)));
+                }
+            }
+        }
+        forged.putLong(SnapshotCodec.CHECK_AT, SnapshotCodec.check(forged, length));
+        return forged;
+    }
+
+    private static void assertFinite(World world) {
+        float[] values = new float[4 * world.size()];
+        world.read(values);
+        for (int k = 0; k < values.length; k++) {
+            if (k % 4 != 3) {
+                assertThat(values[k]).isFinite();
+            }
+        }
+        float[] velocities = new float[2 * world.size()];
+        world.readVelocities(velocities);
+        for (float v : velocities) {
+            assertThat(v).isBetween(-1e9f, 1e9f);
+        }
+    }
+}

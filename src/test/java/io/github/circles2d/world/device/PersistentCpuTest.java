@@ -1,0 +1,160 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Whole steps in one launch on a processor, whose work-groups wait for each other. */
+class PersistentCpuTest {
+    static Iterable<Device> processors() {
+        List<Device> processors = new ArrayList<>();
+        for (Device device : TestDevices.all()) {
+            if (PersistentCpu.fits(device)) {
+                processors.add(device);
+            }
+        }
+        return processors;
+    }
+
+    private static Pipeline java() {
+        return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void aLaunchThatAWorkGroupDoesNotComeToChangesNothingAndIsMadeByOne(Device device) {
+        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
+        try (Twins twins = Twins.load(Scenes.packed(5000, 1), java(), pipeline)) {
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("together");
+            pipeline.lanes().waitForNobody(1000);
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("waited for nobody");
+            assertThat(pipeline.lanes().mostGroups()).isOne();
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("alone");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void launchesBehindOneThatWasCalledOffMakeNoStepsEither(Device device) {
+        Scene scene = Scenes.packed(3000, 2);
+        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
+        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+            twins.step(1 / 60f, 2);
+            twins.assertEqual("before");
+            // The next step finds more slots than circles, those behind it count on finding as many.
+            SplittableRandom random = new SplittableRandom(2);
+            for (int k = 0; k < 200; k++) {
+                twins.change(scene, random);
+            }
+            pipeline.lanes().waitForNobody(1000);
+            twins.step(1 / 60f, 1);
+            pipeline.lanes().waitForAll();
+            twins.step(1 / 60f, 1);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("after");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void theNumberOfWorkGroupsDoesNotShow(Device device) {
+        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
+        try (Twins twins = Twins.load(Scenes.packed(12_000, 3), java(), pipeline)) {
+            for (int k = 0; k < 6; k++) {
+                pipeline.lanes().mostGroups(1 + k % device.computeUnits());
+                twins.step(1 / 60f, 3);
+                twins.assertEqual(pipeline.lanes().mostGroups() + " work-groups");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void worldsOfHardlyAnyRowsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        for (int circles : new int[] {1, 2, 7, 15, 40}) {
+            Scene scene = Scenes.thesis(circles, 1);
+            try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+                for (int k = 0; k < 10; k++) {
+                    twins.step(scene.timeStep(), 10);
+                    twins.assertEqual(circles + " circles");
+                    twins.assertSameFigures();
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void figuresAndReadingsAreTheSameOnTheDeviceAsInJava(Device device) {
+        Scene scene = Scenes.packed(3000, 4);
+        try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+            for (int k = 0; k < 5; k++) {
+                twins.step(scene.timeStep(), 3);
+                twins.assertSameFigures();
+                twins.assertSameReadings();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void stepsByLanesAndByColoursMayTakeTurns(Device device) {
+        Scene scene = Scenes.packed(3000, 5);
+        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
+        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+            for (int k = 0; k < 8; k++) {
+                // One circle that is much larger makes a second level, which lanes do not take.
+                twins.setRadius(0, (k % 2 == 0 ? 1 : 5) * scene.radius(0));
+                twins.step(scene.timeStep(), 1 + k % 3);
+                twins.assertEqual("turn " + k);
+                twins.assertSameFigures();
+                if (k % 3 == 0) {
+                    twins.exchange();
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void worldsThatStepAtTheSameTimeOnOneProcessorDoNotMindEachOther(Device device) throws Exception {
+        ExecutorService threads = Executors.newFixedThreadPool(3);
+        try {
+            List<Callable<Void>> worlds = new ArrayList<>();
+            for (int seed = 1; seed <= 3; seed++) {
+                Scene scene = Scenes.packed(2000, seed);
+                worlds.add(() -> {
+                    try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+                        for (int k = 0; k < 20; k++) {
+                            twins.step(scene.timeStep(), 2);
+                            twins.assertEqual("step " + 2 * k);
+                        }
+                    }
+                    return null;
+                });
+            }
+            for (Future<Void> world : threads.invokeAll(worlds)) {
+                world.get();
+            }
+        } finally {
+            threads.shutdownNow();
+        }
+    }
+}

@@ -1,0 +1,255 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Every plan of the OpenCL pipeline has the same bits as the pipeline in Java, on every device. */
+class PipelinesAgreeTest {
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    /** The pipeline in Java, and one for each plan that a device can follow. */
+    static Pipeline[] pipelines(Device device) {
+        List<Pipeline> pipelines = new ArrayList<>();
+        pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
+        pipelines.add(new DevicePipeline(device, 0, false, Plan.COLOURS));
+        if (Tiles.fit(device)) {
+            pipelines.add(new DevicePipeline(device, 0, false, Plan.TILES));
+        }
+        if (PersistentGpu.fits(device)) {
+            pipelines.add(new DevicePipeline(device, 0, false, Plan.RESIDENT));
+        }
+        if (PersistentCpu.fits(device)) {
+            pipelines.add(new DevicePipeline(device, 0, false, Plan.LANES));
+        }
+        return pipelines.toArray(Pipeline[]::new);
+    }
+
+    private static void compare(Device device, Scene scene, int rounds, int steps, float dt) {
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            for (int k = 0; k < rounds; k++) {
+                twins.step(dt, steps);
+                twins.assertEqual(scene.name() + " after " + steps * (k + 1) + " steps");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        compare(device, Scenes.thesis(1250, 1), 20, 5, 1 / 60f);
+        compare(device, Scenes.packed(5000, 1), 6, 5, 1 / 60f);
+        compare(device, Scenes.gas(1250, 1), 20, 5, 1 / 60f);
+        compare(device, Scenes.pyramid(), 20, 5, 1 / 60f);
+        compare(device, Scenes.mixed(1250, 1), 20, 5, 1 / 60f);
+        compare(device, Scenes.barrel(1), 3, 10, Scenes.barrel(1).timeStep());
+        compare(device, Scenes.noCollide(), 20, 5, Scenes.noCollide().timeStep());
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void fixedCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        Scene scene = Scenes.thesis(300, 4);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            for (int id = 0; id < 20; id++) {
+                twins.commands().set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
+                twins.commands().set(Commands.VELOCITY, id, 0.3f - 0.03f * id, 0.5f);
+            }
+            for (int k = 0; k < 30; k++) {
+                twins.step(1 / 60f, 5);
+                twins.assertEqual("after " + 5 * (k + 1) + " steps");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void theSizeOfWorkGroupsDoesNotShow(Device device) {
+        for (int size : new int[] {1, 3, 32, 256}) {
+            Pipeline other = new DevicePipeline(device, 0, false, Plan.COLOURS).workGroupSize(size);
+            Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+            try (Twins twins = Twins.load(Scenes.mixed(600, 3), java, other)) {
+                for (int k = 0; k < 10; k++) {
+                    twins.step(1 / 60f, 5);
+                    twins.assertEqual(size + " work-items a work-group, " + 5 * (k + 1) + " steps");
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void fastCirclesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        compare(device, Scenes.billiards(1000), 20, 3, Scenes.billiards(1000).timeStep());
+        compare(device, Scenes.gas(1250, 2), 6, 3, 1f);
+        compare(device, Scenes.mixed(1250, 2), 6, 3, 1f);
+        compare(device, Scenes.bouncy(1), 6, 3, 1f);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void crowdsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
+        compare(device, Scenes.onePoint(2000, 1), 3, 1, 1 / 60f);
+        compare(device, Scenes.oneCell(1250, 1), 10, 3, 1 / 60f);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        for (int subSteps : new int[] {1, 4, 5}) {
+            Scene scene = Scenes.thesis(1250, 6);
+            try (Twins twins = Twins.load(scene, pipelines(device)).subSteps(subSteps)) {
+                SplittableRandom random = new SplittableRandom(subSteps);
+                for (int k = 0; k < 12; k++) {
+                    for (int changes = 0; changes < 400; changes++) {
+                        makeExtreme(twins.commands(), random.nextInt(scene.size()), random);
+                    }
+                    for (int steps = 0; steps < 3; steps++) {
+                        twins.step(1 / 60f, 1);
+                        twins.assertEqual(subSteps + " sub-steps, change " + k + ", step " + steps);
+                    }
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void stepsThatNobodyLooksAtInBetweenHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        // Among them such as are refused at first, and such as those behind them find other circumstances than.
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6), Scenes.onePoint(200, 6)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 70; k++) {
+                    twins.step(1 / 60f, 1);
+                }
+                twins.assertEqual(scene.name() + " after 70 steps");
+                for (float dt : new float[] {1 / 60f, 1 / 120f, 1 / 120f, 1 / 240f, 0.5f, 0.5f, 1 / 60f, 1 / 60f}) {
+                    twins.step(dt, 2);
+                    twins.step(dt, 1);
+                    if (dt == 0.5f) {
+                        twins.change(scene, random);
+                    }
+                }
+                twins.subSteps(2).step(1 / 60f, 1);
+                twins.subSteps(4).step(1 / 60f, 1);
+                twins.assertEqual(scene.name() + " after steps of several lengths");
+                twins.assertSameFigures();
+            }
+        }
+    }
+
+    /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
+    private static void makeExtreme(Commands commands, int id, SplittableRandom random) {
+        float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);
+        commands.set(Commands.MASS, id, mass, 0);
+        commands.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
+        float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
+        commands.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
+        if (random.nextInt(8) == 0) {
+            commands.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+        }
+    }
+
+    private static float power(SplittableRandom random, double least, double greatest) {
+        return (float) Math.pow(10, least + random.nextDouble() * (greatest - least));
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 40; k++) {
+                    twins.step(scene.timeStep(), 2);
+                    twins.assertEqual(scene.name() + " after change " + k);
+                    for (int changes = 0; changes < 5; changes++) {
+                        twins.change(scene, random);
+                    }
+                    if (k % 10 == 0) {
+                        twins.confine();
+                        twins.assertSameReadings();
+                    }
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
+        // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
+        for (Scene scene : new Scene[] {Scenes.thesis(600, 8), Scenes.mixed(600, 8), Scenes.onePoint(200, 8)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(9);
+                twins.requestPositions();
+                twins.assertSameRequestedPositions();
+                for (int k = 0; k < 80; k++) {
+                    float dt = k % 20 == 19 ? 0.5f : 1 / 60f;
+                    twins.step(dt, 1 + k % 3);
+                    if (k % 7 == 0) {
+                        twins.requestPositions();
+                        twins.step(dt, 2);
+                    }
+                    twins.requestPositions();
+                    twins.step(k % 20 == 10 ? 0.5f : dt, 1);
+                    for (int changes = 0; changes < k % 4; changes++) {
+                        twins.change(scene, random);
+                    }
+                    if (k % 9 == 8) {
+                        twins.exchange();
+                    }
+                    twins.assertSameRequestedPositions();
+                }
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aStateSavedOnOneGoesOnTheSameOnAnother(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(7);
+                for (int k = 0; k < 20; k++) {
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    twins.change(scene, random);
+                    twins.exchange();
+                    twins.assertEqual(scene.name() + " after exchange " + k);
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void figuresOfTheLastStepAreTheSameOnTheDeviceAsInJava(Device device) {
+        Scene scene = Scenes.mixed(1250, 4);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            SplittableRandom random = new SplittableRandom(7);
+            for (int k = 0; k < 5; k++) {
+                twins.step(scene.timeStep(), 3);
+                for (int changes = 0; changes < 2000; changes++) {
+                    twins.change(scene, random);
+                }
+                twins.assertSameFigures();
+                twins.apply();
+                twins.assertSameFigures();
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Tuning;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Which way a step takes where tiles are the plan; that all ways have the same bits is for {@link PipelinesAgreeTest}. */
+class TilesTest {
+    static List<Device> devices() {
+        return TestDevices.all().stream().filter(Tiles::fit).toList();
+    }
+
+    /** Adds a circle between two heaps that do not touch each other: a crowd for the circle, but not for a tile. */
+    private static void addCrowd(Twins twins) {
+        int heap = 18;
+        float radius = 0.02f;
+        twins.add(0.5f, 0.5f, radius, 1, 0, 0, 0);
+        for (int i = 0; i < heap; i++) {
+            twins.add(0.5f - 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
+            twins.add(0.5f + 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void crowdsThatAreThinnedOutAreSolvedByTilesWhereTheseFit(Device device) {
+        DevicePipeline pipeline = new DevicePipeline(device, 0, true, Plan.TILES);
+        Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+        try (Twins twins = new Twins(new Bounds(0, 0, 1, 1), 0, 0, java, pipeline)) {
+            addCrowd(twins);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("the step that is refused at first, for the crowd");
+            Map<String, Long> nanos = pipeline.kernelNanos();
+            assertThat(nanos).containsKey("contacts_crowd");
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("the step behind it");
+            assertThat(pipeline.greatestContacts()).isGreaterThan(Tuning.CROWD);
+            Map<String, Long> nanosThen = pipeline.kernelNanos();
+            for (String kernel : List.of("contacts_crowd", "solver_pushTile", "solver_relaxTile")) {
+                assertThat(nanosThen.get(kernel)).as(kernel).isGreaterThan(nanos.get(kernel));
+            }
+            assertThat(nanosThen).doesNotContainKeys("solver_push", "solver_relax");
+        }
+    }
+}

@@ -1,0 +1,126 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.ForkedJvm;
+import io.github.circles2d.opencl.TestDevices;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.opentest4j.TestAbortedException;
+
+/**
+ * Every kernel of the World under Oclgrind, which runs OpenCL in an interpreter that watches each access to memory: no race,
+ * no access out of bounds, no use of what was not initialised, and the bits of the pipeline in Java. Whole steps in one
+ * launch have a single work-group here: Oclgrind runs work-groups one after another, so none may wait for others.
+ *
+ * <p>Oclgrind 21.10 does not notice that a buffer is released: if a larger one gets its number, what a kernel writes behind the
+ * old end counts as not initialised. If the test reports that of a whole array, look first whether that array was replaced.
+ *
+ * <p>Where Oclgrind is not installed the test fails if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says
+ * that it is known to be absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.
+ */
+class WorldOclgrindTest {
+    private static final String PROPERTY = "circles2d.oclgrind";
+    private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
+    private static final Pattern KERNEL = Pattern.compile(
+            "^kernel (?:__attribute__\\S*\\(\\w+, 1, 1\\)\\)\\) )?void\\s+(\\w+)|^TILE_KERNEL (\\w+)",
+            Pattern.MULTILINE);
+
+    @Test
+    void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
+        assertThat(run("small", "LANES", "RESIDENT", "COLOURS", "crowd", "fast", "TILES"))
+                .containsAll(kernelsInFiles());
+    }
+
+    @Test
+    @Tag("exhaustive")
+    void norDoesAnyInLargerWorldsAndInWorkGroupsOfTheUsualSize() throws Exception {
+        assertThat(run("large", "COLOURS", "RESIDENT", "LANES", "crowd", "wide", "fast", "TILES"))
+                .containsAll(kernelsInFiles());
+    }
+
+    /** Runs worlds, some at a time, each in a process of its own; returns the kernels that ran, none of which was reported. */
+    private static Set<String> run(String size, String... worlds) throws Exception {
+        String driver = System.getProperty(PROPERTY, DRIVER);
+        if (driver.equals("absent") || !Files.exists(Path.of(driver)) && !TestDevices.required()) {
+            throw new TestAbortedException("Oclgrind is not installed");
+        }
+        assertThat(Path.of(driver)).as("Oclgrind's driver").exists();
+        ExecutorService threads =
+                Executors.newFixedThreadPool(Math.min(4, Runtime.getRuntime().availableProcessors()));
+        try {
+            List<Future<List<String>>> runs = new ArrayList<>();
+            for (String world : worlds) {
+                runs.add(threads.submit(() -> run(driver, world, size)));
+            }
+            Set<String> ran = new TreeSet<>();
+            for (Future<List<String>> run : runs) {
+                ran.addAll(run.get());
+            }
+            return ran;
+        } finally {
+            threads.shutdownNow();
+        }
+    }
+
+    /** Returns the kernels that ran, none of which was reported. */
+    private static List<String> run(String driver, String world, String size) throws IOException {
+        Path log = Files.createTempFile("oclgrind", ".log");
+        ForkedJvm.Result result = new ForkedJvm()
+                .option("-Djavacl.cacheBinaries=false")
+                .environment("OCL_ICD_VENDORS", driver)
+                .environment("OCLGRIND_DATA_RACES", "1")
+                .environment("OCLGRIND_UNINITIALIZED", "1")
+                .environment("OCLGRIND_CHECK_API", "1")
+                .environment("OCLGRIND_LOCAL_MEM_SIZE", "65536")
+                // Optimised, a vector that is put together from its parts counts as not initialised.
+                .environment("OCLGRIND_BUILD_OPTIONS", "-cl-opt-disable")
+                .environment("OCLGRIND_LOG", log.toString())
+                .run(OclgrindWorlds.class, world, size);
+        assertThat(result.exitStatus()).as(result.output()).isZero();
+        assertThat(result.output()).contains("done");
+        assertThat(Files.readString(log)).as(world).isEmpty();
+        Files.delete(log);
+        return result.output()
+                .lines()
+                .filter(line -> line.startsWith("kernels "))
+                .flatMap(line -> Arrays.stream(line.split(" ")).skip(1))
+                .toList();
+    }
+
+    private static Set<String> kernelsInFiles() throws IOException {
+        Set<String> kernels = new TreeSet<>();
+        try (Stream<Path> files = Files.list(Path.of("kernels", "world"))) {
+            for (Path file : files.toList()) {
+                Matcher matcher = KERNEL.matcher(Files.readString(file));
+                while (matcher.find()) {
+                    kernels.add(matcher.group(1) != null ? matcher.group(1) : matcher.group(2));
+                }
+            }
+        }
+        assertThat(kernels)
+                .contains(
+                        "scan_starts",
+                        "grid_gather",
+                        "solver_push",
+                        "solver_pushTile",
+                        "sweep_look",
+                        "resident_steps",
+                        "lanes_steps");
+        return kernels;
+    }
+}

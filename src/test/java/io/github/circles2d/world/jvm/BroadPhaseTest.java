@@ -1,0 +1,94 @@
+package io.github.circles2d.world.jvm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The grid finds what a test of all pairs finds. */
+class BroadPhaseTest {
+    static Stream<Scene> scenes() {
+        return Stream.of(
+                Scenes.thesis(1250, Scenes.SEED),
+                Scenes.gas(1500, Scenes.SEED),
+                Scenes.mixed(2000, Scenes.SEED),
+                Scenes.noCollide(),
+                Scenes.bouncy(Scenes.SEED),
+                Scenes.billiards(40),
+                Scenes.oneCell(700, Scenes.SEED),
+                Scenes.onePoint(1500, Scenes.SEED));
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void findsThePairsThatATestOfAllPairsFinds(Scene scene) {
+        for (int threads = 1; threads <= 3; threads += 2) {
+            try (JvmWorld world = new JvmWorld(scene, threads)) {
+                for (int k = 0; k < 6; k++) {
+                    compareOneStep(world);
+                    world.step(1 + k * k);
+                }
+            }
+        }
+    }
+
+    @Test
+    void findsThePairsOfRadiiOverThreeDecadesAtAnySpeed() {
+        Random random = new Random(3);
+        Scene frame = Scenes.pyramid();
+        try (JvmWorld world = new JvmWorld(frame, 2)) {
+            for (int i = 0; i < 1500; i++) {
+                float r = (float) (0.0001 * StrictMath.pow(1000, random.nextDouble()));
+                float mass = i % 7 == 0 ? Float.POSITIVE_INFINITY : r * r;
+                float speed = (float) StrictMath.pow(10, 4 * random.nextDouble() - 2);
+                world.add(
+                        random.nextFloat(),
+                        random.nextFloat(),
+                        r,
+                        mass,
+                        0.5f,
+                        speed * (random.nextFloat() - 0.5f),
+                        speed * (random.nextFloat() - 0.5f));
+            }
+            for (int k = 0; k < 8; k++) {
+                compareOneStep(world);
+            }
+        }
+    }
+
+    @Test
+    void findsThePairsAcrossTheEdgesOfATorusThatIsMuchSmallerThanTheArena() {
+        for (int groups : new int[] {40, 150, 600}) {
+            try (JvmWorld world = new JvmWorld(Scenes.pyramid(), 2)) {
+                for (int id = 0; id < 15; id++) {
+                    world.remove(id);
+                }
+                SparseArena.groups(groups, 3000, new Random(groups), world::add);
+                for (int k = 0; k < 3; k++) {
+                    compareOneStep(world);
+                    assertThat(world.pipeline.contacts()).isGreaterThan(groups);
+                }
+            }
+        }
+    }
+
+    private static void compareOneStep(JvmWorld world) {
+        world.prepare();
+        List<Long> expected = AllPairs.of(world.save(), world.levels, world.constants);
+        world.step(1);
+        List<Long> found = new ArrayList<>();
+        for (int c = 0; c < world.pipeline.contacts(); c++) {
+            found.add(world.pipeline.lastContacts().ids(c));
+        }
+        Collections.sort(found);
+        assertThat(found).isEqualTo(expected);
+    }
+}

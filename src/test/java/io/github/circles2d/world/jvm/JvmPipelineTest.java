@@ -1,0 +1,92 @@
+package io.github.circles2d.world.jvm;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.circles.HandleTable;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What must not show in the state: threads and slots. */
+@Timeout(120) // a barrier that is wrong may as well hang
+class JvmPipelineTest {
+    private static final int STEPS = 40;
+
+    static Stream<Scene> scenes() {
+        return Stream.of(
+                Scenes.thesis(1250, Scenes.SEED),
+                Scenes.packed(3000, Scenes.SEED),
+                Scenes.gas(1250, Scenes.SEED),
+                Scenes.pyramid(),
+                Scenes.mixed(2000, Scenes.SEED),
+                Scenes.noCollide(),
+                Scenes.billiards(40),
+                Scenes.onePoint(1000, Scenes.SEED));
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void theStateDoesNotDependOnTheNumberOfThreads(Scene scene) {
+        long[] expected = hashes(scene, 1, false);
+        assertThat(hashes(scene, 2, false)).isEqualTo(expected);
+        assertThat(hashes(scene, 7, false)).isEqualTo(expected);
+    }
+
+    @ParameterizedTest
+    @MethodSource("scenes")
+    void theStateDoesNotDependOnTheSlotsThatCirclesLieIn(Scene scene) {
+        assertThat(hashes(scene, 1, true)).isEqualTo(hashes(scene, 1, false));
+    }
+
+    /** The hash after each step, with a circle that comes or goes every third step. */
+    private static long[] hashes(Scene scene, int threads, boolean shuffled) {
+        Random random = new Random(11);
+        Random order = new Random(12);
+        long[] hashes = new long[STEPS];
+        try (JvmWorld world = new JvmWorld(scene, threads)) {
+            for (int step = 0; step < STEPS; step++) {
+                if (step % 3 == 1) {
+                    world.remove(someId(world.roster, random));
+                } else if (step % 3 == 2) {
+                    world.add(
+                            scene.minX() + (scene.maxX() - scene.minX()) * random.nextFloat(),
+                            scene.minY() + (scene.maxY() - scene.minY()) * random.nextFloat(),
+                            scene.radius(0),
+                            1,
+                            0.5f,
+                            0,
+                            0);
+                }
+                if (shuffled) {
+                    world.prepare();
+                    world.pipeline.permute(permutation(world.roster.size(), order));
+                }
+                world.step(1);
+                hashes[step] = world.pipeline.hash();
+            }
+        }
+        return hashes;
+    }
+
+    private static int someId(HandleTable roster, Random random) {
+        int id = random.nextInt(roster.end());
+        while (!roster.lives(id)) {
+            id = (id + 1) % roster.end();
+        }
+        return id;
+    }
+
+    private static int[] permutation(int n, Random random) {
+        int[] order = new int[n];
+        for (int k = 0; k < n; k++) {
+            int other = random.nextInt(k + 1);
+            order[k] = order[other];
+            order[other] = k;
+        }
+        return order;
+    }
+}

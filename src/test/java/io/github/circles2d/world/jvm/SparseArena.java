@@ -1,0 +1,50 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.Tuning;
+import java.util.Random;
+
+/** Circles in an arena that has many more cells than there are circles; the arena is the unit square. */
+public final class SparseArena {
+    /** Takes a circle. */
+    public interface Taker {
+        void add(float x, float y, float radius, float mass, float restitution, float vx, float vy);
+    }
+
+    private SparseArena() {}
+
+    /** Radius of a circle in whose grid the arena has so many columns. */
+    private static float radius(int columns) {
+        return (1f / columns - 0x1p-20f) / (2 * (1 + Tuning.MARGIN + Tuning.CAP));
+    }
+
+    /** A square lattice of side x side circles. Their centres are some cells apart, in rows and in columns. */
+    public static void lattice(int side, int spacing, Taker to) {
+        float radius = radius(side * spacing);
+        for (int i = 0; i < side * side; i++) {
+            to.add((i % side + 0.25f) / side, (i / side + 0.25f) / side, radius, 1, 1, radius, radius);
+        }
+    }
+
+    /**
+     * Groups of four circles each, near enough to each other for contacts, at random places; one circle in eight goes a few
+     * radii in a step of 1/60.
+     */
+    public static void groups(int groups, int columns, Random random, Taker to) {
+        float radius = radius(columns);
+        for (int group = 0; group < groups; group++) {
+            float x = random.nextFloat();
+            float y = random.nextFloat();
+            for (int i = 0; i < 4; i++) {
+                float speed = (random.nextInt(8) == 0 ? 500 : 5) * radius;
+                to.add(
+                        x + 4 * radius * (random.nextFloat() - 0.5f),
+                        y + 4 * radius * (random.nextFloat() - 0.5f),
+                        radius * (0.6f + 0.4f * random.nextFloat()),
+                        1,
+                        0.5f,
+                        speed * (random.nextFloat() - 0.5f),
+                        speed * (random.nextFloat() - 0.5f));
+            }
+        }
+    }
+}
