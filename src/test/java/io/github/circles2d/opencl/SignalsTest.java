@@ -66,7 +66,8 @@ class SignalsTest {
     @ParameterizedTest
     @ValueSource(strings = {"forever", "once"})
     void aThreadDumpAndShutdownHooksComeDuringAndAfterCompilation(String mode) throws Exception {
-        Process process = cold().start(CompileForever.class, mode);
+        // A shell that starts the tests in the background makes them, and all that they start, ignore Ctrl-C.
+        Process process = cold().startedBy("env", "--default-signal=INT").start(CompileForever.class, mode);
         try (BufferedReader output =
                 new BufferedReader(new InputStreamReader(process.getInputStream(), StandardCharsets.UTF_8))) {
             readUntil(output, "compiled 0");
