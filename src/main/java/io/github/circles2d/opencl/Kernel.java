@@ -133,22 +133,6 @@ public final class Kernel implements AutoCloseable {
     }
 
     /**
-     * Gives a {@code local} pointer argument its memory.
-     *
-     * @param index position in the kernel's argument list, from 0
-     * @param bytes bytes a work-group
-     * @return this kernel
-     */
-    public Kernel localArg(int index, long bytes) {
-        try {
-            kernel.setLocalArg(index, bytes);
-        } catch (CLException e) {
-            throw failedArgument(index, e);
-        }
-        return this;
-    }
-
-    /**
      * Enqueues the kernel in work-groups of a size that suits the device. The number of work-items is rounded up to
      * whole work-groups, so the kernel must guard by its own count.
      *

@@ -29,11 +29,6 @@ final class Profile {
         return Map.copyOf(nanos);
     }
 
-    void reset() {
-        nanosByKernel();
-        nanos.clear();
-    }
-
     /** Releases the events that nobody asked for. */
     void release() {
         events.forEach(CLEvent::release);

@@ -236,22 +236,14 @@ public final class Session implements AutoCloseable {
     }
 
     /**
-     * Returns the device time by kernel, in nanoseconds, since the session was opened or {@link #resetProfile} was
-     * called; waits for the device.
+     * Returns the device time by kernel, in nanoseconds, since the session was opened; waits for
+     * the device.
      *
      * @return nanoseconds by name of the kernel; empty unless the session was opened for profiling
      */
     public Map<String, Long> profileNanos() {
         finish();
         return profile == null ? Map.of() : profile.nanosByKernel();
-    }
-
-    /** Starts the profile anew. */
-    public void resetProfile() {
-        finish();
-        if (profile != null) {
-            profile.reset();
-        }
     }
 
     @Override
