@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.TestDevices;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.Random;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -15,7 +16,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * engine refuses are drawn again.
  */
 class Circles2DFuzzTest {
-    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.thesis", 3);
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.thesis", 1);
     private static final int LOOPS = 1_000;
     private static final int CIRCLES = 32;
 
@@ -30,7 +31,19 @@ class Circles2DFuzzTest {
     @ParameterizedTest
     @MethodSource("devices")
     void whatIsAcceptedStaysFiniteForAThousandLoops(Device device) throws IOException {
-        for (int program = 0; program < PROGRAMS; program++) {
+        run(device, 0, PROGRAMS);
+    }
+
+    /** Those that follow. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void soDoMore(Device device) throws IOException {
+        run(device, PROGRAMS, 4);
+    }
+
+    private static void run(Device device, int first, int programs) throws IOException {
+        for (int program = first; program < first + programs; program++) {
             for (int strategy = 0; strategy <= 3; strategy++) {
                 long seed = Long.getLong("circles2d.fuzz.seed", 12) + 4L * program + strategy;
                 try (Circles2D engine = new Circles2D(device)) {

@@ -23,10 +23,18 @@ class GoldenHashesTest {
     private static final long LONG =
             System.getProperty("circles2d.golden", "").equals("full") ? Long.MAX_VALUE : 13_000_000;
 
+    static List<Arguments> scenesAndTwoNumbersOfThreads() {
+        return scenesAndThreads(1, 7);
+    }
+
     static List<Arguments> scenesAndThreads() {
+        return scenesAndThreads(1, 2, 7);
+    }
+
+    private static List<Arguments> scenesAndThreads(int... numbers) {
         List<Arguments> runs = new ArrayList<>();
         for (GoldenScene scene : GoldenScene.all()) {
-            for (int threads : new int[] {1, 2, 7}) {
+            for (int threads : numbers) {
                 runs.add(Arguments.of(scene, threads));
             }
         }
@@ -44,7 +52,7 @@ class GoldenHashesTest {
     }
 
     @ParameterizedTest
-    @MethodSource("scenesAndThreads")
+    @MethodSource("scenesAndTwoNumbersOfThreads")
     void theJvmBackEndGivesTheHashesOnRecordWithAnyNumberOfThreads(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), SHORT);
     }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,18 +28,33 @@ class KernelsAgainstOracleTest {
     private static final double STAGE_TOLERANCE = 5e-7;
     private static final double RUN_TOLERANCE = 1e-5;
 
+    private static final int STRATEGIES = 4;
+
+    /** Each with a work-item a slot, as on a CPU; one with few work-items, too, as on a GPU. */
     static List<Arguments> everyStrategyOnEveryDevice() {
         List<Arguments> cases = new ArrayList<>();
-        for (Device device : TestDevices.all()) {
-            for (int strategy = 0; strategy < 4; strategy++) {
-                for (boolean fewWorkItems : new boolean[] {false, true}) {
-                    for (float restitution : new float[] {0, 0.5f, 1}) {
-                        cases.add(Arguments.of(device, strategy, fewWorkItems, restitution));
-                    }
-                }
-            }
+        for (int strategy = 0; strategy < STRATEGIES; strategy++) {
+            addCases(cases, strategy, false);
+        }
+        addCases(cases, STRATEGIES - 1, true);
+        return cases;
+    }
+
+    static List<Arguments> theOthersWithFewWorkItems() {
+        List<Arguments> cases = new ArrayList<>();
+        for (int strategy = 0; strategy < STRATEGIES - 1; strategy++) {
+            addCases(cases, strategy, true);
         }
         return cases;
+    }
+
+    /** A program on each device, which a driver compiles for seconds. */
+    private static void addCases(List<Arguments> cases, int strategy, boolean fewWorkItems) {
+        for (Device device : TestDevices.all()) {
+            for (float restitution : new float[] {0, 0.5f, 1}) {
+                cases.add(Arguments.of(device, strategy, fewWorkItems, restitution));
+            }
+        }
     }
 
     static Stream<Arguments> everyElasticStrategyOnEveryDevice() {
@@ -140,6 +156,18 @@ class KernelsAgainstOracleTest {
             assertThat(contacts).isGreaterThan(50);
             assertThat(oracle.takeMargin()).isGreaterThan(3 * RUN_TOLERANCE);
             assertSameState(stages, oracle, RUN_TOLERANCE);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("theOthersWithFewWorkItems")
+    @Tag("exhaustive")
+    void everyStageOfEveryStrategyIsTheOraclesWithFewWorkItemsToo(Device device, int strategy, boolean few, float e) {
+        updatePositionMovesAndReflectsAsTheOracleDoes(device, strategy, few, e);
+        detectFindsTheMtvOfEveryPairAndClearsTheSlotsOfAllOthers(device, strategy, few, e);
+        resolvePartsOverlappingPairsAndExchangesTheirImpulses(device, strategy, few, e);
+        if (e > 0) {
+            twentyWholeStepsFollowTheOracle(device, strategy, few, e);
         }
     }
 

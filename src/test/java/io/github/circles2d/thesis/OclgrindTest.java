@@ -6,8 +6,13 @@ import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.TestDevices;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
@@ -25,8 +30,11 @@ class OclgrindTest {
     private static final String DRIVER = "/usr/lib/oclgrind/liboclgrind-rt-icd.so";
     private static final Pattern KERNEL = Pattern.compile("^\\s*Kernel: (\\w+)", Pattern.MULTILINE);
 
+    /** Of the scenes, which run side by side from the start: each takes seconds, on one core. */
+    private static final Map<String, Future<ForkedJvm.Result>> RUNS = new HashMap<>();
+
     @BeforeAll
-    static void oclgrindIsThere() {
+    static void runEveryScene() {
         String driver = System.getProperty(PROPERTY, DRIVER);
         if (driver.equals("absent") || !Files.exists(Path.of(driver)) && !TestDevices.required()) {
             throw new TestAbortedException("Oclgrind is not installed");
@@ -34,6 +42,13 @@ class OclgrindTest {
         assertThat(Path.of(driver))
                 .as("Oclgrind's driver; install oclgrind, or set -D" + PROPERTY)
                 .exists();
+        ExecutorService threads =
+                Executors.newFixedThreadPool(Math.min(4, Runtime.getRuntime().availableProcessors()));
+        RUNS.put("pairs", threads.submit(() -> run("pairs", true)));
+        RUNS.put("crowd", threads.submit(() -> run("crowd", true)));
+        RUNS.put("wrong slots", threads.submit(() -> run("wrong slots", false)));
+        RUNS.put("control", threads.submit(() -> run("control", false)));
+        threads.shutdown();
     }
 
     private static ForkedJvm.Result run(String scene, boolean races) {
@@ -46,7 +61,11 @@ class OclgrindTest {
         if (races) {
             jvm.environment("OCLGRIND_DATA_RACES", "1");
         }
-        ForkedJvm.Result result = jvm.run(OclgrindScenes.class, scene);
+        return jvm.run(OclgrindScenes.class, scene);
+    }
+
+    private static ForkedJvm.Result resultOf(String scene) throws Exception {
+        ForkedJvm.Result result = RUNS.get(scene).get();
         assertThat(result.exitStatus()).as(result.output()).isZero();
         assertThat(result.output()).contains("done");
         return result;
@@ -71,16 +90,16 @@ class OclgrindTest {
     }
 
     @Test
-    void noKernelRacesOrLeavesItsBuffersWhereNoCircleHasTwoContacts() {
-        ForkedJvm.Result result = run("pairs", true);
+    void noKernelRacesOrLeavesItsBuffersWhereNoCircleHasTwoContacts() throws Exception {
+        ForkedJvm.Result result = resultOf("pairs");
         assertThat(reportedKernels(result)).as(result.output()).isEmpty();
         assertThat(reports(result)).isEmpty();
     }
 
     /** The thesis resolves all pairs at once, so two work-items may read and write one circle: a race by design. */
     @Test
-    void inACrowdTheResolveKernelsRaceAndNothingElseIsReported() {
-        ForkedJvm.Result result = run("crowd", true);
+    void inACrowdTheResolveKernelsRaceAndNothingElseIsReported() throws Exception {
+        ForkedJvm.Result result = resultOf("crowd");
         assertThat(reportedKernels(result))
                 .containsExactlyInAnyOrder(
                         "resolve_collisions",
@@ -91,16 +110,16 @@ class OclgrindTest {
     }
 
     @Test
-    void slotsThatStrategyZeroMapsWronglyTouchNoMemory() {
-        ForkedJvm.Result result = run("wrong slots", false);
+    void slotsThatStrategyZeroMapsWronglyTouchNoMemory() throws Exception {
+        ForkedJvm.Result result = resultOf("wrong slots");
         assertThat(result.output()).containsPattern("wrong slots [1-9]");
         assertThat(reportedKernels(result)).as(result.output()).isEmpty();
         assertThat(reports(result)).isEmpty();
     }
 
     @Test
-    void anAccessOutOfBoundsWouldHaveBeenReported() {
-        ForkedJvm.Result result = run("control", false);
+    void anAccessOutOfBoundsWouldHaveBeenReported() throws Exception {
+        ForkedJvm.Result result = resultOf("control");
         assertThat(reportedKernels(result)).containsExactly("past_the_end");
         assertThat(reports(result)).containsExactly("Invalid write");
     }

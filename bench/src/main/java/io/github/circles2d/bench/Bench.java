@@ -9,6 +9,7 @@ import io.github.circles2d.bench.sweep.Sweep;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.logging.Level;
@@ -20,8 +21,6 @@ public final class Bench {
     private static final List<String> SMOKE = List.of(
             "-foe",
             "true",
-            "-f",
-            "1",
             "-wi",
             "0",
             "-i",
@@ -34,6 +33,12 @@ public final class Bench {
             "bytes=65536",
             "-p",
             "scene=packed");
+
+    /** In this JVM: to start one for each of some forty runs takes minutes. */
+    private static final List<String> WITHOUT_FORKS = List.of("-f", "0");
+
+    /** One benchmark in a JVM of its own, with the options that all of them ask for. */
+    private static final List<String> WITH_A_FORK = List.of("-f", "1", "CopyBenchmark");
 
     /** Held, or it would be forgotten with its level. */
     private static final Logger LIBRARY_LOG = Logger.getLogger("io.github.circles2d");
@@ -57,7 +62,8 @@ public final class Bench {
                     org.openjdk.jmh.Main.main(rest.toArray(new String[0]));
                     break;
                 case "smoke":
-                    org.openjdk.jmh.Main.main(SMOKE.toArray(new String[0]));
+                    smoke(WITHOUT_FORKS);
+                    smoke(WITH_A_FORK);
                     break;
                 case "table":
                     ConsoleTable.print(folder(rest), System.out);
@@ -75,6 +81,12 @@ public final class Bench {
             System.err.println(e.getMessage());
             System.exit(2);
         }
+    }
+
+    private static void smoke(List<String> more) throws IOException {
+        List<String> all = new ArrayList<>(SMOKE);
+        all.addAll(more);
+        org.openjdk.jmh.Main.main(all.toArray(new String[0]));
     }
 
     private static void sweep(List<String> arguments) throws IOException {

@@ -10,6 +10,8 @@ import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Tuning;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -77,8 +79,20 @@ class CircleMathOnDevicesTest {
         compare(device, MANY_INPUTS);
     }
 
+    /** The file of the formulas without the stages, whose kernels a driver would compile too, for ten seconds. */
+    static KernelSource formulas() {
+        return KernelSource.of("world/CircleMath.cl")
+                .define("LEVELS", GridLevels.COUNT)
+                .define("MARGIN", Tuning.MARGIN)
+                .define("CAP", Tuning.CAP)
+                .define("TRAVEL", Tuning.TRAVEL)
+                .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
+                .define("CROWD", Tuning.CROWD)
+                .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
+    }
+
     private static void compare(Device device, int count) throws Throwable {
-        KernelSource source = StageKernels.source(false, false);
+        KernelSource source = formulas();
         for (Method function : functions()) {
             source = source.and(probe(function));
         }

@@ -46,7 +46,9 @@ class LaneMathTest {
     @ParameterizedTest
     @MethodSource("devices")
     void everyLaneHasTheBitsOfTheFormulaForOne(Device device) {
-        KernelSource source = StageKernels.source(false, true).and(KernelSource.ofText("probe", probe()));
+        KernelSource source = CircleMathOnDevicesTest.formulas()
+                .and("world/World.cl", "world/LaneMath.cl")
+                .and(KernelSource.ofText("probe", probe()));
         try (Session session = Session.open(device);
                 DeviceBuffer in = session.allocate("inputs", 16L * ARGUMENTS * SETS);
                 DeviceBuffer out = session.allocate("lanes that differ", 4L * FORMULAS.length)) {

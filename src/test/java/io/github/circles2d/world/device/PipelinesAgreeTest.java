@@ -10,6 +10,7 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -48,13 +49,24 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        compare(device, Scenes.thesis(1250, 1), 20, 5, 1 / 60f);
-        compare(device, Scenes.packed(5000, 1), 6, 5, 1 / 60f);
-        compare(device, Scenes.gas(1250, 1), 20, 5, 1 / 60f);
-        compare(device, Scenes.pyramid(), 20, 5, 1 / 60f);
-        compare(device, Scenes.mixed(1250, 1), 20, 5, 1 / 60f);
-        compare(device, Scenes.barrel(1), 3, 10, Scenes.barrel(1).timeStep());
-        compare(device, Scenes.noCollide(), 20, 5, Scenes.noCollide().timeStep());
+        compareScenes(device, 10, 1);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void scenesHaveTheSameBitsForLongerOnTheDeviceAsInJava(Device device) {
+        compareScenes(device, 20, 3);
+    }
+
+    private static void compareScenes(Device device, int rounds, int roundsOfLarge) {
+        compare(device, Scenes.thesis(1250, 1), rounds, 5, 1 / 60f);
+        compare(device, Scenes.packed(5000, 1), 2 * roundsOfLarge, 5, 1 / 60f);
+        compare(device, Scenes.gas(1250, 1), rounds, 5, 1 / 60f);
+        compare(device, Scenes.pyramid(), rounds, 5, 1 / 60f);
+        compare(device, Scenes.mixed(1250, 1), rounds, 5, 1 / 60f);
+        compare(device, Scenes.barrel(1), roundsOfLarge, 10, Scenes.barrel(1).timeStep());
+        compare(device, Scenes.noCollide(), rounds, 5, Scenes.noCollide().timeStep());
     }
 
     @ParameterizedTest
@@ -76,7 +88,19 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void theSizeOfWorkGroupsDoesNotShow(Device device) {
-        for (int size : new int[] {1, 3, 32, 256}) {
+        compareSizesOfWorkGroups(device, 3, 256);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void otherSizesOfWorkGroupsDoNotShow(Device device) {
+        compareSizesOfWorkGroups(device, 1, 32);
+    }
+
+    /** A driver may compile every kernel anew for each size. */
+    private static void compareSizesOfWorkGroups(Device device, int... sizes) {
+        for (int size : sizes) {
             Pipeline other = new DevicePipeline(device, 0, false, Plan.COLOURS).workGroupSize(size);
             Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
             try (Twins twins = Twins.load(Scenes.mixed(600, 3), java, other)) {
@@ -170,10 +194,21 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
+        compareChanges(device, 21);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void manyChangesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
+        compareChanges(device, 40);
+    }
+
+    private static void compareChanges(Device device, int rounds) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(7);
-                for (int k = 0; k < 40; k++) {
+                for (int k = 0; k < rounds; k++) {
                     twins.step(scene.timeStep(), 2);
                     twins.assertEqual(scene.name() + " after change " + k);
                     for (int changes = 0; changes < 5; changes++) {
@@ -191,13 +226,24 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
+        compareRequests(device, 40);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void positionsOfManyRequestsAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
+        compareRequests(device, 80);
+    }
+
+    private static void compareRequests(Device device, int rounds) {
         // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
         for (Scene scene : new Scene[] {Scenes.thesis(600, 8), Scenes.mixed(600, 8), Scenes.onePoint(200, 8)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(9);
                 twins.requestPositions();
                 twins.assertSameRequestedPositions();
-                for (int k = 0; k < 80; k++) {
+                for (int k = 0; k < rounds; k++) {
                     float dt = k % 20 == 19 ? 0.5f : 1 / 60f;
                     twins.step(dt, 1 + k % 3);
                     if (k % 7 == 0) {
