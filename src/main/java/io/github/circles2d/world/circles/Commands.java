@@ -127,23 +127,6 @@ public final class Commands {
     }
 
     /**
-     * Records a new circle.
-     *
-     * @param id its id
-     * @param x x
-     * @param y y
-     * @param radius radius
-     * @param mass mass
-     * @param restitution restitution
-     * @param vx velocity
-     * @param vy velocity
-     */
-    public void add(int id, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
-        prepare(0, x, y, radius, mass, restitution, vx, vy);
-        admit(id);
-    }
-
-    /**
      * Copies a new circle to where {@link #admit} finds it. Until then it is no record, and the next record of another kind
      * overwrites it.
      *
