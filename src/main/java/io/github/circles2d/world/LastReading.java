@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.HandleTable;
 
 /** What single reads are answered from: the last bulk read-back, for as long as it holds. */
@@ -43,8 +44,8 @@ final class LastReading {
     float[] circles() {
         if (!circlesCurrent) {
             beforeReading.run();
-            if (circles.length < 4 * handles.size()) {
-                circles = new float[4 * handles.size()];
+            if (circles.length < CircleRow.STRIDE * handles.size()) {
+                circles = new float[CircleRow.STRIDE * handles.size()];
             }
             pipeline.readCircles(handles, circles);
             circlesCurrent = true;

@@ -88,7 +88,7 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             Objects.requireNonNull(circles, "circles");
-            int n = circles.length / 4;
+            int n = circles.length / CircleRow.STRIDE;
             checkLengths(n, circles, velocities, to);
             checkRoom(n);
             expect(n);
@@ -113,7 +113,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     private static void checkLengths(int n, float[] circles, float[] velocities, long[] to) {
-        if (circles.length % 4 != 0) {
+        if (circles.length % CircleRow.STRIDE != 0) {
             throw new IllegalArgumentException(
                     "circles has " + circles.length + " elements, but must have four a circle");
         }
@@ -129,10 +129,10 @@ public final class Simulation implements AutoCloseable {
 
     /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
     private void prepare(int i, float[] circles, float[] velocities) {
-        float x = circles[4 * i + CircleRow.X];
-        float y = circles[4 * i + CircleRow.Y];
-        float radius = circles[4 * i + CircleRow.RADIUS];
-        float mass = circles[4 * i + CircleRow.MASS];
+        float x = circles[CircleRow.STRIDE * i + CircleRow.X];
+        float y = circles[CircleRow.STRIDE * i + CircleRow.Y];
+        float radius = circles[CircleRow.STRIDE * i + CircleRow.RADIUS];
+        float mass = circles[CircleRow.STRIDE * i + CircleRow.MASS];
         float vx = velocities == null ? 0 : velocities[2 * i];
         float vy = velocities == null ? 0 : velocities[2 * i + 1];
         try {
@@ -393,7 +393,7 @@ public final class Simulation implements AutoCloseable {
     public void read(float[] circles) {
         guard.enter();
         try {
-            requireRoom("circles", circles.length, 4L * handles.size());
+            requireRoom("circles", circles.length, (long) CircleRow.STRIDE * handles.size());
             settle();
             pipeline.readCircles(handles, circles);
         } catch (RuntimeException | Error e) {
@@ -407,8 +407,8 @@ public final class Simulation implements AutoCloseable {
     public void read(FloatBuffer circles) {
         guard.enter();
         try {
-            requireRoom("circles", circles, 4L * handles.size());
-            circles.put(last.circles(), 0, 4 * handles.size());
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
+            circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
