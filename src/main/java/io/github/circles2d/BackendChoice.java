@@ -37,13 +37,13 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
-    static BackendChoice of(Backend wanted, int threads, int leastShare, int capacity, boolean profiling) {
+    static BackendChoice of(Backend wanted, int threads, int capacity, boolean profiling) {
         BackendChoice choice =
                 switch (wanted) {
-                    case JVM -> jvm(threads, leastShare, capacity, profiling, ASKED_FOR);
+                    case JVM -> jvm(threads, capacity, profiling, ASKED_FOR);
                     case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
                     case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
-                    case AUTO -> fastest(threads, leastShare, capacity, profiling);
+                    case AUTO -> fastest(threads, capacity, profiling);
                 };
         String subject = choice.backend + choice.pipeline.device();
         return choice.logged(
@@ -55,16 +55,16 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
     }
 
-    private static BackendChoice fastest(int threads, int leastShare, int capacity, boolean profiling) {
+    private static BackendChoice fastest(int threads, int capacity, boolean profiling) {
         Timings timings = Calibration.timings();
         if (timings.entries().isEmpty()) {
             String hint = "; not calibrated: Calibration.run() would measure it";
-            return byRule(threads, leastShare, capacity, profiling, hint);
+            return byRule(threads, capacity, profiling, hint);
         }
         Optional<Curve> jvm = timings.find(Workload.WORLD, "", Runners.jvm(threads));
         if (jvm.isEmpty()) {
             String hint = "; the calibration is not of this Java virtual machine with so many threads";
-            return byRule(threads, leastShare, capacity, profiling, hint);
+            return byRule(threads, capacity, profiling, hint);
         }
         Map<Optional<Device>, Curve> candidates = new LinkedHashMap<>();
         candidates.put(Optional.empty(), jvm.get());
@@ -77,7 +77,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                 if (curve.isEmpty() && isTheGpuOfTheRule(device)) {
                     String hint =
                             "; the calibration is not of " + device.name() + " with this driver and these kernels";
-                    return byRule(threads, leastShare, capacity, profiling, hint);
+                    return byRule(threads, capacity, profiling, hint);
                 }
             }
         }
@@ -92,7 +92,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         } catch (OpenClException e) {
             why = taken.get().name() + " cannot be used: " + e.getMessage();
         }
-        return jvm(threads, leastShare, capacity, profiling, why);
+        return jvm(threads, capacity, profiling, why);
     }
 
     private static boolean isTheGpuOfTheRule(Device device) {
@@ -122,7 +122,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         }
     }
 
-    private static BackendChoice byRule(int threads, int leastShare, int capacity, boolean profiling, String hint) {
+    private static BackendChoice byRule(int threads, int capacity, boolean profiling, String hint) {
         String reason;
         if (capacity < LEAST_FOR_GPU) {
             reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is " + capacity;
@@ -138,7 +138,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return jvm(threads, leastShare, capacity, profiling, reason + hint);
+        return jvm(threads, capacity, profiling, reason + hint);
     }
 
     private static Device gpu() {
@@ -160,8 +160,9 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return new BackendChoice(backend, new DevicePipeline(device, capacity, profiling), reason);
     }
 
-    private static BackendChoice jvm(int threads, int leastShare, int capacity, boolean profiling, String reason) {
-        return new BackendChoice(Backend.JVM, new JvmPipeline(threads, leastShare, capacity, profiling), reason);
+    private static BackendChoice jvm(int threads, int capacity, boolean profiling, String reason) {
+        return new BackendChoice(
+                Backend.JVM, new JvmPipeline(threads, JvmPipeline.LEAST_SHARE, capacity, profiling), reason);
     }
 
     private BackendChoice logged(System.Logger.Level level) {

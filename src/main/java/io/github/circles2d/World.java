@@ -1,29 +1,19 @@
 package io.github.circles2d;
 
 import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
-import io.github.circles2d.world.LastReading;
-import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.Figures;
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
-import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.model.StepConstants;
-import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
-import java.util.Collections;
-import java.util.ConcurrentModificationException;
 import java.util.Objects;
-import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 
 /**
  * The engine for games: rigid circles that fall, collide, bounce and pile up between four walls, come and go, and replay to
@@ -80,55 +70,15 @@ import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
-    private static final AtomicReferenceFieldUpdater<World, Thread> USER =
-            AtomicReferenceFieldUpdater.newUpdater(World.class, Thread.class, "user");
-
-    private final Pipeline pipeline;
-    private final HandleTable roster = new HandleTable();
-    private final Commands commands = new Commands();
-    private final GridLevels levels = new GridLevels();
-    private final StepConstants constants = new StepConstants();
-    private final LastReading last;
-    private final SavedState saved = new SavedState();
+    private final Simulation simulation;
     private final Backend backend;
     private final String reason;
 
-    private int subSteps;
-    private float defaultRestitution;
-    private Bounds bounds;
-    private float gravityX;
-    private float gravityY;
-    private float previousTimeStep;
-
-    /** Whether the last step had no circles; also where there has been none, or one before a restore. */
-    private boolean emptyStep = true;
-
-    private boolean savedCurrent;
-    private boolean positionsRequested;
-    private boolean closed;
-
-    /**
-     * The thread that is inside. Whoever leaves sets it to null by an assignment and no call, for which the stack may have no
-     * room.
-     */
-    private volatile Thread user;
-
-    /** Whether the state is being changed. If it stays true, a change has ended half-way, and the state is lost. */
-    private boolean changing;
-
-    /** Why the state is lost; null if it is not. */
-    private Throwable failure;
-
     World(Builder b, BackendChoice choice) {
-        bounds = b.bounds;
-        gravityX = b.gravityX;
-        gravityY = b.gravityY;
-        subSteps = b.subSteps;
-        defaultRestitution = b.restitution;
         backend = choice.backend();
         reason = choice.reason();
-        pipeline = choice.pipeline();
-        last = new LastReading(pipeline, roster, this::settle);
+        simulation = new Simulation(
+                choice.pipeline(), new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0));
     }
 
     /**
@@ -170,24 +120,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        enter();
-        try {
-            checkRoom(1);
-            check(x, y, radius, mass);
-            Limits.velocity(vx, vy);
-            expect(1);
-            roster.ensure(1);
-            commands.prepare(0, x, y, radius, mass, defaultRestitution, vx, vy);
-            changed();
-            changing = true;
-            long handle = admit();
-            changing = false;
-            return handle;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        return simulation.add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -212,76 +145,7 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, long[] handles) {
-        enter();
-        try {
-            Objects.requireNonNull(circles, "circles");
-            int n = circles.length / 4;
-            if (circles.length % 4 != 0) {
-                throw new IllegalArgumentException(
-                        "circles has " + circles.length + " elements, but must have four a circle");
-            }
-            if (velocities != null && velocities.length != 2 * n) {
-                throw new IllegalArgumentException(
-                        "velocities has " + velocities.length + " elements, but must have two for each of " + n);
-            }
-            if (handles != null && handles.length < n) {
-                throw new IllegalArgumentException(
-                        "handles has " + handles.length + " elements, but there are " + n + " circles");
-            }
-            checkRoom(n);
-            expect(n);
-            roster.ensure(n);
-            for (int i = 0; i < n; i++) {
-                // Each element is read once: another thread may write to the arrays.
-                float x = circles[4 * i];
-                float y = circles[4 * i + 1];
-                float radius = circles[4 * i + 2];
-                float mass = circles[4 * i + 3];
-                float vx = velocities == null ? 0 : velocities[2 * i];
-                float vy = velocities == null ? 0 : velocities[2 * i + 1];
-                try {
-                    check(x, y, radius, mass);
-                    Limits.velocity(vx, vy);
-                } catch (IllegalArgumentException e) {
-                    throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
-                }
-                commands.prepare(i, x, y, radius, mass, defaultRestitution, vx, vy);
-            }
-            changed();
-            changing = true;
-            for (int i = 0; i < n; i++) {
-                long handle = admit();
-                if (handles != null) {
-                    handles[i] = handle;
-                }
-            }
-            changing = false;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
-    }
-
-    private void checkRoom(int more) {
-        if (more > Limits.CIRCLES - roster.size()) {
-            throw new IllegalArgumentException(
-                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) roster.size() + more));
-        }
-    }
-
-    private void check(float x, float y, float radius, float mass) {
-        Limits.position(x, y, bounds);
-        Limits.radius(radius, bounds);
-        Limits.mass(mass);
-    }
-
-    /** Gives the first circle that is prepared its id, and returns its handle. */
-    private long admit() {
-        int id = roster.add(commands.preparedRadius());
-        roster.setRestitution(id, defaultRestitution);
-        commands.admit(id);
-        return roster.handle(id);
+        simulation.addAll(circles, velocities, handles);
     }
 
     /**
@@ -291,20 +155,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public void remove(long handle) {
-        enter();
-        try {
-            int id = find(handle);
-            expect(1);
-            changed();
-            changing = true;
-            roster.remove(id);
-            commands.remove(id);
-            changing = false;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.remove(handle);
     }
 
     /**
@@ -314,12 +165,7 @@ public final class World implements AutoCloseable {
      * @return false where it is stale or never was a handle
      */
     public boolean contains(long handle) {
-        enter();
-        try {
-            return roster.find(handle) >= 0;
-        } finally {
-            user = null;
-        }
+        return simulation.contains(handle);
     }
 
     /**
@@ -328,12 +174,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public int size() {
-        enter();
-        try {
-            return roster.size();
-        } finally {
-            user = null;
-        }
+        return simulation.size();
     }
 
     /**
@@ -345,16 +186,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
-        enter();
-        try {
-            int id = find(handle);
-            Limits.position(x, y, bounds);
-            set(Commands.POSITION, id, x, y);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -367,16 +199,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
-        enter();
-        try {
-            int id = find(handle);
-            Limits.velocity(vx, vy);
-            set(Commands.VELOCITY, id, vx, vy);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.set(Commands.VELOCITY, handle, vx, vy);
     }
 
     /**
@@ -387,16 +210,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
-        enter();
-        try {
-            int id = find(handle);
-            Limits.radius(radius, bounds);
-            set(Commands.RADIUS, id, radius, 0);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.set(Commands.RADIUS, handle, radius, 0);
     }
 
     /**
@@ -407,15 +221,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
-        enter();
-        try {
-            int id = find(handle);
-            set(Commands.MASS, id, Limits.mass(mass), 0);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.set(Commands.MASS, handle, mass, 0);
     }
 
     /**
@@ -426,15 +232,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
-        enter();
-        try {
-            int id = find(handle);
-            set(Commands.RESTITUTION, id, Limits.restitution(restitution), 0);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
     /**
@@ -446,44 +244,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
-        enter();
-        try {
-            int id = find(handle);
-            Limits.within("impulse x", x, -Limits.IMPULSE, Limits.IMPULSE);
-            Limits.within("impulse y", y, -Limits.IMPULSE, Limits.IMPULSE);
-            set(Commands.IMPULSE, id, x, y);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
-    }
-
-    private void set(int operation, int id, float a, float b) {
-        expect(1);
-        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
-            last.forgetVelocities();
-        } else if (operation != Commands.RESTITUTION) {
-            last.forgetCircles();
-        }
-        savedCurrent = false;
-        changing = true;
-        commands.set(operation, id, a, b);
-        if (operation == Commands.RADIUS) {
-            roster.setRadius(id, a);
-        } else if (operation == Commands.RESTITUTION) {
-            roster.setRestitution(id, a);
-        }
-        changing = false;
-    }
-
-    private int find(long handle) {
-        int id = roster.find(handle);
-        if (id < 0) {
-            throw new IllegalArgumentException(
-                    "no circle has the handle " + handle + ": it was removed, or is none of this world's");
-        }
-        return id;
+        simulation.set(Commands.IMPULSE, handle, x, y);
     }
 
     // ---- the world
@@ -497,16 +258,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range
      */
     public void setGravity(float x, float y) {
-        enter();
-        try {
-            Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
-            Limits.within("gravity y", y, -Limits.SPEED, Limits.SPEED);
-            savedCurrent = false;
-            gravityX = x;
-            gravityY = y;
-        } finally {
-            user = null;
-        }
+        simulation.setGravity(x, y);
     }
 
     /**
@@ -515,12 +267,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared
      */
     public float gravityX() {
-        enter();
-        try {
-            return gravityX;
-        } finally {
-            user = null;
-        }
+        return simulation.gravityX();
     }
 
     /**
@@ -529,12 +276,7 @@ public final class World implements AutoCloseable {
      * @return acceleration, in lengths per second squared; negative downwards
      */
     public float gravityY() {
-        enter();
-        try {
-            return gravityY;
-        } finally {
-            user = null;
-        }
+        return simulation.gravityY();
     }
 
     /**
@@ -547,25 +289,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        enter();
-        try {
-            Bounds next = Limits.bounds(minX, minY, maxX, maxY);
-            if (roster.size() > 0) {
-                Limits.within(
-                        "the greatest radius", roster.greatestRadius(), next.leastRadius(), next.greatestRadius());
-                Limits.within("the least radius", roster.leastRadius(), next.leastRadius(), next.greatestRadius());
-            }
-            applyCommands();
-            changed();
-            changing = true;
-            pipeline.confine(next);
-            bounds = next;
-            changing = false;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.setBounds(minX, minY, maxX, maxY);
     }
 
     /**
@@ -574,12 +298,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float minX() {
-        enter();
-        try {
-            return bounds.minX();
-        } finally {
-            user = null;
-        }
+        return simulation.bounds().minX();
     }
 
     /**
@@ -588,12 +307,7 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float minY() {
-        enter();
-        try {
-            return bounds.minY();
-        } finally {
-            user = null;
-        }
+        return simulation.bounds().minY();
     }
 
     /**
@@ -602,12 +316,7 @@ public final class World implements AutoCloseable {
      * @return its x
      */
     public float maxX() {
-        enter();
-        try {
-            return bounds.maxX();
-        } finally {
-            user = null;
-        }
+        return simulation.bounds().maxX();
     }
 
     /**
@@ -616,12 +325,7 @@ public final class World implements AutoCloseable {
      * @return its y
      */
     public float maxY() {
-        enter();
-        try {
-            return bounds.maxY();
-        } finally {
-            user = null;
-        }
+        return simulation.bounds().maxY();
     }
 
     /**
@@ -630,12 +334,7 @@ public final class World implements AutoCloseable {
      * @return 0 (inelastic) to 1 (elastic)
      */
     public float defaultRestitution() {
-        enter();
-        try {
-            return defaultRestitution;
-        } finally {
-            user = null;
-        }
+        return simulation.defaultRestitution();
     }
 
     /**
@@ -644,12 +343,7 @@ public final class World implements AutoCloseable {
      * @return 1 to 16
      */
     public int subSteps() {
-        enter();
-        try {
-            return subSteps;
-        } finally {
-            user = null;
-        }
+        return simulation.subSteps();
     }
 
     /**
@@ -670,28 +364,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range
      */
     public void step(float timeStep, int steps) {
-        enter();
-        try {
-            Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
-            Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            changing = true;
-            emptyStep = roster.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                levels.layOut(bounds, roster.greatestRadius(), roster.population());
-                pipeline.step(constants, levels, steps);
-            }
-            savedCurrent = false;
-            previousTimeStep = timeStep;
-            changing = false;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.step(timeStep, steps);
     }
 
     /**
@@ -699,14 +372,7 @@ public final class World implements AutoCloseable {
      * only enqueued, and whatever needs its result waits for it anyway.
      */
     public void finish() {
-        enter();
-        try {
-            finishSteps();
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.finish();
     }
 
     // ---- reading
@@ -719,16 +385,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void read(float[] circles) {
-        enter();
-        try {
-            requireRoom("circles", circles.length, 4L * roster.size());
-            settle();
-            pipeline.readCircles(roster, circles);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.read(circles);
     }
 
     /**
@@ -738,15 +395,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
-        enter();
-        try {
-            requireRoom("circles", circles, 4L * roster.size());
-            circles.put(last.circles(), 0, 4 * roster.size());
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.read(circles);
     }
 
     /**
@@ -757,15 +406,7 @@ public final class World implements AutoCloseable {
      *     method overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
-        enter();
-        try {
-            settle();
-            return pipeline.positions(roster);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        return simulation.positions();
     }
 
     /**
@@ -782,17 +423,7 @@ public final class World implements AutoCloseable {
      * their ids. A request that has not been taken is replaced by the next.
      */
     public void requestPositions() {
-        enter();
-        try {
-            positionsRequested = false;
-            applyCommands();
-            pipeline.requestPositions(roster);
-            positionsRequested = true;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.requestPositions();
     }
 
     /**
@@ -805,22 +436,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
-        enter();
-        try {
-            if (!positionsRequested) {
-                throw new IllegalStateException("no positions have been requested since the last were taken:"
-                        + " call requestPositions before each takePositions");
-            }
-            positionsRequested = false;
-            if (!pipeline.positionsArrived()) {
-                finishSteps();
-            }
-            return pipeline.takePositions();
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        return simulation.takePositions();
     }
 
     /**
@@ -830,16 +446,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void readVelocities(float[] velocities) {
-        enter();
-        try {
-            requireRoom("velocities", velocities.length, 2L * roster.size());
-            settle();
-            pipeline.readVelocities(roster, velocities);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.readVelocities(velocities);
     }
 
     /**
@@ -849,15 +456,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
-        enter();
-        try {
-            requireRoom("velocities", velocities, 2L * roster.size());
-            velocities.put(last.velocities(), 0, 2 * roster.size());
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.readVelocities(velocities);
     }
 
     /**
@@ -867,18 +466,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void readHandles(long[] handles) {
-        enter();
-        try {
-            requireRoom("handles", handles.length, roster.size());
-            int k = 0;
-            for (int id = 0; id < roster.end(); id++) {
-                if (roster.lives(id)) {
-                    handles[k++] = roster.handle(id);
-                }
-            }
-        } finally {
-            user = null;
-        }
+        simulation.readHandles(handles);
     }
 
     /**
@@ -888,17 +476,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
-        enter();
-        try {
-            requireRoom("handles", handles, roster.size());
-            for (int id = 0; id < roster.end(); id++) {
-                if (roster.lives(id)) {
-                    handles.put(roster.handle(id));
-                }
-            }
-        } finally {
-            user = null;
-        }
+        simulation.readHandles(handles);
     }
 
     /**
@@ -910,7 +488,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float x(long handle) {
-        return one(handle, 0);
+        return simulation.circle(handle, CircleRow.X);
     }
 
     /**
@@ -921,7 +499,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float y(long handle) {
-        return one(handle, 1);
+        return simulation.circle(handle, CircleRow.Y);
     }
 
     /**
@@ -932,7 +510,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float radius(long handle) {
-        return one(handle, 2);
+        return simulation.circle(handle, CircleRow.RADIUS);
     }
 
     /**
@@ -943,7 +521,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float mass(long handle) {
-        return one(handle, 3);
+        return simulation.circle(handle, CircleRow.MASS);
     }
 
     /**
@@ -954,7 +532,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float vx(long handle) {
-        return oneOfVelocity(handle, 0);
+        return simulation.vx(handle);
     }
 
     /**
@@ -965,7 +543,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float vy(long handle) {
-        return oneOfVelocity(handle, 1);
+        return simulation.vy(handle);
     }
 
     /**
@@ -976,49 +554,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float restitution(long handle) {
-        enter();
-        try {
-            return roster.restitution(find(handle));
-        } finally {
-            user = null;
-        }
-    }
-
-    private float one(long handle, int element) {
-        enter();
-        try {
-            int place = roster.place(find(handle));
-            return last.circles()[4 * place + element];
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
-    }
-
-    private float oneOfVelocity(long handle, int element) {
-        enter();
-        try {
-            int place = roster.place(find(handle));
-            return last.velocities()[2 * place + element];
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
-    }
-
-    private static void requireRoom(String what, Buffer buffer, long needs) {
-        if (buffer.isReadOnly()) {
-            throw new IllegalArgumentException(what + " is a read-only buffer");
-        }
-        requireRoom(what, buffer.remaining(), needs);
-    }
-
-    private static void requireRoom(String what, long has, long needs) {
-        if (has < needs) {
-            throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
-        }
+        return simulation.restitution(handle);
     }
 
     /**
@@ -1029,15 +565,7 @@ public final class World implements AutoCloseable {
      * @return 64 bits
      */
     public long hash() {
-        enter();
-        try {
-            settle();
-            return pipeline.hash();
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        return simulation.hash();
     }
 
     /**
@@ -1047,24 +575,17 @@ public final class World implements AutoCloseable {
      * @return the figures as of now
      */
     public WorldStats stats() {
-        enter();
-        try {
-            finishSteps();
-            return new WorldStats(
-                    roster.size(),
-                    emptyStep ? 0 : pipeline.candidatePairs(),
-                    emptyStep ? 0 : pipeline.contacts(),
-                    emptyStep ? 0 : pipeline.greatestContacts(),
-                    pipeline.bytesHeld(),
-                    Collections.unmodifiableMap(pipeline.stageMillis()),
-                    backend,
-                    pipeline.device(),
-                    reason);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        Figures figures = simulation.figures();
+        return new WorldStats(
+                figures.circles(),
+                figures.candidatePairs(),
+                figures.contacts(),
+                figures.greatestContacts(),
+                figures.bytesHeld(),
+                figures.stageMillis(),
+                backend,
+                figures.device(),
+                reason);
     }
 
     // ---- snapshots
@@ -1077,15 +598,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where it is more than one buffer holds
      */
     public int snapshotBytes() {
-        enter();
-        try {
-            save();
-            return SnapshotCodec.bytes(saved);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        return simulation.snapshotBytes();
     }
 
     /**
@@ -1098,23 +611,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where the snapshot is more than one buffer holds
      */
     public void snapshot(ByteBuffer to) {
-        enter();
-        try {
-            if (to.isReadOnly()) {
-                throw new IllegalArgumentException("the buffer is read-only");
-            }
-            save();
-            int bytes = SnapshotCodec.bytes(saved);
-            if (to.remaining() < bytes) {
-                throw new IllegalArgumentException(
-                        "the buffer has room for " + to.remaining() + " bytes, but the snapshot has " + bytes);
-            }
-            SnapshotCodec.write(saved, to);
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
+        simulation.snapshot(to);
     }
 
     /**
@@ -1126,114 +623,7 @@ public final class World implements AutoCloseable {
      *     before
      */
     public void restore(ByteBuffer from) {
-        enter();
-        try {
-            savedCurrent = false;
-            int length = SnapshotCodec.read(from, saved);
-            finishSteps();
-            roster.makeRoom(saved);
-            pipeline.makeRoom(saved);
-            changed();
-            from.position(from.position() + length);
-            changing = true;
-            roster.load(saved);
-            commands.clear();
-            pipeline.load(saved);
-            WorldParameters p = saved.parameters();
-            bounds = p.bounds();
-            gravityX = p.gravityX();
-            gravityY = p.gravityY();
-            defaultRestitution = p.restitution();
-            subSteps = p.subSteps();
-            previousTimeStep = p.previousTimeStep();
-            emptyStep = true;
-            changing = false;
-        } catch (RuntimeException | Error e) {
-            throw failed(e);
-        } finally {
-            user = null;
-        }
-    }
-
-    private void save() {
-        if (!savedCurrent) {
-            settle();
-            roster.save(saved);
-            pipeline.save(saved);
-            saved.setParameters(
-                    new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep));
-            savedCurrent = true;
-        }
-    }
-
-    // ---- housekeeping
-    // ------------------------------------------------------------------------------------------------
-
-    private void changed() {
-        last.forgetCircles();
-        last.forgetVelocities();
-        savedCurrent = false;
-    }
-
-    /** Makes room for changes to come, so that none fails half-way. */
-    private void expect(int more) {
-        if (commands.count() >= Commands.MANY) {
-            applyCommands();
-        }
-        commands.ensure(more);
-    }
-
-    private void applyCommands() {
-        if (commands.count() > 0) {
-            finishSteps();
-            pipeline.makeRoom(commands);
-            changing = true;
-            pipeline.apply(commands);
-            commands.clear();
-            changing = false;
-        }
-    }
-
-    private void finishSteps() {
-        changing = true;
-        pipeline.finish();
-        changing = false;
-    }
-
-    /** Makes the state what calls have led to, so that reading it changes nothing. */
-    private void settle() {
-        applyCommands();
-        finishSteps();
-    }
-
-    private void enter() {
-        takeTurn();
-        if (closed || changing || failure != null) {
-            user = null;
-            throw new IllegalStateException(
-                    closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
-        }
-    }
-
-    private void takeTurn() {
-        if (!USER.compareAndSet(this, null, Thread.currentThread())) {
-            throw new ConcurrentModificationException("a World is used by one thread at a time, but "
-                    + Thread.currentThread().getName() + " came in while another was inside");
-        }
-    }
-
-    /**
-     * Takes note of what a call throws. The state is lost if the call was changing it, or if a device has failed: also a read
-     * is told of commands that were enqueued before. It is not lost if a read found too little memory.
-     */
-    private RuntimeException failed(Throwable cause) {
-        if (changing || cause instanceof OpenClException && !(cause instanceof DeviceMemoryException)) {
-            failure = cause;
-        }
-        if (cause instanceof Error error) {
-            throw error;
-        }
-        return (RuntimeException) cause;
+        simulation.restore(from);
     }
 
     /**
@@ -1243,13 +633,7 @@ public final class World implements AutoCloseable {
      */
     @Override
     public void close() {
-        takeTurn();
-        try {
-            closed = true;
-            pipeline.close();
-        } finally {
-            user = null;
-        }
+        simulation.close();
     }
 
     /** Describes a world. Every parameter has a default; each is checked when it is given. */
@@ -1264,18 +648,11 @@ public final class World implements AutoCloseable {
         private int threads = defaultThreads();
         private int capacity = 1024;
         private boolean profiling;
-        private int leastShare = JvmPipeline.LEAST_SHARE;
 
         private Builder() {}
 
         static int defaultThreads() {
             return Math.min(Runtime.getRuntime().availableProcessors(), 16);
-        }
-
-        /** Circles that a thread of the JVM back end has at least. For tests of few circles on many threads. */
-        Builder leastShare(int circles) {
-            leastShare = circles;
-            return this;
         }
 
         /**
@@ -1400,7 +777,7 @@ public final class World implements AutoCloseable {
          */
         public World build() {
             BackendChoice choice = device == null
-                    ? BackendChoice.of(backend, threads, leastShare, capacity, profiling)
+                    ? BackendChoice.of(backend, threads, capacity, profiling)
                     : BackendChoice.of(device, capacity, profiling);
             return new World(this, choice);
         }

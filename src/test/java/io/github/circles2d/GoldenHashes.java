@@ -41,7 +41,7 @@ final class GoldenHashes {
         PrintStream out = System.out;
         out.println("# Hashes of the state of World: scene, steps, World.hash(). Every back end must give these.");
         for (GoldenScene scene : GoldenScene.all()) {
-            try (GoldenScene.Run run = scene.start(scene.builder().backend(Backend.JVM))) {
+            try (GoldenScene.Run run = scene.start(scene.builder().build())) {
                 for (int mark : MARKS) {
                     run.advanceTo(mark);
                     out.printf("%s %d %016x%n", scene, mark, run.world().hash());

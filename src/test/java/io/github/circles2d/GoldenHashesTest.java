@@ -60,7 +60,7 @@ class GoldenHashesTest {
     @ParameterizedTest
     @MethodSource("scenesAndDevices")
     void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device), SHORT);
+        check(scene, scene.builder().device(device).build(), SHORT);
     }
 
     @ParameterizedTest
@@ -74,16 +74,16 @@ class GoldenHashesTest {
     @MethodSource("scenesAndDevices")
     @Tag("exhaustive")
     void everyOpenClDeviceGivesTheHashesOfLongRuns(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device), LONG);
+        check(scene, scene.builder().device(device).build(), LONG);
     }
 
-    private static World.Builder jvm(GoldenScene scene, int threads) {
-        return scene.builder().backend(Backend.JVM).threads(threads).leastShare(1);
+    private static World jvm(GoldenScene scene, int threads) {
+        return WorldScenes.onThreads(threads, scene.builder());
     }
 
-    private static void check(GoldenScene scene, World.Builder builder, long affordable) throws IOException {
+    private static void check(GoldenScene scene, World world, long affordable) throws IOException {
         GoldenHashes golden = GoldenHashes.load();
-        try (GoldenScene.Run run = scene.start(builder)) {
+        try (GoldenScene.Run run = scene.start(world)) {
             for (int mark : GoldenHashes.MARKS) {
                 if ((long) mark * scene.scene().size() <= affordable) {
                     run.advanceTo(mark);

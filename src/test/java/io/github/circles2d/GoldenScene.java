@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.SceneLoader;
 import io.github.circles2d.scenes.Scenes;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -30,15 +31,15 @@ record GoldenScene(String name, Scene scene, boolean churned) {
                 new GoldenScene("one-point", Scenes.onePoint(2_000, Scenes.SEED), false));
     }
 
-    /** A run of the scene in a world. */
-    Run start(World.Builder builder) {
-        World world = WorldScenes.world(scene, builder);
+    /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
+    Run start(World empty) {
+        World world = WorldScenes.load(scene, empty);
         return new Run(world, WorldCalls.of(world));
     }
 
     /** A run of the scene in a world that has its gravity, restitution and bounds, and no circles; there is no World then. */
     Run start(WorldCalls empty) {
-        WorldScenes.addAll(scene, empty);
+        SceneLoader.circles(scene, empty::add, empty::setRestitution);
         return new Run(null, empty);
     }
 

@@ -64,12 +64,9 @@ class ReferenceFuzzTest {
         }
 
         private World newWorld() {
-            return WorldScenes.jvm()
-                    .restitution(restitution)
-                    .subSteps(subSteps)
-                    .threads(seed % 16 == 0 ? 3 : 1)
-                    .leastShare(1)
-                    .build();
+            return WorldScenes.onThreads(
+                    seed % 16 == 0 ? 3 : 1,
+                    WorldScenes.jvm().restitution(restitution).subSteps(subSteps));
         }
 
         private void call() {

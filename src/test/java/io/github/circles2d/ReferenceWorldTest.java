@@ -42,7 +42,8 @@ class ReferenceWorldTest {
                 new ReferenceWorld(scene.restitution(), World.builder().build().subSteps());
         reference.setBounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
         reference.setGravity(scene.gravityX(), scene.gravityY());
-        try (GoldenScene.Run run = golden.start(golden.builder().subSteps(SUB_STEPS));
+        try (GoldenScene.Run run =
+                        golden.start(golden.builder().subSteps(SUB_STEPS).build());
                 GoldenScene.Run expected = golden.start(reference)) {
             assertThat(run.hash()).as("hash before the first step").isEqualTo(expected.hash());
             for (int step = 1; step <= steps; step++) {

@@ -138,12 +138,8 @@ final class StackEnds {
     }
 
     private static World world(int threads) {
-        World world = WorldScenes.jvm()
-                .bounds(0, 0, 10, 10)
-                .gravity(0, -9)
-                .threads(threads)
-                .leastShare(1)
-                .build();
+        World.Builder builder = World.builder().bounds(0, 0, 10, 10).gravity(0, -9);
+        World world = WorldScenes.onThreads(threads, builder);
         for (int i = 0; i < CIRCLES; i++) {
             world.add(1 + i % 8, 1 + i / 8, 0.6f, 1);
         }

@@ -30,8 +30,8 @@ class WorldAllocationTest {
                 ByteBuffer.allocateDirect(16 * n).order(ByteOrder.nativeOrder()).asFloatBuffer();
         FloatBuffer velocityBuffer = FloatBuffer.allocate(2 * n);
         LongBuffer handleBuffer = LongBuffer.allocate(n);
-        try (World world = WorldScenes.world(
-                scene, WorldScenes.builder(scene).threads(threads).leastShare(1).profiling(true))) {
+        World empty = WorldScenes.onThreads(threads, true, WorldScenes.builder(scene));
+        try (World world = WorldScenes.load(scene, empty)) {
 
             Runnable frame = () -> {
                 world.readHandles(handles);

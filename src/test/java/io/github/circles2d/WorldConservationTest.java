@@ -32,9 +32,7 @@ class WorldConservationTest {
                 .bounds(-100, -100, 101, 101)
                 .restitution(restitution)
                 .build()) {
-            for (int i = 0; i < scene.size(); i++) {
-                world.add(scene.x(i), scene.y(i), scene.radius(i), scene.mass(i), scene.vx(i), scene.vy(i));
-            }
+            WorldScenes.load(scene, world);
             Totals before = new Totals(world);
             int contacts = 0;
             for (int k = 0; k < 30; k++) {

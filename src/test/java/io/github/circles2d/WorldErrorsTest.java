@@ -4,10 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
+import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenClException;
+import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
@@ -33,7 +36,10 @@ class WorldErrorsTest {
     private final Map<String, Throwable> failing = new HashMap<>();
 
     private World world() {
-        JvmPipeline inner = new JvmPipeline(1, 1, 0, false);
+        return world(new JvmPipeline(1, 1, 0, false));
+    }
+
+    private World world(Pipeline inner) {
         Pipeline pipeline = (Pipeline) Proxy.newProxyInstance(
                 Pipeline.class.getClassLoader(), new Class<?>[] {Pipeline.class}, (proxy, method, arguments) -> {
                     if (failing.containsKey(method.getName())) {
@@ -114,7 +120,8 @@ class WorldErrorsTest {
     @ValueSource(strings = {"positions", "hash", "candidatePairs"})
     void aReadThatADeviceFailsLosesTheState(String method) {
         OpenClException cause = new OpenClException("the device is gone");
-        try (World world = world()) {
+        Device device = TestDevices.all().get(0);
+        try (World world = world(new DevicePipeline(device, 0, false))) {
             failing.put(method, cause);
             assertThatThrownBy(() -> callRead(world, method)).isSameAs(cause);
             failing.clear();

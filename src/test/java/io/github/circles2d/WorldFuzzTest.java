@@ -59,7 +59,7 @@ class WorldFuzzTest {
     }
 
     private static void run(long seed, int programs) {
-        try (World twin = WorldScenes.jvm().threads(3).leastShare(1).build()) {
+        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm())) {
             for (int k = 0; k < programs; k++) {
                 new Program(seed + k, k % 32 == 0 ? twin : null).run();
             }

@@ -2,6 +2,8 @@ package io.github.circles2d;
 
 import io.github.circles2d.scenes.Quality;
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.SceneLoader;
+import io.github.circles2d.world.jvm.JvmPipeline;
 
 /** Worlds made of scenes, for tests. */
 public final class WorldScenes {
@@ -14,33 +16,34 @@ public final class WorldScenes {
 
     /** A builder with a scene's parameters, for the JVM back end. */
     public static World.Builder builder(Scene scene) {
-        return jvm().bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
-                .gravity(scene.gravityX(), scene.gravityY())
-                .restitution(scene.restitution())
-                .capacity(scene.size());
+        World.Builder builder = jvm();
+        SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
+        return builder;
     }
 
     /** A world with a scene's circles, in the scene's order. */
     public static World world(Scene scene, World.Builder builder) {
-        World world = builder.build();
-        addAll(scene, WorldCalls.of(world));
-        return world;
+        return load(scene, builder.build());
     }
 
     /** Adds a scene's circles to a world that has the scene's restitution, in the scene's order. */
-    static void addAll(Scene scene, WorldCalls world) {
-        for (int i = 0; i < scene.size(); i++) {
-            long handle = world.add(
-                    scene.x(i),
-                    scene.y(i),
-                    scene.radius(i),
-                    scene.fixed(i) ? Float.POSITIVE_INFINITY : scene.mass(i),
-                    scene.vx(i),
-                    scene.vy(i));
-            if (scene.restitution(i) != scene.restitution()) {
-                world.setRestitution(handle, scene.restitution(i));
-            }
-        }
+    static World load(Scene scene, World world) {
+        SceneLoader.circles(scene, world::add, world::setRestitution);
+        return world;
+    }
+
+    /**
+     * A world on the JVM whose steps are made by so many threads, however few circles there are.
+     *
+     * @param builder bounds, gravity, restitution and sub-steps
+     */
+    static World onThreads(int threads, boolean profiling, World.Builder builder) {
+        return new World(builder, new BackendChoice(Backend.JVM, new JvmPipeline(threads, 1, 0, profiling), "a test"));
+    }
+
+    /** A world like that, without profiling. */
+    static World onThreads(int threads, World.Builder builder) {
+        return onThreads(threads, false, builder);
     }
 
     /** The measures of quality of a world. Fixed circles at rest count as circles without energy. */

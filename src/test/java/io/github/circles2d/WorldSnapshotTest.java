@@ -58,8 +58,7 @@ class WorldSnapshotTest {
             }
         }
         for (int step = 0; step < steps; step++) {
-            try (World restored =
-                    WorldScenes.jvm().threads(1 + step % 3).leastShare(1).build()) {
+            try (World restored = WorldScenes.onThreads(1 + step % 3, WorldScenes.jvm())) {
                 restored.restore(snapshots[step]);
                 assertThat(snapshots[step].hasRemaining()).isFalse();
                 for (int k = step; k < step + AHEAD; k++) {

@@ -405,7 +405,7 @@ class WorldTest {
 
     @Test
     void afterCloseOnlyCloseIsAllowed() {
-        World world = builder().threads(3).leastShare(1).build();
+        World world = WorldScenes.onThreads(3, builder());
         long a = world.add(1, 1, 0.1f, 1);
         world.add(1, 2, 0.1f, 1);
         world.add(1, 3, 0.1f, 1);

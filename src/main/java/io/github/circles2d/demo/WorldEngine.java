@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.SceneLoader;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -66,11 +67,9 @@ final class WorldEngine implements Engine {
     }
 
     private World.Builder builder() {
-        return World.builder()
-                .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
-                .gravity(options.gravityX(), options.gravityY())
-                .restitution(options.restitution())
-                .capacity(scene.size());
+        World.Builder builder = World.builder();
+        SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
+        return builder.gravity(options.gravityX(), options.gravityY()).restitution(options.restitution());
     }
 
     private int strategyInUse() {
@@ -121,9 +120,7 @@ final class WorldEngine implements Engine {
             for (long handle : handles) {
                 world.remove(handle);
             }
-            for (int i = 0; i < scene.size(); i++) {
-                world.add(scene.x(i), scene.y(i), scene.radius(i), scene.mass(i), scene.vx(i), scene.vy(i));
-            }
+            SceneLoader.circles(scene, world::add, world::setRestitution);
             now = read();
         } catch (OpenClException e) {
             throw new EngineException(e.getMessage(), e);

@@ -1,11 +1,12 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.HandleTable;
 
 /** What single reads are answered from: the last bulk read-back, for as long as it holds. */
-public final class LastReading {
+final class LastReading {
     private final Pipeline pipeline;
-    private final HandleTable roster;
+    private final HandleTable handles;
     private final Runnable beforeReading;
     private float[] circles = new float[0];
     private float[] velocities = new float[0];
@@ -16,22 +17,22 @@ public final class LastReading {
      * Nothing read yet.
      *
      * @param pipeline what to read from
-     * @param roster which ids live
+     * @param handles which ids live
      * @param beforeReading what brings the pipeline up to date
      */
-    public LastReading(Pipeline pipeline, HandleTable roster, Runnable beforeReading) {
+    LastReading(Pipeline pipeline, HandleTable handles, Runnable beforeReading) {
         this.pipeline = pipeline;
-        this.roster = roster;
+        this.handles = handles;
         this.beforeReading = beforeReading;
     }
 
     /** Circles have come, gone or changed. */
-    public void forgetCircles() {
+    void forgetCircles() {
         circlesCurrent = false;
     }
 
     /** Velocities have changed. */
-    public void forgetVelocities() {
+    void forgetVelocities() {
         velocitiesCurrent = false;
     }
 
@@ -40,13 +41,13 @@ public final class LastReading {
      *
      * @return x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change
      */
-    public float[] circles() {
+    float[] circles() {
         if (!circlesCurrent) {
             beforeReading.run();
-            if (circles.length < 4 * roster.size()) {
-                circles = new float[4 * roster.size()];
+            if (circles.length < CircleRow.STRIDE * handles.size()) {
+                circles = new float[CircleRow.STRIDE * handles.size()];
             }
-            pipeline.readCircles(roster, circles);
+            pipeline.readCircles(handles, circles);
             circlesCurrent = true;
         }
         return circles;
@@ -57,13 +58,13 @@ public final class LastReading {
      *
      * @return vx, vy of each, in ascending order of ids; may be longer; valid until the next change
      */
-    public float[] velocities() {
+    float[] velocities() {
         if (!velocitiesCurrent) {
             beforeReading.run();
-            if (velocities.length < 2 * roster.size()) {
-                velocities = new float[2 * roster.size()];
+            if (velocities.length < 2 * handles.size()) {
+                velocities = new float[2 * handles.size()];
             }
-            pipeline.readVelocities(roster, velocities);
+            pipeline.readVelocities(handles, velocities);
             velocitiesCurrent = true;
         }
         return velocities;

@@ -59,26 +59,26 @@ public interface Pipeline extends AutoCloseable {
     /**
      * Reads x, y, radius and mass of every circle.
      *
-     * @param roster which ids live
+     * @param handles which ids live
      * @param to 4 floats a circle, in ascending order of ids
      */
-    void readCircles(HandleTable roster, float[] to);
+    void readCircles(HandleTable handles, float[] to);
 
     /**
      * Reads x and y of every circle into memory of the pipeline's own.
      *
-     * @param roster which ids live
+     * @param handles which ids live
      * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the next call
      */
-    FloatBuffer positions(HandleTable roster);
+    FloatBuffer positions(HandleTable handles);
 
     /**
      * Asks for x and y of every circle as of now, which come while further steps are made. Takes the place of an earlier
      * request that has not been taken.
      *
-     * @param roster which ids live; not kept
+     * @param handles which ids live; not kept
      */
-    void requestPositions(HandleTable roster);
+    void requestPositions(HandleTable handles);
 
     /**
      * Waits for the positions that were requested last.
@@ -98,10 +98,10 @@ public interface Pipeline extends AutoCloseable {
     /**
      * Reads velocities.
      *
-     * @param roster which ids live
+     * @param handles which ids live
      * @param to 2 floats a circle, in ascending order of ids
      */
-    void readVelocities(HandleTable roster, float[] to);
+    void readVelocities(HandleTable handles, float[] to);
 
     /**
      * Saves the circles and the remembered impulses: those that the next step would start from, and no others.
@@ -167,6 +167,16 @@ public interface Pipeline extends AutoCloseable {
      * @return a name for people
      */
     String device();
+
+    /**
+     * Whether the state is lost if any call throws this, be it a read.
+     *
+     * @param cause what a call has thrown
+     * @return true for failures of a device, which takes the state with it
+     */
+    default boolean isLostBy(Throwable cause) {
+        return false;
+    }
 
     @Override
     void close();

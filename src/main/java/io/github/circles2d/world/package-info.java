@@ -1,5 +1,6 @@
 /**
- * Inside of the World engine: its state, the stages of a step, and the pipelines that run them. Not part of the public API.
+ * Inside of the World engine: {@link io.github.circles2d.world.Simulation} drives the steps, and a
+ * {@link io.github.circles2d.world.Pipeline} holds the state and makes them. Not part of the public API.
  *
  * <h2>One step, as a circle sees it</h2>
  *

@@ -5,10 +5,12 @@ import java.util.Arrays;
 /**
  * What the caller asked for since the last step or read, in call order: one record of {@link #STRIDE} ints each, floats as
  * their bits. A pipeline applies the records of one circle in order; those of different circles do not meet.
+ *
+ * <p>The constants are the one table of a record: operations, fields, and its length.
  */
 public final class Commands {
-    /** Ints a record: the operation, the id, seven values. */
-    public static final int STRIDE = 9;
+    // ---- operations
+    // --------------------------------------------------------------------------------------------------
 
     /** A new circle: x, y, radius, mass, restitution, vx, vy. */
     public static final int ADD = 1;
@@ -34,7 +36,46 @@ public final class Commands {
     /** An impulse: x, y. */
     public static final int IMPULSE = 8;
 
-    /** So many records had better be applied before there are more: what waits must not grow with the number of calls. */
+    // ---- fields of a record, as indices of its ints
+    // --------------------------------------------------------------------------------------------------
+
+    /** Field: the operation. */
+    public static final int OPCODE = 0;
+
+    /** Field: the circle's id. */
+    public static final int ID = 1;
+
+    /** Field of a change: its first value. */
+    public static final int FIRST = 2;
+
+    /** Field of a change: its second value; of no meaning if the operation has one. */
+    public static final int SECOND = 3;
+
+    /** Field of a new circle: x. */
+    public static final int ADD_X = 2;
+
+    /** Field of a new circle: y. */
+    public static final int ADD_Y = 3;
+
+    /** Field of a new circle: radius. */
+    public static final int ADD_RADIUS = 4;
+
+    /** Field of a new circle: mass. */
+    public static final int ADD_MASS = 5;
+
+    /** Field of a new circle: restitution. */
+    public static final int ADD_RESTITUTION = 6;
+
+    /** Field of a new circle: velocity along x. */
+    public static final int ADD_VX = 7;
+
+    /** Field of a new circle: velocity along y. */
+    public static final int ADD_VY = 8;
+
+    /** Ints of a record. */
+    public static final int STRIDE = 9;
+
+    /** A caller applies this many records before it adds more, so that waiting records do not grow with the number of calls. */
     public static final int MANY = 1 << 16;
 
     private int[] records = new int[STRIDE * 64];
@@ -86,23 +127,6 @@ public final class Commands {
     }
 
     /**
-     * Records a new circle.
-     *
-     * @param id its id
-     * @param x x
-     * @param y y
-     * @param radius radius
-     * @param mass mass
-     * @param restitution restitution
-     * @param vx velocity
-     * @param vy velocity
-     */
-    public void add(int id, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
-        prepare(0, x, y, radius, mass, restitution, vx, vy);
-        admit(id);
-    }
-
-    /**
      * Copies a new circle to where {@link #admit} finds it. Until then it is no record, and the next record of another kind
      * overwrites it.
      *
@@ -118,13 +142,13 @@ public final class Commands {
     public void prepare(int ahead, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
         ensure(ahead + 1);
         int k = STRIDE * (count + ahead);
-        records[k + 2] = Float.floatToRawIntBits(x);
-        records[k + 3] = Float.floatToRawIntBits(y);
-        records[k + 4] = Float.floatToRawIntBits(radius);
-        records[k + 5] = Float.floatToRawIntBits(mass);
-        records[k + 6] = Float.floatToRawIntBits(restitution);
-        records[k + 7] = Float.floatToRawIntBits(vx);
-        records[k + 8] = Float.floatToRawIntBits(vy);
+        records[k + ADD_X] = Float.floatToRawIntBits(x);
+        records[k + ADD_Y] = Float.floatToRawIntBits(y);
+        records[k + ADD_RADIUS] = Float.floatToRawIntBits(radius);
+        records[k + ADD_MASS] = Float.floatToRawIntBits(mass);
+        records[k + ADD_RESTITUTION] = Float.floatToRawIntBits(restitution);
+        records[k + ADD_VX] = Float.floatToRawIntBits(vx);
+        records[k + ADD_VY] = Float.floatToRawIntBits(vy);
     }
 
     /**
@@ -133,7 +157,7 @@ public final class Commands {
      * @return a length
      */
     public float preparedRadius() {
-        return Float.intBitsToFloat(records[STRIDE * count + 4]);
+        return Float.intBitsToFloat(records[STRIDE * count + ADD_RADIUS]);
     }
 
     /**
@@ -161,19 +185,19 @@ public final class Commands {
      * @param operation what changes
      * @param id the circle's id
      * @param a first value
-     * @param b second value, of no meaning where the operation has one
+     * @param b second value; of no meaning if the operation has one
      */
     public void set(int operation, int id, float a, float b) {
         int k = record(operation, id);
-        records[k + 2] = Float.floatToRawIntBits(a);
-        records[k + 3] = Float.floatToRawIntBits(b);
+        records[k + FIRST] = Float.floatToRawIntBits(a);
+        records[k + SECOND] = Float.floatToRawIntBits(b);
     }
 
     private int record(int operation, int id) {
         ensure(1);
         int k = STRIDE * count++;
-        records[k] = operation;
-        records[k + 1] = id;
+        records[k + OPCODE] = operation;
+        records[k + ID] = id;
         return k;
     }
 }

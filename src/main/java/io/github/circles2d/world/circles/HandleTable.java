@@ -10,10 +10,23 @@ import java.util.Arrays;
  * radius and the restitution, is known here without asking a pipeline.
  */
 public final class HandleTable {
+    /** The base-two logarithm of the ids in a word of {@link #live}. */
+    private static final int WORD_SHIFT = 6;
+
+    private static final int IDS_IN_WORD = 1 << WORD_SHIFT;
+
+    /** In a handle: by how many bits the generation, plus one, is shifted. */
+    private static final int GENERATION_SHIFT = 32;
+
+    /** In a handle: the bits of the id. */
+    private static final long ID_MASK = (1L << GENERATION_SHIFT) - 1;
+
     /** The generation that would make a handle 0 is left out. */
     static final int LAST_GENERATION = -2;
 
+    /** A bit for each id: id k is bit k % 64 of element k / 64. */
     private long[] live = new long[1];
+
     /** By word of live: circles in the words before. */
     private int[] livingBefore = new int[1];
 
@@ -36,6 +49,14 @@ public final class HandleTable {
 
     /** No circles. */
     public HandleTable() {}
+
+    private static int word(int id) {
+        return id >>> WORD_SHIFT;
+    }
+
+    private static long bit(int id) {
+        return 1L << id;
+    }
 
     /**
      * Number of circles.
@@ -62,7 +83,7 @@ public final class HandleTable {
      * @return true where it does
      */
     public boolean lives(int id) {
-        return (live[id >>> 6] >>> id & 1) != 0;
+        return (live[word(id)] & bit(id)) != 0;
     }
 
     /**
@@ -72,7 +93,7 @@ public final class HandleTable {
      * @return the array, or a new one where it was too short
      */
     public long[] copyLiving(long[] to) {
-        int words = (end + 63) >>> 6;
+        int words = word(end + IDS_IN_WORD - 1);
         long[] copy = to.length < words ? new long[live.length] : to;
         System.arraycopy(live, 0, copy, 0, words);
         return copy;
@@ -85,7 +106,7 @@ public final class HandleTable {
      * @return the handle
      */
     public long handle(int id) {
-        return (long) (generation[id] + 1) << 32 | id;
+        return (long) (generation[id] + 1) << GENERATION_SHIFT | id;
     }
 
     /**
@@ -95,8 +116,8 @@ public final class HandleTable {
      * @return the id, or -1 where no living circle has this handle
      */
     public int find(long handle) {
-        long id = handle & 0xFFFFFFFFL;
-        if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> 32)) {
+        long id = handle & ID_MASK;
+        if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> GENERATION_SHIFT)) {
             return -1;
         }
         return (int) id;
@@ -120,7 +141,7 @@ public final class HandleTable {
             }
             livingBeforeCurrent = true;
         }
-        return livingBefore[id >>> 6] + Long.bitCount(live[id >>> 6] & (1L << id) - 1);
+        return livingBefore[word(id)] + Long.bitCount(live[word(id)] & bit(id) - 1);
     }
 
     /**
@@ -145,7 +166,7 @@ public final class HandleTable {
     private void ensureIds(int ids) {
         if (ids > generation.length) {
             int c = Math.max(ids, generation.length + (generation.length >> 1));
-            live = Arrays.copyOf(live, (c >> 6) + 1);
+            live = Arrays.copyOf(live, word(c) + 1);
             radius = Arrays.copyOf(radius, c);
             restitution = Arrays.copyOf(restitution, c);
             generation = Arrays.copyOf(generation, c);
@@ -161,7 +182,7 @@ public final class HandleTable {
     public int add(float r) {
         ensure(1);
         int id = firstFree();
-        live[id >>> 6] |= 1L << id;
+        live[word(id)] |= bit(id);
         livingBeforeCurrent = false;
         noneFreeBelow = id + 1;
         end = Math.max(end, id + 1);
@@ -177,7 +198,7 @@ public final class HandleTable {
      * @param id its id
      */
     public void remove(int id) {
-        live[id >>> 6] &= ~(1L << id);
+        live[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
         generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
@@ -218,12 +239,12 @@ public final class HandleTable {
     }
 
     private int firstFree() {
-        int word = noneFreeBelow >>> 6;
+        int word = word(noneFreeBelow);
         long free = ~live[word] & -1L << noneFreeBelow;
         while (free == 0) {
             free = ~live[++word];
         }
-        return (word << 6) + Long.numberOfTrailingZeros(free);
+        return (word << WORD_SHIFT) + Long.numberOfTrailingZeros(free);
     }
 
     private void enter(float r) {
@@ -309,9 +330,9 @@ public final class HandleTable {
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
-            live[id >>> 6] |= 1L << id;
-            radius[id] = from.circle[4 * k + 2];
-            restitution[id] = from.traits[4 * k + 1];
+            live[word(id)] |= bit(id);
+            radius[id] = from.circle[CircleRow.STRIDE * k + CircleRow.RADIUS];
+            restitution[id] = from.traits[CircleRow.STRIDE * k + CircleRow.RESTITUTION];
         }
         end = from.ids;
         size = from.circles;

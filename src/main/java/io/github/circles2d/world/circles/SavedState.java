@@ -26,13 +26,13 @@ public final class SavedState {
     /** By circle: its id, ascending. All arrays "by circle" have this order. */
     public int[] id = new int[0];
 
-    /** By circle: x, y, radius, mass. */
+    /** By circle: its row, by {@link CircleRow}. */
     public float[] circle = new float[0];
 
-    /** By circle: remainders of x and y that rounding has left, velocity x, y. */
+    /** By circle: its row of motion, by {@link CircleRow}. */
     public float[] motion = new float[0];
 
-    /** By circle: inverse mass, restitution, impulse speed of the walls x, y. */
+    /** By circle: its row of traits, by {@link CircleRow}. */
     public float[] traits = new float[0];
 
     /** Number of remembered impulses. */
@@ -80,9 +80,9 @@ public final class SavedState {
     void setCircles(int count) {
         if (id.length < count) {
             // The length of the last one tells whether there is room, in case memory runs out in between.
-            circle = new float[4 * count];
-            motion = new float[4 * count];
-            traits = new float[4 * count];
+            circle = new float[CircleRow.STRIDE * count];
+            motion = new float[CircleRow.STRIDE * count];
+            traits = new float[CircleRow.STRIDE * count];
             id = new int[count];
         }
         circles = count;

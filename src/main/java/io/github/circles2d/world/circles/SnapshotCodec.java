@@ -28,22 +28,33 @@ public final class SnapshotCodec {
     private static final int MAGIC = 0x57324443; // "CD2W" in the bytes of a file
     private static final int VERSION = 1;
 
+    // Where some fields of the header begin.
     private static final int LENGTH_AT = 8;
+    private static final int CIRCLES_AT = 12;
     static final int CHECK_AT = 64;
 
     /** Bytes of the header. */
     public static final int HEADER = 72;
 
+    // Flags of a record; the number of impulses takes the bits above them.
     private static final int LIVES = 1;
-    private static final int GENERATION = 2;
-    private static final int RESTITUTION = 4;
-    private static final int WALL_X = 8;
-    private static final int WALL_Y = 16;
+    private static final int HAS_GENERATION = 2;
+    private static final int HAS_RESTITUTION = 4;
+    private static final int HAS_WALL_X = 8;
+    private static final int HAS_WALL_Y = 16;
     private static final int IMPULSES_SHIFT = 5;
+
+    /** The flags say this number if there are as many impulses or more. */
     private static final int MANY = 7;
 
-    private static final int LEAST_CIRCLE = 33;
-    private static final int LEAST_IMPULSE = 5;
+    // Fewest bytes of a record.
+    private static final int LEAST_CIRCLE = 1 + 2 * CircleRow.STRIDE * Float.BYTES;
+    private static final int LEAST_IMPULSE = 1 + Float.BYTES;
+
+    // A varint takes the low bits of a number first, with a bit in each byte that says whether another follows.
+    private static final int VARINT_BITS = 7;
+    private static final int VARINT_MORE = 1 << VARINT_BITS;
+    private static final int VARINT_MASK = VARINT_MORE - 1;
 
     private SnapshotCodec() {}
 
@@ -58,14 +69,16 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + 4L * s.impulses;
+        long sum = HEADER + (long) Float.BYTES * s.impulses;
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
             sum += 1 + (s.generation[id] == 0 ? 0 : varintBytes(s.generation[id]));
             if (circle < s.circles && s.id[circle] == id) {
                 int flags = flags(s, circle);
-                sum += LEAST_CIRCLE - 1 + 4 * Integer.bitCount(flags & (RESTITUTION | WALL_X | WALL_Y));
+                sum += LEAST_CIRCLE
+                        - 1
+                        + Float.BYTES * Integer.bitCount(flags & (HAS_RESTITUTION | HAS_WALL_X | HAS_WALL_Y));
                 int from = impulse;
                 int previous = id;
                 for (; impulse < s.impulses && s.lo[impulse] == id; impulse++) {
@@ -105,7 +118,7 @@ public final class SnapshotCodec {
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
             if (circle == s.circles || s.id[circle] != id) {
-                out.put((byte) (s.generation[id] == 0 ? 0 : GENERATION));
+                out.put((byte) (s.generation[id] == 0 ? 0 : HAS_GENERATION));
                 if (s.generation[id] != 0) {
                     putVarint(out, s.generation[id]);
                 }
@@ -125,12 +138,13 @@ public final class SnapshotCodec {
     }
 
     private static int flags(SavedState s, int circle) {
-        int k = 4 * circle;
+        int row = CircleRow.STRIDE * circle;
+        float worlds = s.parameters().restitution();
         return LIVES
-                | (s.generation[s.id[circle]] != 0 ? GENERATION : 0)
-                | (differ(s.traits[k + 1], s.parameters().restitution()) ? RESTITUTION : 0)
-                | (differ(s.traits[k + 2], 0f) ? WALL_X : 0)
-                | (differ(s.traits[k + 3], 0f) ? WALL_Y : 0);
+                | (s.generation[s.id[circle]] != 0 ? HAS_GENERATION : 0)
+                | (differ(s.traits[row + CircleRow.RESTITUTION], worlds) ? HAS_RESTITUTION : 0)
+                | (differ(s.traits[row + CircleRow.WALL_X], 0f) ? HAS_WALL_X : 0)
+                | (differ(s.traits[row + CircleRow.WALL_Y], 0f) ? HAS_WALL_Y : 0);
     }
 
     private static boolean differ(float a, float b) {
@@ -141,19 +155,24 @@ public final class SnapshotCodec {
         int flags = flags(s, circle);
         int id = s.id[circle];
         out.put((byte) (flags | Math.min(end - from, MANY) << IMPULSES_SHIFT));
-        for (int k = 4 * circle; k < 4 * circle + 4; k++) {
-            out.putFloat(s.circle[k]);
+        int row = CircleRow.STRIDE * circle;
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            out.putFloat(s.circle[row + k]);
         }
-        for (int k = 4 * circle; k < 4 * circle + 4; k++) {
-            out.putFloat(s.motion[k]);
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            out.putFloat(s.motion[row + k]);
         }
-        if ((flags & GENERATION) != 0) {
+        if ((flags & HAS_GENERATION) != 0) {
             putVarint(out, s.generation[id]);
         }
-        for (int k = 1; k < 4; k++) {
-            if ((flags & RESTITUTION << (k - 1)) != 0) {
-                out.putFloat(s.traits[4 * circle + k]);
-            }
+        if ((flags & HAS_RESTITUTION) != 0) {
+            out.putFloat(s.traits[row + CircleRow.RESTITUTION]);
+        }
+        if ((flags & HAS_WALL_X) != 0) {
+            out.putFloat(s.traits[row + CircleRow.WALL_X]);
+        }
+        if ((flags & HAS_WALL_Y) != 0) {
+            out.putFloat(s.traits[row + CircleRow.WALL_Y]);
         }
         if (end - from >= MANY) {
             putVarint(out, end - from - MANY);
@@ -167,14 +186,15 @@ public final class SnapshotCodec {
     }
 
     private static int varintBytes(int value) {
-        return (38 - Integer.numberOfLeadingZeros(value | 1)) / 7;
+        int bits = Integer.SIZE - Integer.numberOfLeadingZeros(value | 1);
+        return (bits + VARINT_BITS - 1) / VARINT_BITS;
     }
 
     private static void putVarint(ByteBuffer out, int value) {
         int rest = value;
-        while ((rest & ~127) != 0) {
-            out.put((byte) (rest | 128));
-            rest >>>= 7;
+        while ((rest & ~VARINT_MASK) != 0) {
+            out.put((byte) (rest | VARINT_MORE));
+            rest >>>= VARINT_BITS;
         }
         out.put((byte) rest);
     }
@@ -183,8 +203,9 @@ public final class SnapshotCodec {
     static long check(ByteBuffer in, int length) {
         long h = MAGIC;
         int k = 0;
-        for (; k + 4 <= length; k += 4) {
-            h = StateHash.absorb(h, k == CHECK_AT || k == CHECK_AT + 4 ? 0 : in.getInt(k));
+        for (; k + Integer.BYTES <= length; k += Integer.BYTES) {
+            boolean ofCheck = k >= CHECK_AT && k < CHECK_AT + Long.BYTES;
+            h = StateHash.absorb(h, ofCheck ? 0 : in.getInt(k));
         }
         for (; k < length; k++) {
             h = StateHash.absorb(h, in.get(k));
@@ -207,7 +228,7 @@ public final class SnapshotCodec {
         ByteBuffer in = copy(from.slice().order(ByteOrder.LITTLE_ENDIAN));
         int length = in.limit();
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
-        in.position(LENGTH_AT + 4);
+        in.position(CIRCLES_AT);
         int circles = in.getInt();
         int ids = in.getInt();
         int impulses = in.getInt();
@@ -267,37 +288,37 @@ public final class SnapshotCodec {
     private static int readRecord(ByteBuffer in, SavedState s, int id, int circle, int circles, int impulses) {
         int flags = getByte(in);
         if ((flags & LIVES) == 0) {
-            require((flags & ~GENERATION) == 0, "a free id has a circle's flags");
+            require((flags & ~HAS_GENERATION) == 0, "a free id has a circle's flags");
             s.generation[id] = getGeneration(in, flags);
             return circle;
         }
         require(circle < circles, "there are more circles than it says");
         require(in.remaining() >= LEAST_CIRCLE - 1, "it ends within a circle");
         s.id[circle] = id;
-        int k = 4 * circle;
-        for (int c = k; c < k + 4; c++) {
-            s.circle[c] = in.getFloat();
+        int row = CircleRow.STRIDE * circle;
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            s.circle[row + k] = in.getFloat();
         }
-        for (int c = k; c < k + 4; c++) {
-            s.motion[c] = in.getFloat();
+        for (int k = 0; k < CircleRow.STRIDE; k++) {
+            s.motion[row + k] = in.getFloat();
         }
         s.generation[id] = getGeneration(in, flags);
-        s.traits[k] = CircleMath.inverseMass(s.circle[k + 3]);
-        s.traits[k + 1] =
-                (flags & RESTITUTION) != 0 ? getFloat(in) : s.parameters().restitution();
-        s.traits[k + 2] = (flags & WALL_X) != 0 ? getFloat(in) : 0f;
-        s.traits[k + 3] = (flags & WALL_Y) != 0 ? getFloat(in) : 0f;
-        checkCircle(s, k);
+        float worlds = s.parameters().restitution();
+        s.traits[row + CircleRow.INVERSE_MASS] = CircleMath.inverseMass(s.circle[row + CircleRow.MASS]);
+        s.traits[row + CircleRow.RESTITUTION] = (flags & HAS_RESTITUTION) != 0 ? getFloat(in) : worlds;
+        s.traits[row + CircleRow.WALL_X] = (flags & HAS_WALL_X) != 0 ? getFloat(in) : 0f;
+        s.traits[row + CircleRow.WALL_Y] = (flags & HAS_WALL_Y) != 0 ? getFloat(in) : 0f;
+        checkCircle(s, row);
         readImpulses(in, s, id, flags >> IMPULSES_SHIFT, impulses);
         return circle + 1;
     }
 
     private static void readImpulses(ByteBuffer in, SavedState s, int id, int inFlags, int impulses) {
-        long count = inFlags < MANY ? inFlags : MANY + (getVarint(in) & 0xFFFFFFFFL);
+        long count = inFlags < MANY ? inFlags : MANY + (Integer.toUnsignedLong(getVarint(in)));
         require(count <= impulses - s.impulses, "there are more impulses than it says");
         long hi = id;
         for (long k = 0; k < count; k++) {
-            long more = getVarint(in) & 0xFFFFFFFFL;
+            long more = Integer.toUnsignedLong(getVarint(in));
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
             float lambda = getFloat(in);
@@ -308,17 +329,23 @@ public final class SnapshotCodec {
         }
     }
 
-    private static void checkCircle(SavedState s, int k) {
+    private static void checkCircle(SavedState s, int row) {
         Bounds bounds = s.parameters().bounds();
-        Limits.position(s.circle[k], s.circle[k + 1], bounds);
-        Limits.radius(s.circle[k + 2], bounds);
-        Limits.mass(s.circle[k + 3]);
-        checkRemainder(s.circle[k], s.motion[k]);
-        checkRemainder(s.circle[k + 1], s.motion[k + 1]);
-        Limits.velocity(s.motion[k + 2], s.motion[k + 3]);
-        Limits.restitution(s.traits[k + 1]);
-        Limits.within("a wall's impulse", s.traits[k + 2], -Limits.WALL_IMPULSE, Limits.WALL_IMPULSE);
-        Limits.within("a wall's impulse", s.traits[k + 3], -Limits.WALL_IMPULSE, Limits.WALL_IMPULSE);
+        float x = s.circle[row + CircleRow.X];
+        float y = s.circle[row + CircleRow.Y];
+        Limits.position(x, y, bounds);
+        Limits.radius(s.circle[row + CircleRow.RADIUS], bounds);
+        Limits.mass(s.circle[row + CircleRow.MASS]);
+        checkRemainder(x, s.motion[row + CircleRow.REMAINDER_X]);
+        checkRemainder(y, s.motion[row + CircleRow.REMAINDER_Y]);
+        Limits.velocity(s.motion[row + CircleRow.VX], s.motion[row + CircleRow.VY]);
+        Limits.restitution(s.traits[row + CircleRow.RESTITUTION]);
+        checkWallImpulse(s.traits[row + CircleRow.WALL_X]);
+        checkWallImpulse(s.traits[row + CircleRow.WALL_Y]);
+    }
+
+    private static void checkWallImpulse(float speed) {
+        Limits.within("a wall's impulse", speed, -Limits.WALL_IMPULSE, Limits.WALL_IMPULSE);
     }
 
     /** What rounding has left of a coordinate is at most half a unit of its last place. */
@@ -339,7 +366,7 @@ public final class SnapshotCodec {
     }
 
     private static int getGeneration(ByteBuffer in, int flags) {
-        if ((flags & GENERATION) == 0) {
+        if ((flags & HAS_GENERATION) == 0) {
             return 0;
         }
         int generation = getVarint(in);
@@ -349,21 +376,21 @@ public final class SnapshotCodec {
 
     private static int getByte(ByteBuffer in) {
         require(in.hasRemaining(), "it ends early");
-        return in.get() & 255;
+        return Byte.toUnsignedInt(in.get());
     }
 
     private static float getFloat(ByteBuffer in) {
-        require(in.remaining() >= 4, "it ends early");
+        require(in.remaining() >= Float.BYTES, "it ends early");
         return in.getFloat();
     }
 
     private static int getVarint(ByteBuffer in) {
         int value = 0;
-        for (int shift = 0; shift < 35; shift += 7) {
+        for (int shift = 0; shift < Integer.SIZE; shift += VARINT_BITS) {
             int b = getByte(in);
-            value |= (b & 127) << shift;
-            if (b < 128) {
-                require(shift < 28 || b < 16, "a number is too long");
+            value |= (b & VARINT_MASK) << shift;
+            if (b < VARINT_MORE) {
+                require(b >>> Math.min(Integer.SIZE - shift, VARINT_BITS) == 0, "a number is too long");
                 return value;
             }
         }

@@ -1,6 +1,8 @@
 package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
@@ -452,6 +454,11 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public String device() {
         return session.device().toString();
+    }
+
+    @Override
+    public boolean isLostBy(Throwable cause) {
+        return cause instanceof OpenClException && !(cause instanceof DeviceMemoryException);
     }
 
     @Override

@@ -22,10 +22,10 @@ public final class JvmPipeline implements Pipeline {
     private static final int SOLVER = 3;
 
     private final State state = new State();
-    private final GridLevels levels = new GridLevels();
+    final GridLevels levels = new GridLevels();
     private final Team team;
     private final Grid grid;
-    private final Contacts contacts;
+    final Contacts contacts;
     private final ContinuousCollision sweep;
     private final Solver solver;
     private final StageTimes times;
@@ -33,7 +33,7 @@ public final class JvmPipeline implements Pipeline {
     private final Team.Work work = this::makeSteps;
 
     /** What the workers are to do, and with what. */
-    private StepConstants constants;
+    StepConstants constants;
 
     private int steps;
 
@@ -250,20 +250,5 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void close() {
         team.close();
-    }
-
-    /** The contacts of the last step. */
-    Contacts lastContacts() {
-        return contacts;
-    }
-
-    /**
-     * Puts the circles into other slots, of which nothing may depend.
-     *
-     * @param order the present slot of each slot to be
-     */
-    void permute(int[] order) {
-        state.permute(order, 0, state.n);
-        state.swap();
     }
 }

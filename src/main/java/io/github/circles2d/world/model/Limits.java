@@ -155,6 +155,28 @@ public final class Limits {
     }
 
     /**
+     * Checks an impulse.
+     *
+     * @param x x
+     * @param y y
+     */
+    public static void impulse(float x, float y) {
+        within("impulse x", x, -IMPULSE, IMPULSE);
+        within("impulse y", y, -IMPULSE, IMPULSE);
+    }
+
+    /**
+     * Checks gravity.
+     *
+     * @param x x
+     * @param y y
+     */
+    public static void gravity(float x, float y) {
+        within("gravity x", x, -SPEED, SPEED);
+        within("gravity y", y, -SPEED, SPEED);
+    }
+
+    /**
      * Checks a restitution.
      *
      * @param restitution the restitution

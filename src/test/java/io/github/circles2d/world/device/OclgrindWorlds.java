@@ -89,8 +89,8 @@ final class OclgrindWorlds {
 
     private Set<String> steps(Plan plan, Scene scene, float dt, int steps, int subSteps) {
         DevicePipeline pipeline = pipeline(plan);
-        try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
-            twins.subSteps(subSteps).step(dt, steps);
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
+            twins.step(dt, steps);
             twins.assertEqual(scene.name());
             twins.assertSameFigures();
             return pipeline.kernelNanos().keySet();
@@ -100,8 +100,7 @@ final class OclgrindWorlds {
     private Set<String> changes(Scene scene) {
         DevicePipeline pipeline = pipeline(Plan.COLOURS);
         SplittableRandom random = new SplittableRandom(3);
-        try (Twins twins = Twins.load(scene, jvm(), pipeline)) {
-            twins.subSteps(small ? 1 : 4);
+        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
             for (int k = 0; k < 2; k++) {
                 twins.step(scene.timeStep(), 1);
                 twins.assertSameFigures();

@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.util.ArrayList;
 import java.util.List;
@@ -121,7 +122,7 @@ class PersistentCpuTest {
         try (Twins twins = Twins.load(scene, java(), pipeline)) {
             for (int k = 0; k < 8; k++) {
                 // One circle that is much larger makes a second level, which lanes do not take.
-                twins.setRadius(0, (k % 2 == 0 ? 1 : 5) * scene.radius(0));
+                twins.set(Commands.RADIUS, 0, (k % 2 == 0 ? 1 : 5) * scene.radius(0), 0);
                 twins.step(scene.timeStep(), 1 + k % 3);
                 twins.assertEqual("turn " + k);
                 twins.assertSameFigures();

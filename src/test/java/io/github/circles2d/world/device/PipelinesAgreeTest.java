@@ -75,8 +75,8 @@ class PipelinesAgreeTest {
         Scene scene = Scenes.thesis(300, 4);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
             for (int id = 0; id < 20; id++) {
-                twins.commands().set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
-                twins.commands().set(Commands.VELOCITY, id, 0.3f - 0.03f * id, 0.5f);
+                twins.set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
+                twins.set(Commands.VELOCITY, id, 0.3f - 0.03f * id, 0.5f);
             }
             for (int k = 0; k < 30; k++) {
                 twins.step(1 / 60f, 5);
@@ -134,11 +134,11 @@ class PipelinesAgreeTest {
     void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int subSteps : new int[] {1, 4, 5}) {
             Scene scene = Scenes.thesis(1250, 6);
-            try (Twins twins = Twins.load(scene, pipelines(device)).subSteps(subSteps)) {
+            try (Twins twins = Twins.load(scene, subSteps, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(subSteps);
                 for (int k = 0; k < 12; k++) {
                     for (int changes = 0; changes < 400; changes++) {
-                        makeExtreme(twins.commands(), random.nextInt(scene.size()), random);
+                        makeExtreme(twins, random.nextInt(scene.size()), random);
                     }
                     for (int steps = 0; steps < 3; steps++) {
                         twins.step(1 / 60f, 1);
@@ -167,23 +167,26 @@ class PipelinesAgreeTest {
                         twins.change(scene, random);
                     }
                 }
-                twins.subSteps(2).step(1 / 60f, 1);
-                twins.subSteps(4).step(1 / 60f, 1);
                 twins.assertEqual(scene.name() + " after steps of several lengths");
+                for (int subSteps : new int[] {2, 4}) {
+                    twins.restoreWithSubSteps(subSteps);
+                    twins.step(1 / 60f, 1);
+                }
+                twins.assertEqual(scene.name() + " after steps of several sub-steps");
                 twins.assertSameFigures();
             }
         }
     }
 
     /** Asks for a mass and a speed of any magnitude, and for a place in the world, now and then one of a few. */
-    private static void makeExtreme(Commands commands, int id, SplittableRandom random) {
+    private static void makeExtreme(Twins twins, int id, SplittableRandom random) {
         float mass = random.nextInt(16) == 0 ? Float.POSITIVE_INFINITY : power(random, -9, 9);
-        commands.set(Commands.MASS, id, mass, 0);
-        commands.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
+        twins.set(Commands.MASS, id, mass, 0);
+        twins.set(Commands.RESTITUTION, id, random.nextInt(3) / 2f, 0);
         float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
-        commands.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
+        twins.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
         if (random.nextInt(8) == 0) {
-            commands.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+            twins.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
         }
     }
 
@@ -293,7 +296,7 @@ class PipelinesAgreeTest {
                     twins.change(scene, random);
                 }
                 twins.assertSameFigures();
-                twins.apply();
+                twins.assertEqual("with all changes");
                 twins.assertSameFigures();
             }
         }

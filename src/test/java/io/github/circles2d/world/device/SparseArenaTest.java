@@ -47,7 +47,7 @@ class SparseArenaTest {
     }
 
     private static void assertFewCandidatePairs(int side, int spacing, Pipeline... pipelines) {
-        try (Twins twins = new Twins(UNIT, 0, 0, pipelines)) {
+        try (Twins twins = Twins.empty(UNIT, pipelines)) {
             SparseArena.lattice(side, spacing, twins::add);
             twins.step(1 / 60f, 1);
             twins.assertEqual("spacing " + spacing);
@@ -62,7 +62,7 @@ class SparseArenaTest {
     void latticesOfTwoLevelsHaveFewCandidatePairs() {
         for (int spacing : new int[] {32, 64, 100, 128, 256}) {
             Pipeline pipeline = java();
-            try (Twins twins = new Twins(UNIT, 0, 0, pipeline)) {
+            try (Twins twins = Twins.empty(UNIT, pipeline)) {
                 SparseArena.lattice(50, spacing, twins::add);
                 SparseArena.lattice(100, 4 * spacing, twins::add);
                 twins.step(1 / 60f, 1);
@@ -78,7 +78,7 @@ class SparseArenaTest {
     @MethodSource("devices")
     void neighboursAcrossTheEdgesOfTheTorusHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int groups : new int[] {40, 150, 600, 2000}) {
-            try (Twins twins = new Twins(UNIT, 0, 0, PipelinesAgreeTest.pipelines(device))) {
+            try (Twins twins = Twins.empty(UNIT, PipelinesAgreeTest.pipelines(device))) {
                 SparseArena.groups(groups, 3000, new Random(groups), twins::add);
                 for (int k = 0; k < 4; k++) {
                     twins.step(1 / 60f, 2);

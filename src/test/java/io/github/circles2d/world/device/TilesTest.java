@@ -35,7 +35,7 @@ class TilesTest {
     void crowdsThatAreThinnedOutAreSolvedByTilesWhereTheseFit(Device device) {
         DevicePipeline pipeline = new DevicePipeline(device, 0, true, Plan.TILES);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
-        try (Twins twins = new Twins(new Bounds(0, 0, 1, 1), 0, 0, java, pipeline)) {
+        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), java, pipeline)) {
             addCrowd(twins);
             twins.step(1 / 60f, 1);
             twins.assertEqual("the step that is refused at first, for the crowd");

@@ -3,92 +3,94 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.StepConstants;
+import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 
-/** A world's host side, with as many pipelines as are to be compared. */
+/** A simulation on each of the pipelines that are to be compared: all get the same calls. */
 final class Twins implements AutoCloseable {
-    private final HandleTable roster = new HandleTable();
-    private final Commands commands = new Commands();
-    private final GridLevels levels = new GridLevels();
-    private final Pipeline[] pipelines;
-    private Bounds bounds;
-    private final float gx;
-    private final float gy;
-    private int subSteps = 4;
-    private float previousDt;
+    private static final int SUB_STEPS = 4;
+
+    private final Simulation[] simulations;
+
+    /** By id: the handle of the last circle that had it. */
+    private long[] handles = new long[0];
 
     /** The circles at the last request for positions. */
     private float[] requested;
 
-    Twins(Bounds bounds, float gx, float gy, Pipeline... pipelines) {
-        this.bounds = bounds;
-        this.gx = gx;
-        this.gy = gy;
-        this.pipelines = pipelines;
+    private Twins(Simulation[] simulations) {
+        this.simulations = simulations;
     }
 
-    /** Sets the number of sub-steps a step, which is 4 otherwise. */
-    Twins subSteps(int count) {
-        subSteps = count;
-        return this;
+    /** Worlds without gravity and circles. */
+    static Twins empty(Bounds bounds, Pipeline... pipelines) {
+        WorldParameters parameters = new WorldParameters(bounds, 0, 0, 0, SUB_STEPS, 0);
+        return new Twins(Arrays.stream(pipelines)
+                .map(pipeline -> new Simulation(pipeline, parameters))
+                .toArray(Simulation[]::new));
     }
 
-    void apply() {
-        for (Pipeline pipeline : pipelines) {
-            pipeline.makeRoom(commands);
-            pipeline.apply(commands);
-        }
-        commands.clear();
+    /** A scene, on several pipelines. */
+    static Twins load(Scene scene, Pipeline... pipelines) {
+        return load(scene, SUB_STEPS, pipelines);
     }
 
-    /** What all pipelines are to do before the next step. */
-    Commands commands() {
-        return commands;
+    /** A scene, on several pipelines, with a number of sub-steps. */
+    static Twins load(Scene scene, int subSteps, Pipeline... pipelines) {
+        Twins twins = new Twins(Arrays.stream(pipelines)
+                .map(pipeline -> SimulationScenes.simulation(scene, subSteps, pipeline))
+                .toArray(Simulation[]::new));
+        twins.handles = new long[scene.size()];
+        twins.simulations[0].readHandles(twins.handles);
+        return twins;
     }
 
     void step(float dt, int steps) {
-        apply();
-        for (Pipeline pipeline : pipelines) {
-            StepConstants constants = new StepConstants();
-            constants.set(dt, subSteps, gx, gy, bounds, previousDt == 0 ? dt : previousDt);
-            levels.layOut(bounds, roster.greatestRadius(), roster.population());
-            pipeline.step(constants, levels, steps);
+        for (Simulation simulation : simulations) {
+            simulation.step(dt, steps);
         }
-        previousDt = dt;
     }
 
     void assertEqual(String when) {
-        long expected = pipelines[0].hash();
-        for (Pipeline pipeline : pipelines) {
-            assertThat(pipeline.hash()).as(when + " on " + pipeline.device()).isEqualTo(expected);
+        long expected = simulations[0].hash();
+        for (Simulation simulation : simulations) {
+            assertThat(simulation.hash())
+                    .as(when + " on " + simulation.figures().device())
+                    .isEqualTo(expected);
         }
     }
 
     void assertSameFigures() {
-        for (Pipeline pipeline : pipelines) {
-            assertThat(pipeline.contacts()).isEqualTo(pipelines[0].contacts());
-            assertThat(pipeline.greatestContacts()).isEqualTo(pipelines[0].greatestContacts());
-            assertThat(pipeline.candidatePairs()).isEqualTo(pipelines[0].candidatePairs());
+        Figures expected = simulations[0].figures();
+        for (Simulation simulation : simulations) {
+            Figures figures = simulation.figures();
+            assertThat(figures.contacts()).isEqualTo(expected.contacts());
+            assertThat(figures.greatestContacts()).isEqualTo(expected.greatestContacts());
+            assertThat(figures.candidatePairs()).isEqualTo(expected.candidatePairs());
         }
     }
 
     void assertSameReadings() {
-        float[][] circles = new float[pipelines.length][4 * roster.size()];
-        float[][] velocities = new float[pipelines.length][2 * roster.size()];
-        for (int k = 0; k < pipelines.length; k++) {
-            pipelines[k].readCircles(roster, circles[k]);
-            pipelines[k].readVelocities(roster, velocities[k]);
+        int n = simulations[0].size();
+        float[][] circles = new float[simulations.length][4 * n];
+        float[][] velocities = new float[simulations.length][2 * n];
+        for (int k = 0; k < simulations.length; k++) {
+            simulations[k].read(circles[k]);
+            simulations[k].readVelocities(velocities[k]);
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
-            assertPositions(pipelines[k].positions(roster), circles[0]);
+            assertPositions(simulations[k].positions(), circles[0]);
         }
         requestPositions();
         assertSameRequestedPositions();
@@ -96,19 +98,18 @@ final class Twins implements AutoCloseable {
 
     /** Asks every pipeline for the positions as they are now. */
     void requestPositions() {
-        apply();
-        requested = new float[4 * roster.size()];
+        requested = new float[4 * simulations[0].size()];
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
-        pipelines[0].readCircles(roster, requested);
-        for (Pipeline pipeline : pipelines) {
-            pipeline.requestPositions(roster);
+        simulations[0].read(requested);
+        for (Simulation simulation : simulations) {
+            simulation.requestPositions();
         }
     }
 
     /** Takes the positions from every pipeline: those of the request. */
     void assertSameRequestedPositions() {
-        for (Pipeline pipeline : pipelines) {
-            assertPositions(pipeline.takePositions(), requested);
+        for (Simulation simulation : simulations) {
+            assertPositions(simulation.takePositions(), requested);
         }
     }
 
@@ -122,72 +123,100 @@ final class Twins implements AutoCloseable {
 
     /** Makes the arena a little smaller. */
     void confine() {
-        apply();
-        float width = bounds.maxX() - bounds.minX();
-        bounds = new Bounds(bounds.minX() + 0.01f * width, bounds.minY(), bounds.maxX() - 0.01f * width, bounds.maxY());
-        for (Pipeline pipeline : pipelines) {
-            pipeline.confine(bounds);
+        for (Simulation simulation : simulations) {
+            Bounds now = simulation.bounds();
+            float less = 0.01f * (now.maxX() - now.minX());
+            simulation.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
         }
     }
 
-    /** Saves every pipeline, and lets each go on from what another has saved. */
+    /** Saves every state, which is the same, and lets each go on from what another has saved. */
     void exchange() {
-        apply();
-        SavedState[] saved = new SavedState[pipelines.length];
-        for (int k = 0; k < pipelines.length; k++) {
-            saved[k] = new SavedState();
-            roster.save(saved[k]);
-            pipelines[k].save(saved[k]);
+        ByteBuffer[] saved = new ByteBuffer[simulations.length];
+        for (int k = 0; k < simulations.length; k++) {
+            saved[k] = snapshot(simulations[k]);
+            assertThat(saved[k]).isEqualTo(saved[0]);
         }
-        for (int k = 0; k < pipelines.length; k++) {
-            SavedState other = saved[(k + 1) % pipelines.length];
-            pipelines[k].makeRoom(other);
-            pipelines[k].load(other);
+        for (int k = 0; k < simulations.length; k++) {
+            simulations[k].restore(saved[(k + 1) % simulations.length].duplicate());
         }
     }
 
-    /** Asks for another circle. */
+    private static ByteBuffer snapshot(Simulation simulation) {
+        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshotBytes());
+        simulation.snapshot(snapshot);
+        return snapshot.flip();
+    }
+
+    /** Sets the number of sub-steps, by the only way there is: a restore. */
+    void restoreWithSubSteps(int count) {
+        for (Simulation simulation : simulations) {
+            SavedState state = new SavedState();
+            SnapshotCodec.read(snapshot(simulation), state);
+            WorldParameters p = state.parameters();
+            state.setParameters(new WorldParameters(
+                    p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+            ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
+            SnapshotCodec.write(state, changed);
+            simulation.restore(changed.flip());
+        }
+    }
+
+    /** Adds a circle. */
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
-        commands.add(roster.add(r), x, y, r, mass, restitution, vx, vy);
-    }
-
-    /** Asks for another radius of a circle. */
-    void setRadius(int id, float r) {
-        roster.setRadius(id, r);
-        commands.set(Commands.RADIUS, id, r, 0);
-    }
-
-    /** Asks for some change of each kind. */
-    void change(Scene scene, SplittableRandom random) {
-        int id = random.nextInt(roster.end());
-        if (roster.lives(id)) {
-            roster.remove(id);
-            commands.remove(id);
+        for (Simulation simulation : simulations) {
+            long handle = simulation.add(x, y, r, mass, vx, vy);
+            int id = (int) handle;
+            if (id >= handles.length) {
+                handles = Arrays.copyOf(handles, id + 1);
+            }
+            handles[id] = handle;
+            simulation.set(Commands.RESTITUTION, handle, restitution, 0);
         }
-        float r = scene.radius()[random.nextInt(scene.size())];
+    }
+
+    /** Changes the circle that had an id last. */
+    void set(int operation, int id, float a, float b) {
+        for (Simulation simulation : simulations) {
+            simulation.set(operation, handles[id], a, b);
+        }
+    }
+
+    /** Makes some change of each kind. */
+    void change(Scene scene, SplittableRandom random) {
+        Bounds bounds = simulations[0].bounds();
+        int id = random.nextInt(handles.length);
+        if (lives(id)) {
+            for (Simulation simulation : simulations) {
+                simulation.remove(handles[id]);
+            }
+        }
+        float r = scene.radius(random.nextInt(scene.size()));
         if (random.nextInt(4) > 0) {
             float x = between(random, bounds.minX(), bounds.maxX());
             float y = between(random, bounds.minY(), bounds.maxY());
             add(x, y, r, between(random, 1, 2), 0.5f, between(random, -r, r), between(random, -r, r));
         }
         for (int operation = Commands.POSITION; operation <= Commands.IMPULSE; operation++) {
-            id = random.nextInt(roster.end());
-            if (!roster.lives(id)) {
+            id = random.nextInt(handles.length);
+            if (!lives(id)) {
                 continue;
             }
             switch (operation) {
-                case Commands.POSITION ->
-                    commands.set(
-                            operation,
-                            id,
-                            between(random, bounds.minX(), bounds.maxX()),
-                            between(random, bounds.minY(), bounds.maxY()));
+                case Commands.POSITION -> {
+                    float x = between(random, bounds.minX(), bounds.maxX());
+                    set(operation, id, x, between(random, bounds.minY(), bounds.maxY()));
+                }
                 case Commands.VELOCITY, Commands.IMPULSE ->
-                    commands.set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
-                case Commands.RADIUS -> setRadius(id, r);
-                default -> commands.set(operation, id, between(random, 0.1f, 1), 0);
+                    set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
+                case Commands.RADIUS -> set(operation, id, r, 0);
+                default -> set(operation, id, between(random, 0.1f, 1), 0);
             }
         }
+    }
+
+    private boolean lives(int id) {
+        return simulations[0].contains(handles[id]);
     }
 
     private static float between(SplittableRandom random, float low, float high) {
@@ -196,29 +225,8 @@ final class Twins implements AutoCloseable {
 
     @Override
     public void close() {
-        for (Pipeline pipeline : pipelines) {
-            pipeline.close();
+        for (Simulation simulation : simulations) {
+            simulation.close();
         }
-    }
-
-    /** A scene, on several pipelines. */
-    static Twins load(Scene scene, Pipeline... pipelines) {
-        Twins twins = new Twins(
-                new Bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY()),
-                scene.gravityX(),
-                scene.gravityY(),
-                pipelines);
-        for (int i = 0; i < scene.size(); i++) {
-            float m = scene.fixed()[i] ? Float.POSITIVE_INFINITY : scene.mass()[i];
-            twins.add(
-                    scene.x()[i],
-                    scene.y()[i],
-                    scene.radius()[i],
-                    m,
-                    scene.restitution(),
-                    scene.vx()[i],
-                    scene.vy()[i]);
-        }
-        return twins;
     }
 }

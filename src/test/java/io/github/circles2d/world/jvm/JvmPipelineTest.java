@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import io.github.circles2d.world.circles.HandleTable;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Timeout;
@@ -50,7 +49,8 @@ class JvmPipelineTest {
         try (JvmWorld world = new JvmWorld(scene, threads)) {
             for (int step = 0; step < STEPS; step++) {
                 if (step % 3 == 1) {
-                    world.remove(someId(world.roster, random));
+                    long[] handles = world.handles();
+                    world.simulation.remove(handles[random.nextInt(handles.length)]);
                 } else if (step % 3 == 2) {
                     world.add(
                             scene.minX() + (scene.maxX() - scene.minX()) * random.nextFloat(),
@@ -62,22 +62,13 @@ class JvmPipelineTest {
                             0);
                 }
                 if (shuffled) {
-                    world.prepare();
-                    world.pipeline.permute(permutation(world.roster.size(), order));
+                    world.permute(permutation(world.simulation.size(), order));
                 }
                 world.step(1);
-                hashes[step] = world.pipeline.hash();
+                hashes[step] = world.simulation.hash();
             }
         }
         return hashes;
-    }
-
-    private static int someId(HandleTable roster, Random random) {
-        int id = random.nextInt(roster.end());
-        while (!roster.lives(id)) {
-            id = (id + 1) % roster.end();
-        }
-        return id;
     }
 
     private static int[] permutation(int n, Random random) {

@@ -1,77 +1,74 @@
 package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.SimulationScenes;
+import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
-import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.circles.SnapshotCodec;
+import java.nio.ByteBuffer;
 
-/** A pipeline with a scene in it, driven as World drives it, for tests that look inside. */
+/** A simulation of a scene on the JVM, for tests that look inside its pipeline. */
 final class JvmWorld implements AutoCloseable {
     final JvmPipeline pipeline;
-    final HandleTable roster = new HandleTable();
-    final GridLevels levels = new GridLevels();
-    final StepConstants constants = new StepConstants();
-    private final Commands commands = new Commands();
-    private final Bounds bounds;
-    private final float gravityX;
-    private final float gravityY;
+    final Simulation simulation;
     private final float timeStep;
 
     JvmWorld(Scene scene, int threads) {
-        bounds = new Bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY());
-        gravityX = scene.gravityX();
-        gravityY = scene.gravityY();
         timeStep = scene.timeStep();
         pipeline = new JvmPipeline(threads, 1, scene.size(), false);
-        for (int i = 0; i < scene.size(); i++) {
-            add(
-                    scene.x(i),
-                    scene.y(i),
-                    scene.radius(i),
-                    scene.fixed(i) ? Float.POSITIVE_INFINITY : scene.mass(i),
-                    scene.restitution(i),
-                    scene.vx(i),
-                    scene.vy(i));
-        }
+        simulation = SimulationScenes.simulation(scene, 4, pipeline);
     }
 
-    int add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
-        int id = roster.add(r);
-        commands.add(id, x, y, r, mass, restitution, vx, vy);
-        return id;
+    void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
+        long handle = simulation.add(x, y, r, mass, vx, vy);
+        simulation.set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
-    void remove(int id) {
-        roster.remove(id);
-        commands.remove(id);
-    }
-
-    /** Computes what the next step starts from: the levels and the constants. */
-    void prepare() {
-        pipeline.makeRoom(commands);
-        pipeline.apply(commands);
-        commands.clear();
-        constants.set(timeStep, 4, gravityX, gravityY, bounds, timeStep);
-        levels.layOut(bounds, roster.greatestRadius(), roster.population());
+    long[] handles() {
+        long[] handles = new long[simulation.size()];
+        simulation.readHandles(handles);
+        return handles;
     }
 
     void step(int steps) {
-        prepare();
-        pipeline.step(constants, levels, steps);
+        simulation.step(timeStep, steps);
     }
 
     SavedState save() {
+        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshotBytes());
+        simulation.snapshot(snapshot);
         SavedState saved = new SavedState();
-        roster.save(saved);
-        pipeline.save(saved);
+        SnapshotCodec.read(snapshot.flip(), saved);
         return saved;
+    }
+
+    /**
+     * Puts the circles into other slots, of which nothing may depend: a pipeline takes circles over into slots in the order in
+     * which the state has them.
+     *
+     * @param order the circle of each slot, by its place among the ids
+     */
+    void permute(int[] order) {
+        SavedState sorted = save();
+        SavedState permuted = save();
+        for (int slot = 0; slot < order.length; slot++) {
+            permuted.id[slot] = sorted.id[order[slot]];
+            copyRow(sorted.circle, order[slot], permuted.circle, slot);
+            copyRow(sorted.motion, order[slot], permuted.motion, slot);
+            copyRow(sorted.traits, order[slot], permuted.traits, slot);
+        }
+        pipeline.makeRoom(permuted);
+        pipeline.load(permuted);
+    }
+
+    private static void copyRow(float[] from, int row, float[] to, int toRow) {
+        System.arraycopy(from, CircleRow.STRIDE * row, to, CircleRow.STRIDE * toRow, CircleRow.STRIDE);
     }
 
     @Override
     public void close() {
-        pipeline.close();
+        simulation.close();
     }
 }

@@ -17,6 +17,10 @@ public final class SparseArena {
         return (1f / columns - 0x1p-20f) / (2 * (1 + Tuning.MARGIN + Tuning.CAP));
     }
 
+    private static float inside(float coordinate) {
+        return Math.max(0, Math.min(1, coordinate));
+    }
+
     /** A square lattice of side x side circles. Their centres are some cells apart, in rows and in columns. */
     public static void lattice(int side, int spacing, Taker to) {
         float radius = radius(side * spacing);
@@ -37,8 +41,8 @@ public final class SparseArena {
             for (int i = 0; i < 4; i++) {
                 float speed = (random.nextInt(8) == 0 ? 500 : 5) * radius;
                 to.add(
-                        x + 4 * radius * (random.nextFloat() - 0.5f),
-                        y + 4 * radius * (random.nextFloat() - 0.5f),
+                        inside(x + 4 * radius * (random.nextFloat() - 0.5f)),
+                        inside(y + 4 * radius * (random.nextFloat() - 0.5f)),
                         radius * (0.6f + 0.4f * random.nextFloat()),
                         1,
                         0.5f,

@@ -61,20 +61,7 @@ public final class Starts {
 
     private static ByteBuffer make(String engine, int n, int skipped) {
         Scene scene = Scenes.packed(n, Scenes.SEED);
-        World.Builder builder = Engines.worldBuilder(engine)
-                .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
-                .gravity(scene.gravityX(), scene.gravityY())
-                .restitution(scene.restitution())
-                .capacity(n);
-        try (World world = builder.build()) {
-            float[] circles = new float[4 * n];
-            for (int i = 0; i < n; i++) {
-                circles[4 * i] = scene.x(i);
-                circles[4 * i + 1] = scene.y(i);
-                circles[4 * i + 2] = scene.radius(i);
-                circles[4 * i + 3] = scene.mass(i);
-            }
-            world.addAll(circles, null);
+        try (World world = WorldEngine.load(scene, Engines.worldBuilder(engine))) {
             world.step(scene.timeStep(), skipped);
             ByteBuffer state = ByteBuffer.allocate(world.snapshotBytes());
             world.snapshot(state);

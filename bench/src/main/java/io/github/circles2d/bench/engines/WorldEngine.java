@@ -2,6 +2,7 @@ package io.github.circles2d.bench.engines;
 
 import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.SceneLoader;
 import java.util.function.Supplier;
 
 /** This library's engine for games, on one back end. Nothing is read back before {@link #read}. */
@@ -18,16 +19,15 @@ final class WorldEngine implements Engine {
     public void load(Scene scene) {
         close();
         timeStep = scene.timeStep();
-        world = backend.get()
-                .bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
-                .gravity(scene.gravityX(), scene.gravityY())
-                .restitution(scene.restitution())
-                .capacity(scene.size())
-                .build();
-        for (int i = 0; i < scene.size(); i++) {
-            float mass = scene.fixed(i) ? Float.POSITIVE_INFINITY : scene.mass(i);
-            world.add(scene.x(i), scene.y(i), scene.radius(i), mass, scene.vx(i), scene.vy(i));
-        }
+        world = load(scene, backend.get());
+    }
+
+    /** A world with a scene in it. */
+    static World load(Scene scene, World.Builder builder) {
+        SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
+        World world = builder.build();
+        SceneLoader.circles(scene, world::add, world::setRestitution);
+        return world;
     }
 
     @Override
