@@ -14,24 +14,19 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * The folder through which JavaCL compiles. For each program JavaCL makes a folder for included files there, and gives
- * its path to the compiler as an option, without quotes. JavaCL takes {@code .javacl} in the home folder. If the compiler
- * could not read that path, or if nothing can be written there, a temporary folder replaces it.
+ * The folder through which JavaCL compiles: it makes a folder for included files there for each program, and keeps compiled
+ * programs there. JavaCL takes {@code .javacl} in the home folder. If nothing can be written there, a temporary folder replaces
+ * it.
  */
 final class CompilerFolder {
     private static final String INCLUDES = "includes";
     private static final String CACHE = "cache";
-    private static final String ALLOWED = "that can be written, and whose path has no blanks, quotes or backslashes";
 
     /** Replaces JavaCL's own folder; empty if that one is good. */
     private final Optional<Path> replacement;
 
-    /** The folder in which JavaCL keeps compiled programs: in the home folder if it can be written. */
-    private final Path cache;
-
-    private CompilerFolder(Optional<Path> replacement, Path cache) {
+    private CompilerFolder(Optional<Path> replacement) {
         this.replacement = replacement;
-        this.cache = cache;
     }
 
     /** Finds the folder without touching JavaCL; throws if there is none, so that no program could be compiled. */
@@ -42,31 +37,28 @@ final class CompilerFolder {
 
     /** Finds the folder in this home folder, or else in the first of these temporary folders that will do. */
     static CompilerFolder find(String home, List<String> temporaryFolders) {
-        Optional<Path> own = path(home)
+        boolean own = path(home)
                 .filter(Files::isDirectory)
                 .map(folder -> folder.resolve(".javacl"))
-                .filter(folder -> canWrite(folder.resolve(INCLUDES)) && canWrite(folder.resolve(CACHE)));
-        if (own.filter(CompilerFolder::isReadable).isPresent()) {
-            return new CompilerFolder(Optional.empty(), own.get().resolve(CACHE));
+                .filter(folder -> canWrite(folder.resolve(INCLUDES)) && canWrite(folder.resolve(CACHE)))
+                .isPresent();
+        if (own) {
+            return new CompilerFolder(Optional.empty());
         }
         for (String folder : temporaryFolders) {
-            Optional<Path> made =
-                    path(folder).filter(CompilerFolder::isReadable).flatMap(CompilerFolder::makeIn);
+            Optional<Path> made = path(folder).flatMap(CompilerFolder::makeIn);
             if (made.isPresent()) {
-                return new CompilerFolder(made, own.orElse(made.get()).resolve(CACHE));
+                return new CompilerFolder(made);
             }
         }
-        throw new OpenClUnavailableException("kernels are compiled through a folder " + ALLOWED
-                + ". Neither the home folder '" + home + "' nor the temporary folder '" + temporaryFolders.get(0)
-                + "' is one. Start Java with -Djava.io.tmpdir=FOLDER that names one.");
+        throw new OpenClUnavailableException(
+                "kernels are compiled through a folder that can be written. Neither the home folder '"
+                        + home + "' nor the temporary folder '" + temporaryFolders.get(0)
+                        + "' is one. Start Java with -Djava.io.tmpdir=FOLDER that names one.");
     }
 
     Optional<Path> replacement() {
         return replacement;
-    }
-
-    Path cache() {
-        return cache;
     }
 
     /** Tells JavaCL; this loads OpenCL. JavaCL has no setting for its folders, so its fields are set. */
@@ -76,12 +68,12 @@ final class CompilerFolder {
         }
         try {
             set("userJavaCLDir", replacement.get());
-            set("userCacheDir", cache);
+            set("userCacheDir", replacement.get().resolve(CACHE));
         } catch (ReflectiveOperationException | RuntimeException e) {
             throw new OpenClUnavailableException(
                     "kernels cannot be compiled through the home folder '" + System.getProperty("user.home")
-                            + "', and JavaCL takes no other (" + e + "). Start Java with -Duser.home=FOLDER, a folder "
-                            + ALLOWED + ".",
+                            + "', and JavaCL takes no other (" + e
+                            + "). Start Java with -Duser.home=FOLDER, a folder that can be written.",
                     e);
         }
     }
@@ -112,21 +104,6 @@ final class CompilerFolder {
         } catch (InvalidPathException e) {
             return Optional.empty();
         }
-    }
-
-    /**
-     * Whether compilers take this path in an option as it is. POCL 3.1 does not take blanks and double quotes; the
-     * others have a meaning in a command line, so another compiler may not take them.
-     */
-    static boolean isReadable(Path path) {
-        String separator = path.getFileSystem().getSeparator();
-        return path.toString()
-                .replace(separator, "")
-                .chars()
-                .noneMatch(c -> Character.isWhitespace(c)
-                        || Character.isSpaceChar(c)
-                        || Character.isISOControl(c)
-                        || "\"'\\".indexOf(c) >= 0);
     }
 
     private static boolean canWrite(Path folder) {

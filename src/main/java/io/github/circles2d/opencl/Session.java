@@ -181,6 +181,12 @@ public final class Session implements AutoCloseable {
     public Program build(KernelSource source, String... options) {
         requireOpen();
         CLProgram program = context.createProgram(source.text());
+        NoIncludes.of(program);
+        if (device.platform().equals(PoclGate.PLATFORM)) {
+            // POCL keeps what it compiles by itself, kernel by kernel. To give JavaCL a binary it would compile all of
+            // them first.
+            program.setCached(false);
+        }
         try {
             for (String option : source.buildOptions()) {
                 program.addBuildOption(option);

@@ -2,6 +2,7 @@ package io.github.circles2d.opencl;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,8 +13,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
 
 @DisabledOnOs(OS.WINDOWS) // no folder there may have a name with quotes or backslashes
 class CompilerFolderTest {
@@ -43,17 +42,6 @@ class CompilerFolderTest {
         assertThat(entries(folder)).containsExactly(home);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"a home", "a\thome", "a\u00a0home", "a\"home", "a'home", "a\\home"})
-    void aHomeThatNoOptionTakesKeepsTheCacheButHasATemporaryFolderForIncludes(String name) throws IOException {
-        Path home = Files.createDirectory(folder.resolve(name));
-        Path temporary = Files.createDirectory(folder.resolve("tmp"));
-        CompilerFolder found = CompilerFolder.find(home.toString(), List.of(temporary.toString()));
-        assertThat(found.replacement()).isPresent();
-        assertThat(found.replacement().get().getParent()).isEqualTo(temporary);
-        assertThat(found.cache()).isEqualTo(home.resolve(".javacl").resolve("cache"));
-    }
-
     @Test
     void anUnusableHomeHasATemporaryFolderForAll() throws IOException {
         // Below a file not even a superuser can make a folder.
@@ -63,9 +51,6 @@ class CompilerFolderTest {
         for (String home : new String[] {file.toString(), missing.toString(), "?", "relative", "", "nul\0", null}) {
             CompilerFolder found = CompilerFolder.find(home, List.of(temporary.toString()));
             assertThat(found.replacement()).as(home).isPresent();
-            assertThat(found.cache().getParent())
-                    .as(home)
-                    .isEqualTo(found.replacement().get());
         }
         assertThat(entries(folder)).containsExactlyInAnyOrder(file, temporary);
     }
@@ -73,21 +58,18 @@ class CompilerFolderTest {
     @Test
     void theFirstTemporaryFolderThatWillDoIsTaken() throws IOException {
         Path file = Files.createFile(folder.resolve("file"));
-        Path blank = Files.createDirectory(folder.resolve("a blank"));
         Path good = Files.createDirectory(folder.resolve("good"));
-        CompilerFolder found =
-                CompilerFolder.find("?", List.of("?", file.toString(), blank.toString(), good.toString()));
+        CompilerFolder found = CompilerFolder.find("?", List.of("?", file.toString(), good.toString()));
         assertThat(found.replacement().get().getParent()).isEqualTo(good);
-        assertThat(entries(blank)).isEmpty();
     }
 
     @Test
     void withoutAnyTheExceptionNamesBothAndTheCure() throws IOException {
-        Path blank = Files.createDirectory(folder.resolve("a blank"));
-        assertThatThrownBy(() -> CompilerFolder.find("?", List.of(blank.toString())))
+        Path file = Files.createFile(folder.resolve("file"));
+        assertThatThrownBy(() -> CompilerFolder.find("?", List.of(file.toString())))
                 .isInstanceOf(OpenClUnavailableException.class)
                 .hasMessageContaining("home folder '?'")
-                .hasMessageContaining("'" + blank + "'")
+                .hasMessageContaining("'" + file + "'")
                 .hasMessageContaining("-Djava.io.tmpdir=FOLDER");
     }
 
@@ -96,7 +78,6 @@ class CompilerFolderTest {
         TestDevices.all();
         Path home = Files.createDirectory(folder.resolve("it's \"my\" home \\ of:all"));
         assertThat(build(home.toString())).containsExactly("built");
-        assertThat(entries(home.resolve(".javacl").resolve("cache"))).hasSize(1);
     }
 
     @Test
@@ -116,6 +97,26 @@ class CompilerFolderTest {
         TestDevices.all();
         String libraries = "export LD_LIBRARY_PATH=$(printf '/Andr\\303\\251'); exec \"$@\"";
         assertThat(build("?", "sh", "-c", libraries, "sh")).containsExactly("built");
+    }
+
+    @Test
+    void poclFindsAProgramAgainInItsOwnCacheAndJavaClKeepsNone() throws IOException {
+        assumeTrue(TestDevices.all().get(0).platform().equals(PoclGate.PLATFORM), "POCL is not the first platform");
+        Path cache = Files.createDirectory(folder.resolve("cache"));
+        Path home = Files.createDirectory(folder.resolve("home"));
+        ForkedJvm jvm = new ForkedJvm().environment("POCL_CACHE_DIR", cache.toString());
+        assertThat(jvm.run(Build.class, home.toString()).output()).contains("built");
+        List<Path> kept = all(cache);
+        assertThat(kept).isNotEmpty();
+        assertThat(jvm.run(Build.class, home.toString()).output()).contains("built");
+        assertThat(all(cache)).isEqualTo(kept);
+        assertThat(entries(home.resolve(".javacl").resolve("cache"))).isEmpty();
+    }
+
+    private static List<Path> all(Path folder) throws IOException {
+        try (Stream<Path> files = Files.walk(folder)) {
+            return files.sorted().toList();
+        }
     }
 
     /** Runs Build and returns its lines; it leaves nothing in the folder that it runs in and in the temporary one. */
