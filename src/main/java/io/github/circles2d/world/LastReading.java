@@ -1,7 +1,7 @@
 package io.github.circles2d.world;
 
-import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
 
 /** What single reads are answered from: the last bulk read-back, for as long as it holds. */
 final class LastReading {

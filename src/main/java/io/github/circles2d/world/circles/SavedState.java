@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**

@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -336,8 +337,8 @@ public final class SnapshotCodec {
         Limits.position(x, y, bounds);
         Limits.radius(s.circle[row + CircleRow.RADIUS], bounds);
         Limits.mass(s.circle[row + CircleRow.MASS]);
-        checkRemainder(x, s.motion[row + CircleRow.REMAINDER_X]);
-        checkRemainder(y, s.motion[row + CircleRow.REMAINDER_Y]);
+        checkRemainder(x, s.motion[row + CircleRow.DX]);
+        checkRemainder(y, s.motion[row + CircleRow.DY]);
         Limits.velocity(s.motion[row + CircleRow.VX], s.motion[row + CircleRow.VY]);
         Limits.restitution(s.traits[row + CircleRow.RESTITUTION]);
         checkWallImpulse(s.traits[row + CircleRow.WALL_X]);

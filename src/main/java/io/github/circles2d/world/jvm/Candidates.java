@@ -1,7 +1,13 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairRule;
 import java.util.Arrays;
 
 /**
@@ -50,9 +56,13 @@ final class Candidates {
         return thinned;
     }
 
+    private boolean isStatic(int slot) {
+        return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
+    }
+
     /** Whether a pair of circles that are near to each other is listed: not where both are fixed, and maybe not in a crowd. */
     boolean keeps(int slot, int other) {
-        if (state.traits[4 * slot] == 0f && state.traits[4 * other] == 0f) {
+        if (isStatic(slot) && isStatic(other)) {
             return false;
         }
         if (!thinned) {
@@ -91,8 +101,8 @@ final class Candidates {
 
     private int countInLevel(int slot, int level) {
         int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[4 * slot], level);
-        int row = grid.row(state.circle[4 * slot + 1], level);
+        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
+        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
         int sum = 0;
@@ -109,16 +119,16 @@ final class Candidates {
     private int countIn(int slot, int from, int to) {
         float[] circle = state.circle;
         float[] reach = grid.reach;
-        float x = circle[4 * slot];
-        float y = circle[4 * slot + 1];
+        float x = circle[CircleRow.of(slot) + X];
+        float y = circle[CircleRow.of(slot) + Y];
         float own = reach[slot];
-        boolean fixed = state.traits[4 * slot] == 0f;
+        boolean fixed = isStatic(slot);
         int sum = 0;
         for (int other = from; other < to; other++) {
-            float dx = circle[4 * other] - x;
-            float dy = circle[4 * other + 1] - y;
-            float limit = own + reach[other];
-            if (dx * dx + dy * dy < limit * limit && other != slot && !(fixed && state.traits[4 * other] == 0f)) {
+            float dx = circle[CircleRow.of(other) + X] - x;
+            float dy = circle[CircleRow.of(other) + Y] - y;
+            int near = PairRule.isNear(dx, dy, own, reach[other]);
+            if (near != 0 && other != slot && !(fixed && isStatic(other))) {
                 sum++;
             }
         }

@@ -1,23 +1,50 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.LOADED;
+import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
+import static io.github.circles2d.world.model.CircleRow.PATH_X;
+import static io.github.circles2d.world.model.CircleRow.PATH_Y;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.WALL_X;
+import static io.github.circles2d.world.model.CircleRow.WALL_Y;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
-/** The circles' part of stage Solver: gravity, walls, motion. */
+/** The circles' part of stage Solver: gravity, walls, motion. The formulas of the walls are in {@link Constraints}. */
 final class CirclePasses {
+    /** Effective mass of a wall's constraint. */
+    private static final float WALL_MASS = 1f;
+
     private final State state;
 
     CirclePasses(State state) {
         this.state = state;
     }
 
-    void clear(int from, int to) {
-        Arrays.fill(state.load, 4 * from, 4 * to, 0f);
+    void clearImpulses(int from, int to) {
+        Arrays.fill(state.load, CircleRow.of(from), CircleRow.of(to), 0f);
     }
 
     /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
-    void accelerate(int from, int to, StepConstants k) {
+    void integrateVelocities(int from, int to, StepConstants k) {
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -30,99 +57,96 @@ final class CirclePasses {
         float h = k.h;
         float inverseH = k.inverseH;
         for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float w = traits[s];
+            int s = CircleRow.of(slot);
+            float w = traits[s + INVERSE_MASS];
             if (w == 0f) {
-                load[s] = m[s + 2];
-                load[s + 1] = m[s + 3];
-                load[s + 2] = 0f;
+                load[s + BEFORE_X] = m[s + VX];
+                load[s + BEFORE_Y] = m[s + VY];
+                load[s + LOADED] = 0f;
                 continue;
             }
-            float wallX = traits[s + 2];
-            float wallY = traits[s + 3];
-            float vx = m[s + 2] + k.gravityStepX;
-            float vy = m[s + 3] + k.gravityStepY;
-            float nextX = CircleMath.limitSpeed(vx + w * load[s]);
-            float nextY = CircleMath.limitSpeed(vy + w * load[s + 1]);
-            m[s + 2] = nextX;
-            m[s + 3] = nextY;
-            load[s] = vx;
-            load[s + 1] = vy;
-            float loaded =
-                    Branchless.choose(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + 3]);
-            load[s + 2] = loaded;
+            float wallX = traits[s + WALL_X];
+            float wallY = traits[s + WALL_Y];
+            float vx = m[s + VX] + k.gravityStepX;
+            float vy = m[s + VY] + k.gravityStepY;
+            float nextX = CircleMath.limitSpeed(vx + w * load[s + IMPULSE_X]);
+            float nextY = CircleMath.limitSpeed(vy + w * load[s + IMPULSE_Y]);
+            m[s + VX] = nextX;
+            m[s + VY] = nextY;
+            load[s + BEFORE_X] = vx;
+            load[s + BEFORE_Y] = vy;
+            load[s + LOADED] = Branchless.choose(
+                    Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + LOADED_NEXT]);
 
-            float r = circle[s + 2];
-            float sideX = side(circle[s], minX, maxX);
-            float sideY = side(circle[s + 1], minY, maxY);
-            float gapX = gap(circle[s], r, m[s], minX, maxX);
-            float gapY = gap(circle[s + 1], r, m[s + 1], minY, maxY);
-            int clear = isClear(gapX, sideX * nextX, sideX * vx, h, inverseH)
-                    & isClear(gapY, sideY * nextY, sideY * vy, h, inverseH)
-                    & ~(Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY));
+            float r = circle[s + RADIUS];
+            float sideX = CircleMath.wallSide(circle[s + X], minX, maxX);
+            float sideY = CircleMath.wallSide(circle[s + Y], minY, maxY);
+            float gapX = CircleMath.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
+            float gapY = CircleMath.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
+            float impulseX = CircleMath.wallImpulse(wallX, sideX);
+            float impulseY = CircleMath.wallImpulse(wallY, sideY);
+            int clear = Constraints.staysClear(gapX, impulseX, sideX * nextX, sideX * vx, h, inverseH)
+                    & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
-                // adding zeros, as the long way does: the sign of a zero is part of the state
-                m[s + 2] = nextX + sideX * 0f;
-                m[s + 3] = nextY + sideY * 0f;
-                traits[s + 2] = sideX * 0f;
-                traits[s + 3] = sideY * 0f;
-                bounce[s >> 1] = 0f;
-                bounce[(s >> 1) + 1] = 0f;
+                // adding zeros, as solveWall does: the sign of a zero is part of the state
+                m[s + VX] = nextX + sideX * 0f;
+                m[s + VY] = nextY + sideY * 0f;
+                traits[s + WALL_X] = sideX * 0f;
+                traits[s + WALL_Y] = sideY * 0f;
+                bounce[CircleRow.vector(slot) + X] = 0f;
+                bounce[CircleRow.vector(slot) + Y] = 0f;
             } else {
-                pushWall(s, 0, minX, maxX, loaded > 0f, k);
-                pushWall(s, 1, minY, maxY, loaded > 0f, k);
+                solveWall(slot, X, minX, maxX, k);
+                solveWall(slot, Y, minY, maxY, k);
             }
         }
     }
 
-    /** All bits set where a circle is out of reach of its nearer wall in the biased pass, and stays so. */
-    private static int isClear(float gap, float v, float before, float h, float inverseH) {
-        return Branchless.isPositive(gap)
-                & ~Branchless.isNegative(gap * inverseH + v)
-                & ~Branchless.isNegative(gap + before * h);
-    }
-
-    /** The biased pass over the nearer wall of an axis: warm start, then as for a contact of effective mass 1. */
-    private void pushWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+    /** The biased pass over the nearer wall of an axis: warm start, then a visit. */
+    private void solveWall(int slot, int axis, float min, float max, StepConstants k) {
+        int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] traits = state.traits;
-        float base = state.circle[s + axis];
-        float r = state.circle[s + 2];
+        float base = state.circle[s + X + axis];
+        float r = state.circle[s + RADIUS];
+        float loaded = state.load[s + LOADED];
+        float restitution = traits[s + RESTITUTION];
         float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
-        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
-        float v = m[s + 2 + axis] + side * lambda;
+        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max);
+        float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
+        float v = m[s + VX + axis] + side * impulse;
         float vn = side * v;
-        float e = traits[s + 1];
-        float thr2 = CircleMath.bounceThreshold(2f * r, e, k.thresholdRate, k.restRate);
-        float bounce = 0f;
-        if (e > 0f && loaded) {
-            bounce = CircleMath.bounceSpeed(e, side * state.load[s + axis], gap, k.h, thr2);
+        float before = side * state.load[s + BEFORE_X + axis];
+        float threshold = CircleMath.bounceThreshold(2f * r, restitution, k.thresholdRate, k.restRate);
+        float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold);
+        state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
+        int meets = Constraints.meets(gap, vn, k.inverseH);
+        int visit = Constraints.visitOf(restitution, loaded, impulse, vn, meets, threshold);
+        float next = impulse;
+        float applied = 0f;
+        if (visit == Constraints.SOLVE) {
+            next = Constraints.solve(
+                    impulse,
+                    WALL_MASS,
+                    vn,
+                    gap,
+                    bounce,
+                    CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot),
+                    k.inverseH,
+                    k.wallBiasRate,
+                    k.wallMassScale,
+                    k.wallImpulseScale);
+            applied = next - impulse;
+        } else if (visit == Constraints.BOUNCE) {
+            applied = CircleMath.freeBounce(restitution, vn, WALL_MASS);
+            m[s + DX + axis] -= CircleMath.leftBehind(gap, vn, side * applied, k.dt, r);
         }
-        state.wallBounce[(s >> 1) + axis] = bounce;
-        float next = lambda;
-        float p;
-        int visit = e > 0f && !loaded ? CircleMath.freeFlight(vn, gap * k.inverseH + vn < 0f, thr2) : CircleMath.SOLVE;
-        if (visit == CircleMath.SOLVE) {
-            if (bounce > 0f) {
-                next = CircleMath.rigid(lambda, 1f, vn, -bounce);
-            } else if (gap > 0f) {
-                next = CircleMath.rigid(lambda, 1f, vn, gap * k.inverseH);
-            } else {
-                float push = CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot);
-                next = CircleMath.soft(lambda, 1f, vn, gap, push, k.wallBiasRate, k.wallMassScale, k.wallImpulseScale);
-            }
-            p = next - lambda;
-        } else {
-            p = visit == CircleMath.BOUNCE ? CircleMath.freeBounce(e, vn, 1f) : 0f;
-            m[s + axis] -= CircleMath.leftBehind(gap, vn, side * p, k.dt, r);
-        }
-        m[s + 2 + axis] = v + side * p;
-        traits[s + 2 + axis] = side * next;
+        m[s + VX + axis] = v + side * applied;
+        traits[s + WALL_X + axis] = side * next;
     }
 
     /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
-    void move(int from, int to, StepConstants k, boolean first) {
+    void integratePositions(int from, int to, StepConstants k, boolean first) {
         float[] m = state.motion;
         float[] traits = state.traits;
         float[] circle = state.circle;
@@ -134,98 +158,84 @@ final class CirclePasses {
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
         for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float w = traits[s];
-            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
-            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
-            float dx = m[s] + m[s + 2] * k.h;
-            float dy = m[s + 1] + m[s + 3] * k.h;
-            float r = circle[s + 2];
+            int s = CircleRow.of(slot);
+            float w = traits[s + INVERSE_MASS];
+            m[s + VX] = CircleMath.limitSpeed(m[s + VX]);
+            m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
+            float dx = m[s + DX] + m[s + VX] * k.h;
+            float dy = m[s + DY] + m[s + VY] * k.h;
             if (w != 0f && dx * dx + dy * dy > 0f) {
-                float allowance = leash[s + 2];
+                float allowance = leash[s + ALLOWANCE];
                 if (dx * dx + dy * dy > allowance * allowance) {
-                    float share = CircleMath.nearest(dx, dy, leash[s], leash[s + 1]);
-                    float offX = dx - share * leash[s];
-                    float offY = dy - share * leash[s + 1];
+                    float share = CircleMath.nearest(dx, dy, leash[s + PATH_X], leash[s + PATH_Y]);
+                    float offX = dx - share * leash[s + PATH_X];
+                    float offY = dy - share * leash[s + PATH_Y];
                     float off = CircleMath.norm(offX, offY);
                     if (off > allowance) {
                         float keep = allowance / off;
-                        dx = share * leash[s] + keep * offX;
-                        dy = share * leash[s + 1] + keep * offY;
+                        dx = share * leash[s + PATH_X] + keep * offX;
+                        dy = share * leash[s + PATH_Y] + keep * offY;
                     }
                 }
             }
-            float margin = w == 0f ? 0f : r;
-            m[s] = CircleMath.within(circle[s], dx, minX + margin, maxX - margin);
-            m[s + 1] = CircleMath.within(circle[s + 1], dy, minY + margin, maxY - margin);
-            if (w == 0f) {
-                // a fixed circle that is stopped has stopped: what lies on it must not see it go on
-                m[s + 2] = m[s] == dx ? m[s + 2] : 0f;
-                m[s + 3] = m[s + 1] == dy ? m[s + 3] : 0f;
-            }
-            boolean loaded = load[s + 2] > 0f;
-            load[s] = 0f;
-            load[s + 1] = 0f;
-            load[s + 3] = 0f;
+            float margin = state.margin(s);
+            m[s + DX] = CircleMath.within(circle[s + X], dx, minX + margin, maxX - margin);
+            m[s + DY] = CircleMath.within(circle[s + Y], dy, minY + margin, maxY - margin);
+            load[s + IMPULSE_X] = 0f;
+            load[s + IMPULSE_Y] = 0f;
+            load[s + LOADED_NEXT] = 0f;
             if (first) {
                 state.memory[slot] = -1;
                 state.fresh[slot] = false;
             }
-            int clear = Branchless.isPositive(gap(circle[s], r, m[s], minX, maxX))
-                    & Branchless.isPositive(gap(circle[s + 1], r, m[s + 1], minY, maxY));
-            int pressed = Branchless.isNotZero(traits[s + 2])
-                    | Branchless.isNotZero(traits[s + 3])
-                    | Branchless.isNotZero(bounce[s >> 1])
-                    | Branchless.isNotZero(bounce[(s >> 1) + 1]);
-            if ((clear & ~pressed) == 0 && w != 0f) {
-                relaxWall(s, 0, minX, maxX, loaded, k);
-                relaxWall(s, 1, minY, maxY, loaded, k);
+            if (w == 0f) {
+                // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+                m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
+                m[s + VY] = m[s + DY] == dy ? m[s + VY] : 0f;
+            } else {
+                relaxWall(slot, X, minX, maxX, k);
+                relaxWall(slot, Y, minY, maxY, k);
             }
         }
     }
 
-    /** {@link CircleMath#wallSide} of the nearer wall of an axis. */
-    private static float side(float base, float min, float max) {
-        return Branchless.signOf((max - base) - (base - min));
-    }
-
-    /** {@link CircleMath#wallGap} of the nearer wall of an axis. */
-    private static float gap(float base, float r, float displacement, float min, float max) {
-        return (Math.min(base - min, max - base) - r) + side(base, min, max) * displacement;
-    }
-
     /** The relaxing pass over the nearer wall of an axis. */
-    private void relaxWall(int s, int axis, float min, float max, boolean loaded, StepConstants k) {
+    private void relaxWall(int slot, int axis, float min, float max, StepConstants k) {
+        int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] traits = state.traits;
-        float base = state.circle[s + axis];
-        float r = state.circle[s + 2];
+        float base = state.circle[s + X + axis];
+        float r = state.circle[s + RADIUS];
         float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + axis], r, side, min, max);
-        float lambda = CircleMath.wallImpulse(traits[s + 2 + axis], side);
-        float bounce = state.wallBounce[(s >> 1) + axis];
-        if (lambda == 0f && bounce == 0f && gap > 0f) {
-            return;
+        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max);
+        float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
+        float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
+        if (Constraints.isIdle(gap, impulse, bounce) == 0) {
+            relaxWall(s, axis, side, gap, impulse, bounce, k);
         }
-        float v = m[s + 2 + axis];
+    }
+
+    private void relaxWall(int s, int axis, float side, float gap, float impulse, float bounce, StepConstants k) {
+        float[] m = state.motion;
+        float[] traits = state.traits;
+        float v = m[s + VX + axis];
         float vn = side * v;
-        float e = traits[s + 1];
-        int visit = CircleMath.SOLVE;
-        if (lambda == 0f && bounce == 0f && e > 0f && !loaded) {
-            visit = CircleMath.freeFlight(vn, true, CircleMath.bounceThreshold(2f * r, e, k.thresholdRate, k.restRate));
-        }
-        if (visit == CircleMath.SOLVE) {
-            float b = bounce > 0f ? -bounce : gap > 0f ? gap * k.inverseH : 0f;
-            float next = CircleMath.rigid(lambda, 1f, vn, b);
-            m[s + 2 + axis] = v + side * (next - lambda);
-            traits[s + 2 + axis] = bounce > 0f ? 0f : side * next;
-        } else if (visit == CircleMath.BOUNCE) {
-            m[s + 2 + axis] = v + side * CircleMath.freeBounce(e, vn, 1f);
+        float loaded = state.load[s + LOADED];
+        float restitution = traits[s + RESTITUTION];
+        float radii = 2f * state.circle[s + RADIUS];
+        float threshold = CircleMath.bounceThreshold(radii, restitution, k.thresholdRate, k.restRate);
+        int visit = Constraints.visitOf(restitution, loaded, impulse, vn, Constraints.ALWAYS, threshold);
+        if (visit == Constraints.SOLVE) {
+            float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);
+            m[s + VX + axis] = v + side * (next - impulse);
+            traits[s + WALL_X + axis] = bounce > 0f ? 0f : side * next;
+        } else if (visit == Constraints.BOUNCE) {
+            m[s + VX + axis] = v + side * CircleMath.freeBounce(restitution, vn, WALL_MASS);
         }
     }
 
     /** Ends the step: the base takes the displacement, the displacement what that lost. */
-    void finish(int from, int to, StepConstants k) {
+    void finalizePositions(int from, int to, StepConstants k) {
         float[] m = state.motion;
         float[] circle = state.circle;
         float minX = k.bounds.minX();
@@ -233,18 +243,18 @@ final class CirclePasses {
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
         for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float margin = state.traits[s] == 0f ? 0f : circle[s + 2];
-            float x = circle[s] + m[s];
-            float y = circle[s + 1] + m[s + 1];
+            int s = CircleRow.of(slot);
+            float margin = state.margin(s);
+            float x = circle[s + X] + m[s + DX];
+            float y = circle[s + Y] + m[s + DY];
             float keptX = CircleMath.bounded(x, minX + margin, maxX - margin);
             float keptY = CircleMath.bounded(y, minY + margin, maxY - margin);
-            m[s] = keptX == x ? CircleMath.lostByRounding(circle[s], m[s], x) : 0f;
-            m[s + 1] = keptY == y ? CircleMath.lostByRounding(circle[s + 1], m[s + 1], y) : 0f;
-            circle[s] = keptX;
-            circle[s + 1] = keptY;
-            m[s + 2] = CircleMath.limitSpeed(m[s + 2]);
-            m[s + 3] = CircleMath.limitSpeed(m[s + 3]);
+            m[s + DX] = keptX == x ? CircleMath.lostByRounding(circle[s + X], m[s + DX], x) : 0f;
+            m[s + DY] = keptY == y ? CircleMath.lostByRounding(circle[s + Y], m[s + DY], y) : 0f;
+            circle[s + X] = keptX;
+            circle[s + Y] = keptY;
+            m[s + VX] = CircleMath.limitSpeed(m[s + VX]);
+            m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
         }
     }
 }

@@ -1,18 +1,41 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
+import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
+import static io.github.circles2d.world.jvm.ContactRow.BOUNCE_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
+import static io.github.circles2d.world.jvm.ContactRow.MASS;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
+import static io.github.circles2d.world.jvm.ContactRow.PUSH_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
+import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.LOADED;
+import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+
+import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 
 /**
- * The contacts' part of stage Solver: what a pass does to a range of contacts, one after the other.
- *
- * <p>Which contacts press and which have a gap is as good as random: the passes decide it without branches where they can
- * ({@link Branchless}), and leave branches to what is rare.
+ * The contacts' part of stage Solver: what a pass does to a range of contacts, one after the other. The formulas are in
+ * {@link Constraints}.
  */
 final class ContactPasses {
-    private static final int STRIDE = Contacts.STRIDE;
-
     /** Contacts that the relaxing pass works on at a time. */
     private static final int BLOCK = 256;
 
@@ -37,126 +60,121 @@ final class ContactPasses {
     private void prepareContact(int c) {
         measure(c);
         float[] q = contacts.contact;
-        float[] m = state.motion;
-        int o = STRIDE * c;
-        int i = contacts.pair[2 * c];
-        int j = contacts.pair[2 * c + 1];
-        float nx = q[o + Contacts.NX];
-        float ny = q[o + Contacts.NY];
-        float lambda = q[o + Contacts.LAMBDA];
-        float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
-        boolean carries = CircleMath.carries(lambda, q[o + Contacts.S], vn, q[o + Contacts.THRESHOLD]);
-        gather(i, j, nx, ny, lambda, carries);
+        int o = ContactRow.of(c);
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float nx = q[o + NORMAL_X];
+        float ny = q[o + NORMAL_Y];
+        float impulse = q[o + NORMAL_IMPULSE];
+        float vn = normalVelocity(state.motion, a, b, nx, ny);
+        int carries = Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]);
+        warmStart(a, b, nx, ny, impulse, carries);
     }
 
     /** Measures a contact: separation, and the normal where there is a direction. */
     private void measure(int c) {
         float[] q = contacts.contact;
         float[] m = state.motion;
-        int o = STRIDE * c;
-        int i = contacts.pair[2 * c];
-        int j = contacts.pair[2 * c + 1];
-        float dx = CircleMath.difference(q[o + Contacts.EX], m[i], m[j]);
-        float dy = CircleMath.difference(q[o + Contacts.EY], m[i + 1], m[j + 1]);
+        int o = ContactRow.of(c);
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float dx = CircleMath.difference(q[o + BASE_X], m[a + DX], m[b + DX]);
+        float dy = CircleMath.difference(q[o + BASE_Y], m[a + DY], m[b + DY]);
         float d = CircleMath.norm(dx, dy);
-        float sum = q[o + Contacts.SUM];
-        if (d > Tuning.COINCIDENT * sum) {
-            q[o + Contacts.NX] = dx / d;
-            q[o + Contacts.NY] = dy / d;
+        float radii = q[o + RADII];
+        if (d > Tuning.COINCIDENT * radii) {
+            q[o + NORMAL_X] = dx / d;
+            q[o + NORMAL_Y] = dy / d;
         }
-        q[o + Contacts.S] = d - sum;
+        q[o + SEPARATION] = d - radii;
     }
 
-    /** Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries. */
-    private void gather(int i, int j, float nx, float ny, float lambda, boolean carries) {
+    private static float normalVelocity(float[] motion, int a, int b, float nx, float ny) {
+        return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
+    }
+
+    /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
+    private void warmStart(int a, int b, float nx, float ny, float impulse, int carries) {
         float[] load = state.load;
-        load[i] -= nx * lambda;
-        load[i + 1] -= ny * lambda;
-        load[j] += nx * lambda;
-        load[j + 1] += ny * lambda;
-        if (carries) {
-            load[i + 3] = 1f;
-            load[j + 3] = 1f;
-        }
+        load[a + IMPULSE_X] -= nx * impulse;
+        load[a + IMPULSE_Y] -= ny * impulse;
+        load[b + IMPULSE_X] += nx * impulse;
+        load[b + IMPULSE_Y] += ny * impulse;
+        load[a + LOADED_NEXT] = Branchless.choose(carries, 1f, load[a + LOADED_NEXT]);
+        load[b + LOADED_NEXT] = Branchless.choose(carries, 1f, load[b + LOADED_NEXT]);
     }
 
     /** The biased pass: stops approaches, pushes overlaps out, bounces. */
-    void push(int from, int to, StepConstants k) {
+    void solve(int from, int to, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] m = state.motion;
         float[] load = state.load;
         for (int c = from; c < to; c++) {
-            int o = STRIDE * c;
-            int i = pair[2 * c];
-            int j = pair[2 * c + 1];
-            float nx = q[o + Contacts.NX];
-            float ny = q[o + Contacts.NY];
-            float s = q[o + Contacts.S];
-            float e = q[o + Contacts.E];
-            float lambda = q[o + Contacts.LAMBDA];
-            float thr2 = q[o + Contacts.THRESHOLD];
-            float mass = q[o + Contacts.MASS];
-            float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float separation = q[o + SEPARATION];
+            float restitution = q[o + RESTITUTION];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float threshold = q[o + RESTITUTION_THRESHOLD];
+            float mass = q[o + MASS];
+            float vn = normalVelocity(m, a, b, nx, ny);
             float bounce = 0f;
-            int visit = CircleMath.SOLVE;
-            if (e > 0f) {
-                int loaded = Branchless.isPositive(load[i + 2] + load[j + 2]);
-                float before = CircleMath.along(nx, ny, load[j] - load[i], load[j + 1] - load[i + 1]);
-                // most contacts neither bounce nor part: two branches that are seldom taken
-                int fast = Branchless.isPositive(vn * vn - thr2) & ~loaded;
-                int strikes = Branchless.isPositive(before * before - thr2) & loaded & Branchless.isNegative(before);
-                if (strikes != 0) {
-                    bounce = CircleMath.bounceSpeed(e, before, s, k.h, thr2);
-                }
-                if (fast != 0 && lambda == 0f) {
-                    visit = CircleMath.freeFlight(vn, s * k.inverseH + vn < 0f, thr2);
-                }
+            int visit = Constraints.SOLVE;
+            // without restitution both stay so: this only spares the reads
+            if (restitution > 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                float before = CircleMath.along(
+                        nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
+                int meets = Constraints.meets(separation, vn, k.inverseH);
+                bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold);
+                visit = Constraints.visitOf(restitution, loaded, impulse, vn, meets, threshold);
             }
-            q[o + Contacts.BOUNCE] = bounce;
-            float p;
-            if (visit == CircleMath.SOLVE) {
-                float next;
-                if (bounce > 0f) {
-                    next = CircleMath.rigid(lambda, mass, vn, -bounce);
-                } else {
-                    // CircleMath.rigid where there is a gap, else CircleMath.soft, of which it is the case of scales 1
-                    // and 0
-                    int gap = Branchless.isPositive(s);
-                    float massScale = Branchless.choose(gap, 1f, k.massScale);
-                    float impulseScale = Branchless.choose(gap, 0f, k.impulseScale);
-                    float soft = k.massScale * CircleMath.greatest(k.biasRate * s, -q[o + Contacts.PUSH]);
-                    float b = Branchless.choose(gap, s * k.inverseH, soft);
-                    next = Branchless.positive((lambda - mass * (massScale * vn + b)) - impulseScale * lambda);
-                }
-                p = next - lambda;
-                q[o + Contacts.LAMBDA] = next;
-            } else if (visit == CircleMath.BOUNCE) {
-                p = CircleMath.freeBounce(e, vn, mass);
+            q[o + BOUNCE_SPEED] = bounce;
+            float applied;
+            if (visit == Constraints.SOLVE) {
+                float next = Constraints.solve(
+                        impulse,
+                        mass,
+                        vn,
+                        separation,
+                        bounce,
+                        q[o + PUSH_SPEED],
+                        k.inverseH,
+                        k.biasRate,
+                        k.massScale,
+                        k.impulseScale);
+                applied = next - impulse;
+                q[o + NORMAL_IMPULSE] = next;
+            } else if (visit == Constraints.BOUNCE) {
+                applied = CircleMath.freeBounce(restitution, vn, mass);
             } else {
                 continue;
             }
-            apply(i, j, nx, ny, q[o + Contacts.W_LO], q[o + Contacts.W_HI], p);
+            apply(a, b, nx, ny, q[o + INV_MASS_A], q[o + INV_MASS_B], applied);
         }
     }
 
-    private void apply(int i, int j, float nx, float ny, float wi, float wj, float p) {
+    private void apply(int a, int b, float nx, float ny, float invMassA, float invMassB, float impulse) {
         float[] m = state.motion;
-        m[i + 2] -= nx * (wi * p);
-        m[i + 3] -= ny * (wi * p);
-        m[j + 2] += nx * (wj * p);
-        m[j + 3] += ny * (wj * p);
+        m[a + VX] -= nx * (invMassA * impulse);
+        m[a + VY] -= ny * (invMassA * impulse);
+        m[b + VX] += nx * (invMassB * impulse);
+        m[b + VY] += ny * (invMassB * impulse);
     }
 
     /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
     void relax(int from, int to, StepConstants k, boolean last) {
         for (int block = from; block < to; block += BLOCK) {
             int open = measureAll(block, Math.min(to, block + BLOCK));
-            int carrying = relaxOpen(open, k, last);
+            int carrying = relaxOpen(open, k);
             if (last) {
-                remember(carrying);
+                storeImpulses(carrying);
             } else {
-                gather(carrying);
+                warmStart(carrying);
             }
         }
     }
@@ -167,86 +185,80 @@ final class ContactPasses {
         int open = 0;
         for (int c = from; c < to; c++) {
             measure(c);
-            int o = STRIDE * c;
+            int o = ContactRow.of(c);
             listed[open] = c;
-            // not those that have a gap and no impulse, and do not bounce
-            int idle = Branchless.isPositive(q[o + Contacts.S])
-                    & ~Branchless.isPositive(q[o + Contacts.LAMBDA])
-                    & ~Branchless.isPositive(q[o + Contacts.BOUNCE]);
-            open += 1 + idle;
+            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
         }
         return open;
     }
 
-    /** Relaxes the contacts that are listed, and lists those of them that carry; in the last sub-step, those that press. */
-    private int relaxOpen(int open, StepConstants k, boolean last) {
+    /** Relaxes the contacts that are listed, and lists those of them that carry; returns their number. */
+    private int relaxOpen(int open, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] m = state.motion;
         float[] load = state.load;
-        int touching = last ? 0 : -1;
         int carrying = 0;
         for (int n = 0; n < open; n++) {
             int c = listed[n];
-            int o = STRIDE * c;
-            int i = pair[2 * c];
-            int j = pair[2 * c + 1];
-            float s = q[o + Contacts.S];
-            float bounce = q[o + Contacts.BOUNCE];
-            float lambda = q[o + Contacts.LAMBDA];
-            float nx = q[o + Contacts.NX];
-            float ny = q[o + Contacts.NY];
-            float e = q[o + Contacts.E];
-            float thr2 = q[o + Contacts.THRESHOLD];
-            float wi = q[o + Contacts.W_LO];
-            float wj = q[o + Contacts.W_HI];
-            float mass = q[o + Contacts.MASS];
-            float vn = CircleMath.along(nx, ny, m[j + 2] - m[i + 2], m[j + 3] - m[i + 3]);
-            if (e > 0f && lambda == 0f && bounce == 0f && load[i + 2] + load[j + 2] == 0f) {
-                int visit = CircleMath.freeFlight(vn, true, thr2);
-                if (visit == CircleMath.BOUNCE) {
-                    apply(i, j, nx, ny, wi, wj, CircleMath.freeBounce(e, vn, mass));
-                }
-                if (visit != CircleMath.SOLVE) {
-                    continue;
-                }
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float separation = q[o + SEPARATION];
+            float bounce = q[o + BOUNCE_SPEED];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float restitution = q[o + RESTITUTION];
+            float threshold = q[o + RESTITUTION_THRESHOLD];
+            float invMassA = q[o + INV_MASS_A];
+            float invMassB = q[o + INV_MASS_B];
+            float mass = q[o + MASS];
+            float vn = normalVelocity(m, a, b, nx, ny);
+            int visit = Constraints.SOLVE;
+            // else it stays so: this only spares the reads
+            if (restitution > 0f && impulse == 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                visit = Constraints.visitOf(restitution, loaded, impulse, vn, Constraints.ALWAYS, threshold);
             }
-            float next;
-            if (bounce > 0f) {
-                next = CircleMath.rigid(lambda, mass, vn, -bounce);
-            } else {
-                float b = Branchless.choose(Branchless.isPositive(s), s * k.inverseH, 0f);
-                next = Branchless.positive(lambda - mass * (vn + b));
+            if (visit != Constraints.SOLVE) {
+                if (visit == Constraints.BOUNCE) {
+                    apply(a, b, nx, ny, invMassA, invMassB, CircleMath.freeBounce(restitution, vn, mass));
+                }
+                continue;
             }
-            float p = next - lambda;
-            apply(i, j, nx, ny, wi, wj, p);
+            float next = Constraints.relax(impulse, mass, vn, separation, bounce, k.inverseH);
+            float applied = next - impulse;
+            apply(a, b, nx, ny, invMassA, invMassB, applied);
             if (bounce > 0f) {
                 next = 0f;
             }
-            q[o + Contacts.LAMBDA] = next;
-            // CircleMath.carries
-            float after = vn + p * (wi + wj);
-            int rests = Branchless.isNegative(s) & ~Branchless.isPositive(after * after - thr2);
+            q[o + NORMAL_IMPULSE] = next;
+            float after = vn + applied * (invMassA + invMassB);
             listed[carrying] = c;
-            carrying -= Branchless.isPositive(next) | rests & touching;
+            carrying -= Constraints.carries(next, separation, after, threshold);
         }
         return carrying;
     }
 
-    private void gather(int carrying) {
+    private void warmStart(int carrying) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         for (int n = 0; n < carrying; n++) {
             int c = listed[n];
-            int o = STRIDE * c;
-            float lambda = q[o + Contacts.LAMBDA];
-            gather(pair[2 * c], pair[2 * c + 1], q[o + Contacts.NX], q[o + Contacts.NY], lambda, true);
+            int o = ContactRow.of(c);
+            float impulse = q[o + NORMAL_IMPULSE];
+            warmStart(pair[ContactRow.a(c)], pair[ContactRow.b(c)], q[o + NORMAL_X], q[o + NORMAL_Y], impulse, -1);
         }
     }
 
-    private void remember(int pressing) {
-        for (int n = 0; n < pressing; n++) {
-            contacts.remember(listed[n], contacts.contact[STRIDE * listed[n] + Contacts.LAMBDA]);
+    /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
+    private void storeImpulses(int carrying) {
+        for (int n = 0; n < carrying; n++) {
+            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
+            if (impulse > 0f) {
+                contacts.storeImpulse(listed[n], impulse);
+            }
         }
     }
 }

@@ -1,8 +1,22 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
+import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
+import static io.github.circles2d.world.jvm.ContactRow.MASS;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
+import static io.github.circles2d.world.jvm.ContactRow.PUSH_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
+
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
@@ -20,61 +34,19 @@ import io.github.circles2d.world.model.Tuning;
  * rows 2 and 3.
  */
 public final class Contacts {
-    /** Floats a contact. */
-    static final int STRIDE = 14;
-
-    /** Difference of the bases, x. */
-    static final int EX = 0;
-
-    static final int EY = 1;
-
-    /** Sum of the radii. */
-    static final int SUM = 2;
-
-    /** Restitution of the pair. */
-    static final int E = 3;
-
-    /** Inverse mass of the circle of lower id. */
-    static final int W_LO = 4;
-
-    static final int W_HI = 5;
-
-    /** Greatest push-out speed. */
-    static final int PUSH = 6;
-
-    /** Normal. */
-    static final int NX = 7;
-
-    static final int NY = 8;
-
-    /** Separation. */
-    static final int S = 9;
-
-    /** Accumulated impulse. */
-    static final int LAMBDA = 10;
-
-    /** Target speed of a bounce, between the two passes of a sub-step. */
-    static final int BOUNCE = 11;
-
-    /** Effective mass. */
-    static final int MASS = 12;
-
-    /** Square of the bounce threshold. */
-    static final int THRESHOLD = 13;
-
     /** Pairs a circle for which a list has room, before it is given up. */
     private static final int ROOM_PER_CIRCLE = 24;
 
     private static final int LEAST_ROOM = 4096;
 
     /** Contacts that fit into one array. */
-    private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / STRIDE;
+    private static final int MOST_CONTACTS = (Integer.MAX_VALUE - 8) / ContactRow.STRIDE;
 
     private final State state;
     private final Grid grid;
     private final GridLevels levels;
     private final Team team;
-    private final ImpulseCache memory;
+    private final ImpulseCache impulseCache;
     private final Candidates candidates;
     private final Pairs pairs;
     private final MixedPairs mixedPairs;
@@ -94,10 +66,10 @@ public final class Contacts {
     /** By row of groups, of all levels: its first contact; one more element for the end. */
     int[] rowStart = new int[1];
 
-    /** By contact: slot of the circle of lower id times 4, slot of the other times 4. */
+    /** By contact: where the row of the circle of lower id begins, and that of the other. */
     int[] pair = new int[0];
 
-    /** By contact: {@link #STRIDE} floats. */
+    /** By contact: a {@link ContactRow}. */
     float[] contact = new float[0];
 
     Contacts(State state, Grid grid, GridLevels levels, Team team) {
@@ -105,7 +77,7 @@ public final class Contacts {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
-        memory = new ImpulseCache(state);
+        impulseCache = new ImpulseCache(state);
         candidates = new Candidates(state, grid, levels);
         pairs = new Pairs(state, grid, levels, candidates);
         mixedPairs = new MixedPairs(state, grid, levels, candidates, team);
@@ -128,11 +100,11 @@ public final class Contacts {
         if (contacts > MOST_CONTACTS) {
             throw new IllegalStateException(contacts + " contacts are more than the JVM back end can hold");
         }
-        if (2 * contacts > pair.length) {
+        if (ContactRow.PAIR_STRIDE * contacts > pair.length) {
             int c = (int) Math.min(MOST_CONTACTS, Math.max(contacts + (contacts >> 2), 256));
-            memory.ensure(c);
-            contact = new float[STRIDE * c];
-            pair = new int[2 * c];
+            impulseCache.ensure(c);
+            contact = new float[ContactRow.of(c)];
+            pair = new int[ContactRow.a(c)];
         }
     }
 
@@ -262,64 +234,74 @@ public final class Contacts {
         }
         if (!candidates.thinned()) {
             for (int c = from; c < to; c++) {
-                f.most = Math.max(f.most, candidates.countContact(pair[2 * c] >> 2, pair[2 * c + 1] >> 2));
+                f.most = Math.max(f.most, candidates.countContact(lowerSlot(c), higherSlot(c)));
             }
         }
     }
 
     private void fill(int c, long ids, long slots, StepConstants constants) {
-        int lo = (int) (slots >>> 32);
-        int hi = (int) slots;
-        int i = 4 * lo;
-        int j = 4 * hi;
+        int lower = (int) (slots >>> 32);
+        int higher = (int) slots;
+        int a = CircleRow.of(lower);
+        int b = CircleRow.of(higher);
         float[] circle = state.circle;
         float[] traits = state.traits;
-        int k = STRIDE * c;
-        pair[2 * c] = i;
-        pair[2 * c + 1] = j;
-        float sum = circle[i + 2] + circle[j + 2];
-        float ex = circle[j] - circle[i];
-        float ey = circle[j + 1] - circle[i + 1];
-        float e = CircleMath.greatest(traits[i + 1], traits[j + 1]);
-        contact[k + EX] = ex;
-        contact[k + EY] = ey;
-        contact[k + SUM] = sum;
-        contact[k + E] = e;
-        contact[k + THRESHOLD] = CircleMath.bounceThreshold(sum, e, constants.thresholdRate, constants.restRate);
-        contact[k + W_LO] = traits[i];
-        contact[k + W_HI] = traits[j];
-        contact[k + MASS] = 1f / (traits[i] + traits[j]);
-        contact[k + PUSH] = CircleMath.pushSpeed(sum, constants.pushPerLength, constants.pushPerRoot);
-        if (!(ex * ex + ey * ey > 0.25f * (sum * sum))) {
-            part(k, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
+        int o = ContactRow.of(c);
+        pair[ContactRow.a(c)] = a;
+        pair[ContactRow.b(c)] = b;
+        float radii = circle[a + CircleRow.RADIUS] + circle[b + CircleRow.RADIUS];
+        float dx = circle[b + CircleRow.X] - circle[a + CircleRow.X];
+        float dy = circle[b + CircleRow.Y] - circle[a + CircleRow.Y];
+        float restitution = CircleMath.greatest(traits[a + CircleRow.RESTITUTION], traits[b + CircleRow.RESTITUTION]);
+        float invMassA = traits[a + CircleRow.INVERSE_MASS];
+        float invMassB = traits[b + CircleRow.INVERSE_MASS];
+        contact[o + BASE_X] = dx;
+        contact[o + BASE_Y] = dy;
+        contact[o + RADII] = radii;
+        contact[o + RESTITUTION] = restitution;
+        contact[o + RESTITUTION_THRESHOLD] =
+                CircleMath.bounceThreshold(radii, restitution, constants.thresholdRate, constants.restRate);
+        contact[o + INV_MASS_A] = invMassA;
+        contact[o + INV_MASS_B] = invMassB;
+        contact[o + MASS] = 1f / (invMassA + invMassB);
+        contact[o + PUSH_SPEED] = CircleMath.pushSpeed(radii, constants.pushPerLength, constants.pushPerRoot);
+        if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
+            part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }
-        contact[k + LAMBDA] = memory.recall(lo, hi, (int) ids) * constants.warmScale;
+        contact[o + NORMAL_IMPULSE] = impulseCache.find(lower, higher, (int) ids) * constants.warmScale;
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */
-    private void part(int k, int hash) {
+    private void part(int o, int hash) {
         float px = CircleMath.partingX(hash);
         float py = CircleMath.partingY(hash);
         float norm = CircleMath.norm(px, py);
-        contact[k + NX] = px / norm;
-        contact[k + NY] = py / norm;
+        contact[o + NORMAL_X] = px / norm;
+        contact[o + NORMAL_Y] = py / norm;
     }
 
-    /** What the contacts of the step before have left. */
+    private int lowerSlot(int c) {
+        return CircleRow.slot(pair[ContactRow.a(c)]);
+    }
+
+    private int higherSlot(int c) {
+        return CircleRow.slot(pair[ContactRow.b(c)]);
+    }
+
+    /** The impulses that the contacts of the step before ended with. */
     ImpulseCache memory() {
-        return memory;
+        return impulseCache;
     }
 
-    /** Remembers a contact for the step to come. No two contacts with a circle in common at once. */
-    void remember(int c, float lambda) {
-        int lo = pair[2 * c] >> 2;
-        memory.remember(c, lo, state.id[pair[2 * c + 1] >> 2], lambda);
+    /** Stores a contact's impulse for the step to come. No two contacts with a circle in common at once. */
+    void storeImpulse(int c, float normalImpulse) {
+        impulseCache.store(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
     }
 
     /** Takes over saved impulses, for which there is room, in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
-        memory.load(from);
+        impulseCache.load(from);
     }
 
     /** Pairs whose distance was tested. */
@@ -333,7 +315,7 @@ public final class Contacts {
 
     /** Ids of the two circles of a contact, the lower one above the higher. */
     long ids(int c) {
-        return (long) state.id[pair[2 * c] >> 2] << 32 | state.id[pair[2 * c + 1] >> 2];
+        return (long) state.id[lowerSlot(c)] << 32 | state.id[higherSlot(c)];
     }
 
     /** Memory of the arrays. */
@@ -342,15 +324,15 @@ public final class Contacts {
         for (FoundPairs f : found) {
             sum += f.bytes();
         }
-        return sum + memory.bytes();
+        return sum + impulseCache.bytes();
     }
 
     /** Greatest number of contacts of one circle. */
     int greatest() {
         int[] degree = new int[circles];
         int greatest = 0;
-        for (int k = 0; k < 2 * count; k++) {
-            greatest = Math.max(greatest, ++degree[pair[k] >> 2]);
+        for (int k = 0; k < ContactRow.a(count); k++) {
+            greatest = Math.max(greatest, ++degree[CircleRow.slot(pair[k])]);
         }
         return greatest;
     }

@@ -1,8 +1,18 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.PATH_X;
+import static io.github.circles2d.world.model.CircleRow.PATH_Y;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.Tuning;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
@@ -23,6 +33,13 @@ public final class ContinuousCollision {
 
     /** Blocks are 4 x 4 cells. */
     private static final int BLOCK_LOG = 2;
+
+    // a block's row in range
+    private static final int LOW_X = 0;
+    private static final int HIGH_X = 1;
+    private static final int LOW_Y = 2;
+    private static final int HIGH_Y = 3;
+    private static final int RANGE_STRIDE = 4;
 
     private static final int ONE = Float.floatToRawIntBits(1f);
 
@@ -53,8 +70,8 @@ public final class ContinuousCollision {
             near = new float[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
-        if (range.length < 4 * blocks) {
-            range = new float[4 * (blocks + (blocks >> 2))];
+        if (range.length < RANGE_STRIDE * blocks) {
+            range = new float[RANGE_STRIDE * (blocks + (blocks >> 2))];
         }
     }
 
@@ -85,7 +102,8 @@ public final class ContinuousCollision {
     }
 
     private boolean isFast(int slot) {
-        return state.traits[4 * slot] != 0f && CircleMath.isFast(grid.path[slot], state.circle[4 * slot + 2]);
+        int s = CircleRow.of(slot);
+        return state.traits[s + INVERSE_MASS] != 0f && CircleMath.isFast(grid.path[slot], state.circle[s + RADIUS]);
     }
 
     private void start(int from, int to) {
@@ -109,32 +127,33 @@ public final class ContinuousCollision {
                     int bucket = levels.first[level] + (((row << BLOCK_LOG) + v) << w) + (column << BLOCK_LOG);
                     int end = grid.start[bucket + (1 << BLOCK_LOG)];
                     for (int slot = grid.start[bucket]; slot < end; slot++) {
-                        float x = state.plan[2 * slot];
-                        float y = state.plan[2 * slot + 1];
+                        float x = state.plan[CircleRow.vector(slot) + X];
+                        float y = state.plan[CircleRow.vector(slot) + Y];
                         lowX = CircleMath.least(x, lowX);
                         highX = CircleMath.greatest(x, highX);
                         lowY = CircleMath.least(y, lowY);
                         highY = CircleMath.greatest(y, highY);
                     }
                 }
-                int k = 4 * (firstBlock + row * columns + column);
-                range[k] = lowX;
-                range[k + 1] = highX;
-                range[k + 2] = lowY;
-                range[k + 3] = highY;
+                int k = RANGE_STRIDE * (firstBlock + row * columns + column);
+                range[k + LOW_X] = lowX;
+                range[k + HIGH_X] = highX;
+                range[k + LOW_Y] = lowY;
+                range[k + HIGH_Y] = highY;
             }
         }
     }
 
     /** Looks for circles that a fast one would touch, no faster than itself. */
     private void lookAhead(int slot) {
-        float x = state.circle[4 * slot];
-        float y = state.circle[4 * slot + 1];
-        float r = state.circle[4 * slot + 2];
+        int s = CircleRow.of(slot);
+        float x = state.circle[s + X];
+        float y = state.circle[s + Y];
+        float r = state.circle[s + RADIUS];
         float path = grid.path[slot];
         float limit = CircleMath.travelShare(path, r);
-        float px = limit * state.plan[2 * slot];
-        float py = limit * state.plan[2 * slot + 1];
+        float px = limit * state.plan[CircleRow.vector(slot) + X];
+        float py = limit * state.plan[CircleRow.vector(slot) + Y];
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float top = levels.top[level];
@@ -158,17 +177,18 @@ public final class ContinuousCollision {
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
         int firstBlock = levels.first[level] >> (2 * BLOCK_LOG);
-        float half = 0.5f * state.circle[4 * slot + 2];
-        float px = state.plan[2 * slot];
-        float py = state.plan[2 * slot + 1];
+        float half = 0.5f * state.circle[CircleRow.of(slot) + RADIUS];
+        float px = state.plan[CircleRow.vector(slot) + X];
+        float py = state.plan[CircleRow.vector(slot) + Y];
         for (int v = r0; v <= r1; ) {
             int row = GridLevels.onRing(v, rows);
             int rowsOfBlock = inBlock(row, rows, r1 - v);
             for (int u = c0; u <= c1; ) {
                 int column = GridLevels.onRing(u, columns);
                 int columnsOfBlock = inBlock(column, columns, c1 - u);
-                int k = 4 * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
-                if (CircleMath.differ(px, py, range[k], range[k + 1], range[k + 2], range[k + 3], half)) {
+                int k = RANGE_STRIDE * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
+                if (CircleMath.differ(
+                        px, py, range[k + LOW_X], range[k + HIGH_X], range[k + LOW_Y], range[k + HIGH_Y], half)) {
                     for (int r = row; r < row + rowsOfBlock; r++) {
                         int first = levels.rowStart(level, r) + column;
                         meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock]);
@@ -197,17 +217,18 @@ public final class ContinuousCollision {
     private void meet(int slot, int other) {
         float[] circle = state.circle;
         float[] plan = state.plan;
-        float r = circle[4 * slot + 2];
-        float ro = circle[4 * other + 2];
-        float ux = plan[2 * slot] - plan[2 * other];
-        float uy = plan[2 * slot + 1] - plan[2 * other + 1];
-        float dx = circle[4 * other] - circle[4 * slot];
-        float dy = circle[4 * other + 1] - circle[4 * slot + 1];
+        int s = CircleRow.of(slot);
+        int o = CircleRow.of(other);
+        float r = circle[s + RADIUS];
+        float ro = circle[o + RADIUS];
+        float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
+        float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
+        float dx = circle[o + X] - circle[s + X];
+        float dy = circle[o + Y] - circle[s + Y];
         if (!CircleMath.mayPass(ux, uy, r, ro)) {
             return;
         }
-        float limit = grid.reach[slot] + grid.reach[other];
-        if (dx * dx + dy * dy < limit * limit) {
+        if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0) {
             near[slot] = CircleMath.least(CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro), near[slot]);
         } else if (grid.path[other] <= grid.path[slot] || !CircleMath.isFast(grid.path[other], ro)) {
             float t = CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro);
@@ -232,14 +253,15 @@ public final class ContinuousCollision {
     private void leash(int from, int to) {
         float[] leash = state.leash;
         for (int slot = from; slot < to; slot++) {
-            float r = state.circle[4 * slot + 2];
+            int s = CircleRow.of(slot);
+            float r = state.circle[s + RADIUS];
             float limit = CircleMath.least(CircleMath.travelShare(grid.path[slot], r), near[slot]);
             float free = Float.intBitsToFloat(share[slot]);
             boolean stopped = free < limit;
             float kept = stopped ? free : limit;
-            leash[4 * slot] = kept * state.plan[2 * slot];
-            leash[4 * slot + 1] = kept * state.plan[2 * slot + 1];
-            leash[4 * slot + 2] = stopped ? 0f : Tuning.LEASH * r;
+            leash[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
+            leash[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
+            leash[s + ALLOWANCE] = stopped ? 0f : Tuning.LEASH * r;
         }
     }
 }

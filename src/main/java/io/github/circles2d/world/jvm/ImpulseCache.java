@@ -13,10 +13,10 @@ final class ImpulseCache {
     private final State state;
 
     /** By contact of the step before: id of the circle of higher id. */
-    private int[] hiId = new int[0];
+    private int[] higherId = new int[0];
 
     /** By contact of the step before: its impulse. */
-    private float[] lambda = new float[0];
+    private float[] normalImpulse = new float[0];
 
     /** By contact of the step before: the next with the same circle of lower id, or -1. */
     private int[] next = new int[0];
@@ -28,48 +28,48 @@ final class ImpulseCache {
     /** Makes room for contacts. The length of the array that grows last tells whether there is room. */
     void ensure(int contacts) {
         if (next.length < contacts) {
-            hiId = Arrays.copyOf(hiId, contacts);
-            lambda = Arrays.copyOf(lambda, contacts);
+            higherId = Arrays.copyOf(higherId, contacts);
+            normalImpulse = Arrays.copyOf(normalImpulse, contacts);
             next = Arrays.copyOf(next, contacts);
         }
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 12L * hiId.length;
+        return 12L * higherId.length;
     }
 
-    /** The impulse of a pair of slots, of which the higher id is known; 0 where there is none. */
-    float recall(int lo, int hi, int id) {
-        if (!state.fresh[hi]) {
-            for (int c = state.memory[lo]; c >= 0; c = next[c]) {
-                if (hiId[c] == id) {
-                    return lambda[c];
+    /** The impulse of a pair of slots, of which the higher id is known; 0 if there is none. */
+    float find(int lower, int higher, int id) {
+        if (!state.fresh[higher]) {
+            for (int c = state.memory[lower]; c >= 0; c = next[c]) {
+                if (higherId[c] == id) {
+                    return normalImpulse[c];
                 }
             }
         }
         return 0f;
     }
 
-    /** Remembers the impulse of contact c. No two contacts with a circle in common at once. */
-    void remember(int c, int lo, int id, float impulse) {
-        hiId[c] = id;
-        lambda[c] = impulse;
-        next[c] = state.memory[lo];
-        state.memory[lo] = c;
+    /** Stores the impulse of contact c. No two contacts with a circle in common at once. */
+    void store(int c, int lower, int id, float impulse) {
+        higherId[c] = id;
+        normalImpulse[c] = impulse;
+        next[c] = state.memory[lower];
+        state.memory[lower] = c;
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
-    private boolean isRecalled(int c) {
-        int hi = state.slotOf[hiId[c]];
+    private boolean isFound(int c) {
+        int hi = state.slotOf[higherId[c]];
         return hi >= 0 && !state.fresh[hi];
     }
 
-    /** Saves the impulses of a slot, as the circle of lower id, that the next step may recall. */
+    /** Saves the impulses of a slot, as the circle of lower id, that the next step may start from. */
     void save(int slot, SavedState into) {
         for (int c = state.memory[slot]; c >= 0; c = next[c]) {
-            if (isRecalled(c)) {
-                into.addImpulse(state.id[slot], hiId[c], lambda[c]);
+            if (isFound(c)) {
+                into.addImpulse(state.id[slot], higherId[c], normalImpulse[c]);
             }
         }
     }
@@ -77,7 +77,7 @@ final class ImpulseCache {
     /** Takes over saved impulses, for which there is room; the circles have been taken over before. */
     void load(SavedState from) {
         for (int c = 0; c < from.impulses; c++) {
-            remember(c, state.slotOf[from.lo[c]], from.hi[c], from.lambda[c]);
+            store(c, state.slotOf[from.lo[c]], from.hi[c], from.lambda[c]);
         }
     }
 
@@ -85,9 +85,9 @@ final class ImpulseCache {
     long hash(int slot) {
         long sum = 0;
         for (int c = state.memory[slot]; c >= 0; c = next[c]) {
-            if (isRecalled(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), hiId[c]);
-                sum += StateHash.absorb(h, lambda[c]);
+            if (isFound(c)) {
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), higherId[c]);
+                sum += StateHash.absorb(h, normalImpulse[c]);
             }
         }
         return sum;

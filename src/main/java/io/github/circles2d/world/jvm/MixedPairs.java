@@ -1,7 +1,12 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairRule;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Arrays;
@@ -13,8 +18,13 @@ import java.util.Arrays;
 final class MixedPairs {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
 
-    /** Ints a record. */
+    /** Ints per record. */
     private static final int STRIDE = 4;
+
+    private static final int SLOT = 0;
+    private static final int OTHER = 1;
+    private static final int GROUP = 2;
+    private static final int RANK = 3;
 
     private final State state;
     private final Grid grid;
@@ -89,7 +99,8 @@ final class MixedPairs {
         }
         sums.sumUp(worker, start, groups);
         for (int k = 0; k < STRIDE * f.count; k += STRIDE) {
-            pairs[start[f.records[k + 2]] + f.records[k + 3]] = (long) f.records[k] << 32 | f.records[k + 1];
+            pairs[start[f.records[k + GROUP]] + f.records[k + RANK]] =
+                    (long) f.records[k + SLOT] << 32 | f.records[k + OTHER];
         }
         team.sync(worker);
     }
@@ -116,8 +127,8 @@ final class MixedPairs {
 
     private void findInCoarserLevel(Found f, int slot, int level) {
         int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[4 * slot], level);
-        int row = grid.row(state.circle[4 * slot + 1], level);
+        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
+        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
         for (int v = -1; v <= 1; v++) {
@@ -134,15 +145,14 @@ final class MixedPairs {
     private void scan(Found f, int slot, int from, int to, int group) {
         float[] circle = state.circle;
         float[] reach = grid.reach;
-        float x = circle[4 * slot];
-        float y = circle[4 * slot + 1];
+        float x = circle[CircleRow.of(slot) + X];
+        float y = circle[CircleRow.of(slot) + Y];
         float own = reach[slot];
         f.tested += to - from;
         for (int other = from; other < to; other++) {
-            float dx = circle[4 * other] - x;
-            float dy = circle[4 * other + 1] - y;
-            float limit = own + reach[other];
-            if (dx * dx + dy * dy < limit * limit && candidates.keeps(slot, other)) {
+            float dx = circle[CircleRow.of(other) + X] - x;
+            float dy = circle[CircleRow.of(other) + Y] - y;
+            if (PairRule.isNear(dx, dy, own, reach[other]) != 0 && candidates.keeps(slot, other)) {
                 int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
                 f.add(slot, other, group, rank);
             }
@@ -182,10 +192,10 @@ final class MixedPairs {
             if (k == records.length) {
                 records = Arrays.copyOf(records, 2 * records.length);
             }
-            records[k] = slot;
-            records[k + 1] = other;
-            records[k + 2] = group;
-            records[k + 3] = rank;
+            records[k + SLOT] = slot;
+            records[k + OTHER] = other;
+            records[k + GROUP] = group;
+            records[k + RANK] = rank;
         }
     }
 }

@@ -1,6 +1,11 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairRule;
 
 /**
  * Finds the pairs of circles of one level whose reaches meet, group by group: in the 2 x 2 cells of a group, those pairs whose
@@ -66,19 +71,17 @@ public final class Pairs {
         float[] circle = state.circle;
         float[] reach = grid.reach;
         long[] hits = f.hits;
-        float x = circle[4 * slot];
-        float y = circle[4 * slot + 1];
+        float x = circle[CircleRow.of(slot) + X];
+        float y = circle[CircleRow.of(slot) + Y];
         float own = reach[slot];
         int count = hitsBefore;
         for (int begin = from; begin < to; begin += BLOCK) {
             int end = Math.min(to, begin + BLOCK);
             for (int other = begin; other < end; other++) {
-                float dx = circle[4 * other] - x;
-                float dy = circle[4 * other + 1] - y;
-                float limit = own + reach[other];
+                float dx = circle[CircleRow.of(other) + X] - x;
+                float dy = circle[CircleRow.of(other) + Y] - y;
                 hits[count] = (long) slot << 32 | other;
-                // one more where the difference is negative; no branch, which would be taken as if by chance
-                count -= Float.floatToRawIntBits(dx * dx + dy * dy - limit * limit) >> 31;
+                count -= PairRule.isNear(dx, dy, own, reach[other]);
             }
             f.tested += end - begin;
             if (count > BLOCK) {

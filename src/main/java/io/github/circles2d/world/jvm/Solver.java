@@ -58,7 +58,7 @@ public final class Solver {
         if (worker == 0) {
             bands.divide(contacts.rowStart, 2 * LAG);
         }
-        mover.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        mover.clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
             int from = contacts.firstRow(levels.used[l], worker);
@@ -111,32 +111,32 @@ public final class Solver {
         for (int front = low; front < end; front += 2) {
             int behind = 0;
             for (int s = sub; s < endSub; s++) {
-                visit(worker, front - behind, low + inwards * behind, high - inwards * behind, inwards, s, k);
+                subStep(worker, front - behind, low + inwards * behind, high - inwards * behind, inwards, s, k);
                 behind += LAG;
             }
             if (endSub == k.subSteps) {
-                finish(front - lag, low + inwards * lag, high - inwards * lag, k);
-                finish(front - lag + 1, low + inwards * lag, high - inwards * lag, k);
+                finalizePositions(front - lag, low + inwards * lag, high - inwards * lag, k);
+                finalizePositions(front - lag + 1, low + inwards * lag, high - inwards * lag, k);
             }
         }
     }
 
     /** All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row. */
-    private void visit(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
+    private void subStep(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
         if (low <= row && row < high) {
-            accelerate(row, k);
-            accelerate(row + 1, k);
-            push(worker, row, k);
+            integrateVelocities(row, k);
+            integrateVelocities(row + 1, k);
+            solveRow(worker, row, k);
         }
         int from = low + inwards;
         int to = high - inwards;
         if (from <= row - 1 && row - 1 < to) {
-            push(worker, row - 1, k);
+            solveRow(worker, row - 1, k);
         }
-        move(row - 2, from, to, sub, k);
-        move(row - 1, from, to, sub, k);
-        relax(worker, row - 2, from + inwards, to - inwards, sub, k);
-        relax(worker, row - 3, from + 2 * inwards, to - 2 * inwards, sub, k);
+        integratePositions(row - 2, from, to, sub, k);
+        integratePositions(row - 1, from, to, sub, k);
+        relaxRow(worker, row - 2, from + inwards, to - inwards, sub, k);
+        relaxRow(worker, row - 3, from + 2 * inwards, to - 2 * inwards, sub, k);
     }
 
     private int ring(int row) {
@@ -151,29 +151,29 @@ public final class Solver {
         return grid.start[levels.rowStart(levels.used[0], ring(row) + 1)];
     }
 
-    private void accelerate(int row, StepConstants k) {
-        mover.accelerate(firstSlot(row), endSlot(row), k);
+    private void integrateVelocities(int row, StepConstants k) {
+        mover.integrateVelocities(firstSlot(row), endSlot(row), k);
     }
 
-    private void push(int worker, int row, StepConstants k) {
-        push(worker, levels.used[0], ring(row), k);
+    private void solveRow(int worker, int row, StepConstants k) {
+        solve(worker, levels.used[0], ring(row), k);
     }
 
-    private void move(int row, int from, int to, int sub, StepConstants k) {
+    private void integratePositions(int row, int from, int to, int sub, StepConstants k) {
         if (from <= row && row < to) {
-            mover.move(firstSlot(row), endSlot(row), k, sub == 0);
+            mover.integratePositions(firstSlot(row), endSlot(row), k, sub == 0);
         }
     }
 
-    private void relax(int worker, int row, int from, int to, int sub, StepConstants k) {
+    private void relaxRow(int worker, int row, int from, int to, int sub, StepConstants k) {
         if (from <= row && row < to) {
             relax(worker, levels.used[0], ring(row), sub, k);
         }
     }
 
-    private void finish(int row, int from, int to, StepConstants k) {
+    private void finalizePositions(int row, int from, int to, StepConstants k) {
         if (from <= row && row < to) {
-            mover.finish(firstSlot(row), endSlot(row), k);
+            mover.finalizePositions(firstSlot(row), endSlot(row), k);
         }
     }
 
@@ -184,33 +184,33 @@ public final class Solver {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         for (int sub = 0; sub < k.subSteps; sub++) {
-            mover.accelerate(from, to, k);
+            mover.integrateVelocities(from, to, k);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
-                pushAll(worker, levels.used[l], k);
+                solveAll(worker, levels.used[l], k);
             }
-            mover.move(from, to, k, sub == 0);
+            mover.integratePositions(from, to, k, sub == 0);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
                 relaxAll(worker, levels.used[l], sub, k);
             }
         }
-        mover.finish(from, to, k);
+        mover.finalizePositions(from, to, k);
         team.sync(worker);
     }
 
-    private void pushAll(int worker, int level, StepConstants k) {
+    private void solveAll(int worker, int level, StepConstants k) {
         int from = bands.first(level, worker);
         int to = bands.first(level, worker + 1);
         for (int row = from; row < to; row += 2) {
-            push(worker, level, row, k);
+            solve(worker, level, row, k);
             if (row > from) {
-                push(worker, level, row - 1, k);
+                solve(worker, level, row - 1, k);
             }
         }
         team.sync(worker);
         if (from < to) {
-            push(worker, level, to - 1, k);
+            solve(worker, level, to - 1, k);
         }
         team.sync(worker);
     }
@@ -244,8 +244,8 @@ public final class Solver {
         passes[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
     }
 
-    private void push(int worker, int level, int row, StepConstants k) {
-        passes[worker].push(firstContact(level, row), firstContact(level, row + 1), k);
+    private void solve(int worker, int level, int row, StepConstants k) {
+        passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
     }
 
     private void relax(int worker, int level, int row, int sub, StepConstants k) {

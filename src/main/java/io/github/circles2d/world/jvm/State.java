@@ -1,10 +1,24 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.MASS;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.WALL_X;
+import static io.github.circles2d.world.model.CircleRow.WALL_Y;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**
@@ -14,14 +28,14 @@ import java.util.Arrays;
  * than the coordinate, and would drown in its rounding where millions of circles share an arena. At the end of a step the
  * base takes the sum, and the displacement what the sum lost.
  */
-final class State {
+public final class State {
     /** Number of circles. */
     int n;
 
     /** Circles that all arrays have room for; some have room for more after a growth that ran out of memory. */
     private int capacity;
 
-    /** By slot: x, y of the base, radius, mass. */
+    /** By slot: x, y of the base, radius, mass. {@link CircleRow} numbers the elements of each array. */
     float[] circle = new float[0];
 
     /** By slot: displacement x, y, velocity x, y. */
@@ -77,19 +91,19 @@ final class State {
     void ensure(int circles) {
         if (circles > capacity) {
             int c = Math.max(circles, capacity + (capacity >> 1));
-            circle = Arrays.copyOf(circle, 4 * c);
-            motion = Arrays.copyOf(motion, 4 * c);
-            traits = Arrays.copyOf(traits, 4 * c);
+            circle = Arrays.copyOf(circle, CircleRow.of(c));
+            motion = Arrays.copyOf(motion, CircleRow.of(c));
+            traits = Arrays.copyOf(traits, CircleRow.of(c));
             id = Arrays.copyOf(id, c);
             memory = Arrays.copyOf(memory, c);
             fresh = Arrays.copyOf(fresh, c);
-            load = new float[4 * c];
-            wallBounce = new float[2 * c];
-            plan = new float[2 * c];
-            leash = new float[4 * c];
-            circleSpare = new float[4 * c];
-            motionSpare = new float[4 * c];
-            traitsSpare = new float[4 * c];
+            load = new float[CircleRow.of(c)];
+            wallBounce = new float[CircleRow.vector(c)];
+            plan = new float[CircleRow.vector(c)];
+            leash = new float[CircleRow.of(c)];
+            circleSpare = new float[CircleRow.of(c)];
+            motionSpare = new float[CircleRow.of(c)];
+            traitsSpare = new float[CircleRow.of(c)];
             idSpare = new int[c];
             memorySpare = new int[c];
             freshSpare = new boolean[c];
@@ -141,31 +155,32 @@ final class State {
             }
             float a = Float.intBitsToFloat(records[k + 2]);
             float b = Float.intBitsToFloat(records[k + 3]);
-            int s = 4 * slot;
+            int s = CircleRow.of(slot);
             switch (records[k]) {
                 case Commands.POSITION -> {
-                    circle[s] = a;
-                    circle[s + 1] = b;
-                    motion[s] = 0;
-                    motion[s + 1] = 0;
+                    circle[s + X] = a;
+                    circle[s + Y] = b;
+                    motion[s + DX] = 0;
+                    motion[s + DY] = 0;
                 }
                 case Commands.VELOCITY -> {
-                    motion[s + 2] = a;
-                    motion[s + 3] = b;
+                    motion[s + VX] = a;
+                    motion[s + VY] = b;
                 }
                 case Commands.RADIUS -> {
-                    circle[s + 2] = a;
+                    circle[s + RADIUS] = a;
                     forget(slot);
                 }
                 case Commands.MASS -> {
-                    circle[s + 3] = a;
-                    traits[s] = CircleMath.inverseMass(a);
+                    circle[s + MASS] = a;
+                    traits[s + INVERSE_MASS] = CircleMath.inverseMass(a);
                     forget(slot);
                 }
-                case Commands.RESTITUTION -> traits[s + 1] = a;
+                case Commands.RESTITUTION -> traits[s + RESTITUTION] = a;
                 case Commands.IMPULSE -> {
-                    motion[s + 2] = CircleMath.afterImpulse(motion[s + 2], traits[s], a);
-                    motion[s + 3] = CircleMath.afterImpulse(motion[s + 3], traits[s], b);
+                    float w = traits[s + INVERSE_MASS];
+                    motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
+                    motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
                 default -> throw new AssertionError("unknown operation " + records[k]);
             }
@@ -174,17 +189,17 @@ final class State {
 
     private void add(int circleId, int[] records, int k) {
         int slot = n++;
-        int s = 4 * slot;
-        circle[s] = Float.intBitsToFloat(records[k + 2]);
-        circle[s + 1] = Float.intBitsToFloat(records[k + 3]);
-        circle[s + 2] = Float.intBitsToFloat(records[k + 4]);
-        circle[s + 3] = Float.intBitsToFloat(records[k + 5]);
-        motion[s] = 0;
-        motion[s + 1] = 0;
-        motion[s + 2] = Float.intBitsToFloat(records[k + 7]);
-        motion[s + 3] = Float.intBitsToFloat(records[k + 8]);
-        traits[s] = CircleMath.inverseMass(circle[s + 3]);
-        traits[s + 1] = Float.intBitsToFloat(records[k + 6]);
+        int s = CircleRow.of(slot);
+        circle[s + X] = Float.intBitsToFloat(records[k + 2]);
+        circle[s + Y] = Float.intBitsToFloat(records[k + 3]);
+        circle[s + RADIUS] = Float.intBitsToFloat(records[k + 4]);
+        circle[s + MASS] = Float.intBitsToFloat(records[k + 5]);
+        motion[s + DX] = 0;
+        motion[s + DY] = 0;
+        motion[s + VX] = Float.intBitsToFloat(records[k + 7]);
+        motion[s + VY] = Float.intBitsToFloat(records[k + 8]);
+        traits[s + INVERSE_MASS] = CircleMath.inverseMass(circle[s + MASS]);
+        traits[s + RESTITUTION] = Float.intBitsToFloat(records[k + 6]);
         id[slot] = circleId;
         slotOf[circleId] = slot;
         forget(slot);
@@ -193,17 +208,17 @@ final class State {
     private void forget(int slot) {
         memory[slot] = -1;
         fresh[slot] = true;
-        traits[4 * slot + 2] = 0;
-        traits[4 * slot + 3] = 0;
+        traits[CircleRow.of(slot) + WALL_X] = 0;
+        traits[CircleRow.of(slot) + WALL_Y] = 0;
     }
 
     private void remove(int slot) {
         slotOf[id[slot]] = -1;
         int last = --n;
         if (slot != last) {
-            System.arraycopy(circle, 4 * last, circle, 4 * slot, 4);
-            System.arraycopy(motion, 4 * last, motion, 4 * slot, 4);
-            System.arraycopy(traits, 4 * last, traits, 4 * slot, 4);
+            System.arraycopy(circle, CircleRow.of(last), circle, CircleRow.of(slot), CircleRow.STRIDE);
+            System.arraycopy(motion, CircleRow.of(last), motion, CircleRow.of(slot), CircleRow.STRIDE);
+            System.arraycopy(traits, CircleRow.of(last), traits, CircleRow.of(slot), CircleRow.STRIDE);
             id[slot] = id[last];
             memory[slot] = memory[last];
             fresh[slot] = fresh[last];
@@ -211,36 +226,41 @@ final class State {
         }
     }
 
+    /** How near to a wall the centre of the circle of a row may be. */
+    float margin(int row) {
+        return traits[row + INVERSE_MASS] == 0f ? 0f : circle[row + RADIUS];
+    }
+
     /** Brings circles that the walls have left outside to the nearest place inside. */
     void confine(Bounds bounds) {
-        for (int s = 0; s < 4 * n; s += 4) {
-            float margin = traits[s] == 0f ? 0f : circle[s + 2];
-            float x = CircleMath.bounded(circle[s], bounds.minX() + margin, bounds.maxX() - margin);
-            float y = CircleMath.bounded(circle[s + 1], bounds.minY() + margin, bounds.maxY() - margin);
-            if (x != circle[s]) {
-                circle[s] = x;
-                motion[s] = 0f;
+        for (int s = 0; s < CircleRow.of(n); s += CircleRow.STRIDE) {
+            float margin = margin(s);
+            float x = CircleMath.bounded(circle[s + X], bounds.minX() + margin, bounds.maxX() - margin);
+            float y = CircleMath.bounded(circle[s + Y], bounds.minY() + margin, bounds.maxY() - margin);
+            if (x != circle[s + X]) {
+                circle[s + X] = x;
+                motion[s + DX] = 0f;
             }
-            if (y != circle[s + 1]) {
-                circle[s + 1] = y;
-                motion[s + 1] = 0f;
+            if (y != circle[s + Y]) {
+                circle[s + Y] = y;
+                motion[s + DY] = 0f;
             }
         }
     }
 
     /** Saves the circle of a slot as circle k. */
     void save(int slot, SavedState into, int k) {
-        System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
-        System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
-        System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
+        System.arraycopy(circle, CircleRow.of(slot), into.circle, CircleRow.of(k), CircleRow.STRIDE);
+        System.arraycopy(motion, CircleRow.of(slot), into.motion, CircleRow.of(k), CircleRow.STRIDE);
+        System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.STRIDE);
     }
 
     /** Takes over saved circles, for which there is room, without remembered contacts; slots are in the order of the ids. */
     void load(SavedState from) {
         n = from.circles;
-        System.arraycopy(from.circle, 0, circle, 0, 4 * n);
-        System.arraycopy(from.motion, 0, motion, 0, 4 * n);
-        System.arraycopy(from.traits, 0, traits, 0, 4 * n);
+        System.arraycopy(from.circle, 0, circle, 0, CircleRow.of(n));
+        System.arraycopy(from.motion, 0, motion, 0, CircleRow.of(n));
+        System.arraycopy(from.traits, 0, traits, 0, CircleRow.of(n));
         System.arraycopy(from.id, 0, id, 0, n);
         Arrays.fill(memory, 0, n, -1);
         Arrays.fill(fresh, 0, n, false);
@@ -254,15 +274,15 @@ final class State {
     long hash() {
         long sum = 0;
         for (int slot = 0; slot < n; slot++) {
-            int s = 4 * slot;
+            int s = CircleRow.of(slot);
             long h = StateHash.absorb(StateHash.circle(), id[slot]);
-            for (int k = 0; k < 4; k++) {
+            for (int k = 0; k < CircleRow.STRIDE; k++) {
                 h = StateHash.absorb(h, circle[s + k]);
             }
-            for (int k = 0; k < 4; k++) {
+            for (int k = 0; k < CircleRow.STRIDE; k++) {
                 h = StateHash.absorb(h, motion[s + k]);
             }
-            for (int k = 1; k < 4; k++) {
+            for (int k = RESTITUTION; k < CircleRow.STRIDE; k++) {
                 h = StateHash.absorb(h, traits[s + k]);
             }
             sum += h;
@@ -274,9 +294,9 @@ final class State {
     void permute(int[] order, int from, int to) {
         for (int slot = from; slot < to; slot++) {
             int old = order[slot];
-            System.arraycopy(circle, 4 * old, circleSpare, 4 * slot, 4);
-            System.arraycopy(motion, 4 * old, motionSpare, 4 * slot, 4);
-            System.arraycopy(traits, 4 * old, traitsSpare, 4 * slot, 4);
+            System.arraycopy(circle, CircleRow.of(old), circleSpare, CircleRow.of(slot), CircleRow.STRIDE);
+            System.arraycopy(motion, CircleRow.of(old), motionSpare, CircleRow.of(slot), CircleRow.STRIDE);
+            System.arraycopy(traits, CircleRow.of(old), traitsSpare, CircleRow.of(slot), CircleRow.STRIDE);
             idSpare[slot] = id[old];
             memorySpare[slot] = memory[old];
             freshSpare[slot] = fresh[old];

@@ -1,8 +1,9 @@
 package io.github.circles2d.world.model;
 
 /**
- * Every floating-point formula of the World engine, in small functions of scalars. The file {@code
- * kernels/world/CircleMath.cl} has the same functions under the same names, and both give the same bits: nothing but
+ * Every floating-point formula of the World engine but those of a visit of a contact or a wall ({@link Constraints}), in small
+ * functions of scalars. The file {@code kernels/world/CircleMath.cl} has the same functions under the same names, and both give
+ * the same bits: nothing but
  * {@code + - * /}, square roots, comparisons and integer operations, each written in one fixed bracketing, never
  * contracted.
  *
@@ -11,15 +12,6 @@ package io.github.circles2d.world.model;
  * along n, negative where they approach; w an inverse mass, 0 for a fixed circle.
  */
 public final class CircleMath {
-    /** Solve the contact. */
-    public static final int SOLVE = 0;
-
-    /** Leave the contact alone. */
-    public static final int LEAVE = 1;
-
-    /** Let the pair bounce, and store no impulse. */
-    public static final int BOUNCE = 2;
-
     private CircleMath() {}
 
     // ---- geometry
@@ -382,54 +374,6 @@ public final class CircleMath {
     }
 
     /**
-     * What to do with a contact that does not carry, of circles that are in free flight: nothing where they part faster than
-     * the threshold, a bounce where they meet faster than it, else solve it as any other.
-     *
-     * @param vn normal speed
-     * @param meets whether they touch, or would within the sub-step
-     * @param thr2 square of the bounce threshold
-     * @return {@link #SOLVE}, {@link #LEAVE} or {@link #BOUNCE}
-     */
-    public static int freeFlight(float vn, boolean meets, float thr2) {
-        if (vn * vn > thr2) {
-            if (vn > 0f) {
-                return LEAVE;
-            }
-            if (meets) {
-                return BOUNCE;
-            }
-        }
-        return SOLVE;
-    }
-
-    /**
-     * Whether a contact carries its circles: it presses, or touches at rest.
-     *
-     * @param lambda its impulse
-     * @param s separation
-     * @param vn normal speed
-     * @param thr2 square of the bounce threshold
-     * @return true where it does
-     */
-    public static boolean carries(float lambda, float s, float vn, float thr2) {
-        return lambda > 0f || (s < 0f && vn * vn <= thr2);
-    }
-
-    /**
-     * The separation speed that a loaded contact bounces to, or 0 where it does not bounce in this sub-step.
-     *
-     * @param e restitution of the pair
-     * @param vn normal speed at the start of the sub-step, before any impulse
-     * @param s separation
-     * @param h length of the sub-step
-     * @param thr2 square of the bounce threshold
-     * @return a speed greater than 0, or 0
-     */
-    public static float bounceSpeed(float e, float vn, float s, float h, float thr2) {
-        return vn * vn > thr2 && vn < 0f && s + vn * h < 0f ? -e * vn : 0f;
-    }
-
-    /**
      * Impulse by which two free circles bounce.
      *
      * @param e restitution of the pair
@@ -439,39 +383,6 @@ public final class CircleMath {
      */
     public static float freeBounce(float e, float vn, float k) {
         return -(1f + e) * vn * k;
-    }
-
-    /**
-     * The accumulated impulse of a rigid contact after one visit: it stops the approach, or as much of it as would close the
-     * gap within the sub-step, or brings the pair to a target speed.
-     *
-     * @param lambda accumulated impulse before
-     * @param k effective mass
-     * @param vn normal speed
-     * @param b bias speed: gap / h where there is a gap, minus the target speed of a bounce, else 0
-     * @return accumulated impulse, at least 0
-     */
-    public static float rigid(float lambda, float k, float vn, float b) {
-        return greatest(lambda - k * (vn + b), 0f);
-    }
-
-    /**
-     * The accumulated impulse of a soft contact after one visit (soft constraints: E. Catto, "Solver2D", 2024).
-     *
-     * @param lambda accumulated impulse before
-     * @param k effective mass
-     * @param vn normal speed
-     * @param s separation, at most 0
-     * @param push greatest push-out speed
-     * @param biasRate push-out speed per depth
-     * @param massScale softness: share of the impulse
-     * @param impulseScale softness: decay of the impulse
-     * @return accumulated impulse, at least 0
-     */
-    public static float soft(
-            float lambda, float k, float vn, float s, float push, float biasRate, float massScale, float impulseScale) {
-        float b = massScale * greatest(biasRate * s, -push);
-        return greatest((lambda - k * (massScale * vn + b)) - impulseScale * lambda, 0f);
     }
 
     /**

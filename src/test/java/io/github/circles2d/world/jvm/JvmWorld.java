@@ -3,10 +3,10 @@ package io.github.circles2d.world.jvm;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
-import io.github.circles2d.world.circles.CircleRow;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.model.CircleRow;
 import java.nio.ByteBuffer;
 
 /** A simulation of a scene on the JVM, for tests that look inside its pipeline. */

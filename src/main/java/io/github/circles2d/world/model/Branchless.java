@@ -1,10 +1,10 @@
-package io.github.circles2d.world.jvm;
+package io.github.circles2d.world.model;
 
 /**
  * Choices between floats without a branch, for loops in which a branch would be taken or not as if by chance: a wrong guess of
  * the processor costs more than both sides. They give the bits of the plain form for every number that a state can hold.
  */
-final class Branchless {
+public final class Branchless {
     private static final int SIGN = 0x80000000;
     private static final int ONE = 0x3F800000;
 
@@ -22,7 +22,7 @@ final class Branchless {
     }
 
     /** All bits set where a is neither 0 nor -0, else none. */
-    static int isNotZero(float a) {
+    public static int isNotZero(float a) {
         return -(Float.floatToRawIntBits(a) & ~SIGN) >> 31;
     }
 
@@ -32,7 +32,7 @@ final class Branchless {
     }
 
     /** a where the mask has all bits set, b where it has none. */
-    static float choose(int mask, float a, float b) {
+    public static float choose(int mask, float a, float b) {
         int other = Float.floatToRawIntBits(b);
         return Float.intBitsToFloat(other ^ ((Float.floatToRawIntBits(a) ^ other) & mask));
     }

@@ -1,0 +1,58 @@
+package io.github.circles2d.world.jvm;
+
+/** Where the numbers of a contact lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. */
+final class ContactRow {
+    /** Floats per contact. */
+    static final int STRIDE = 14;
+
+    /** Elements per contact of {@link Contacts#pair}. */
+    static final int PAIR_STRIDE = 2;
+
+    /** Difference of the bases, x. */
+    static final int BASE_X = 0;
+
+    static final int BASE_Y = 1;
+
+    /** Sum of the radii. */
+    static final int RADII = 2;
+
+    static final int RESTITUTION = 3;
+    static final int INV_MASS_A = 4;
+    static final int INV_MASS_B = 5;
+
+    /** Greatest push-out speed. */
+    static final int PUSH_SPEED = 6;
+
+    static final int NORMAL_X = 7;
+    static final int NORMAL_Y = 8;
+    static final int SEPARATION = 9;
+
+    /** Accumulated. */
+    static final int NORMAL_IMPULSE = 10;
+
+    /** Target speed of a bounce, between the two passes of a sub-step. */
+    static final int BOUNCE_SPEED = 11;
+
+    /** Effective mass. */
+    static final int MASS = 12;
+
+    /** Square of the speed. */
+    static final int RESTITUTION_THRESHOLD = 13;
+
+    private ContactRow() {}
+
+    /** Where the row of a contact begins. */
+    static int of(int contact) {
+        return STRIDE * contact;
+    }
+
+    /** Where the circle of the lower id stands in {@link Contacts#pair}. */
+    static int a(int contact) {
+        return PAIR_STRIDE * contact;
+    }
+
+    /** Where the circle of the higher id stands in {@link Contacts#pair}. */
+    static int b(int contact) {
+        return PAIR_STRIDE * contact + 1;
+    }
+}

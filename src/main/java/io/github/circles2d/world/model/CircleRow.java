@@ -1,0 +1,58 @@
+package io.github.circles2d.world.model;
+
+/** Where the numbers of a circle lie in arrays of circles: four floats per circle, in some two. */
+public final class CircleRow {
+    public static final int STRIDE = 4;
+
+    // circle
+    public static final int X = 0;
+    public static final int Y = 1;
+    public static final int RADIUS = 2;
+    public static final int MASS = 3;
+
+    // motion: displacement since the start of the step, velocity
+    public static final int DX = 0;
+    public static final int DY = 1;
+    public static final int VX = 2;
+    public static final int VY = 3;
+
+    // traits; the speed that a wall has given is positive if it is the lower one
+    public static final int INVERSE_MASS = 0;
+    public static final int RESTITUTION = 1;
+    public static final int WALL_X = 2;
+    public static final int WALL_Y = 3;
+
+    // load, until the circle has moved: velocity before impulses
+    public static final int BEFORE_X = 0;
+    public static final int BEFORE_Y = 1;
+
+    // load, once the circle has moved: sum of the contacts' impulses
+    public static final int IMPULSE_X = 0;
+    public static final int IMPULSE_Y = 1;
+
+    // load: whether something carries the circle in this sub-step, and in the next (1, 0)
+    public static final int LOADED = 2;
+    public static final int LOADED_NEXT = 3;
+
+    // leash: the path that is free, and how far the circle may leave it
+    public static final int PATH_X = 0;
+    public static final int PATH_Y = 1;
+    public static final int ALLOWANCE = 2;
+
+    private CircleRow() {}
+
+    /** Where the row of a slot begins. */
+    public static int of(int slot) {
+        return STRIDE * slot;
+    }
+
+    /** The slot of a row. */
+    public static int slot(int row) {
+        return row >> 2;
+    }
+
+    /** Where the vector of a slot begins, in arrays with two floats per circle. */
+    public static int vector(int slot) {
+        return 2 * slot;
+    }
+}

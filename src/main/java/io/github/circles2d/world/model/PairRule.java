@@ -1,0 +1,20 @@
+package io.github.circles2d.world.model;
+
+/** Which pairs of circles may meet within a step. */
+public final class PairRule {
+    private PairRule() {}
+
+    /**
+     * Whether the speculative distances of two circles meet. No branch, which would be taken as if by chance.
+     *
+     * @param dx difference of the positions
+     * @param dy difference of the positions
+     * @param reach speculative distance of the one ({@link CircleMath#reach})
+     * @param otherReach speculative distance of the other
+     * @return -1 if they do, else 0
+     */
+    public static int isNear(float dx, float dy, float reach, float otherReach) {
+        float limit = reach + otherReach;
+        return Branchless.isNegative(dx * dx + dy * dy - limit * limit);
+    }
+}
