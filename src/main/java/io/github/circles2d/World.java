@@ -45,11 +45,11 @@ import java.util.Objects;
  * of threads; {@link #hash()} is a number to compare.
  *
  * <p><b>Fast circles</b>, which move farther than their radius in a step, look ahead and stop at what they would pass through.
- * Of 12,600 circles of restitution 1 that flew for 300 steps at a fence of fixed circles, or between two, none slipped through
+ * Of 12,600 circles of restitution 1 that flew for 300 steps at a fence of static circles, or between two, none slipped through
  * at 5 radii a step, 2 did at 10, up to 1.2 % of a scene at 20, and 0.3 to 7 % at 40 to 100, most of them between fences 100
  * radii apart: at most 1.3 in a thousand turns. With restitution 0.8, at most 1 % did at any speed. Circles do not stop at what
  * is so much smaller that it is pushed aside (a sixteenth of the radius; a pebble of a tenth may be run over at somewhat less
- * than a radius a step), nor at fixed circles that move. In one step a circle moves at most 64 of its radii, whatever its
+ * than a radius a step), nor at static circles that move. In one step a circle moves at most 64 of its radii, whatever its
  * velocity: do not make circles tiny that are to fly far.
  *
  * <p><b>Time steps</b> had better all have one length: take real time into an accumulator and make whole steps. Piles settle for
@@ -99,7 +99,7 @@ public final class World implements AutoCloseable {
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
      * @param radius radius
-     * @param mass mass; positive infinity for a fixed circle
+     * @param mass mass; positive infinity for a static circle
      * @return its handle
      * @throws IllegalArgumentException where a value is out of range
      */
@@ -113,7 +113,7 @@ public final class World implements AutoCloseable {
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
      * @param radius radius
-     * @param mass mass; positive infinity for a fixed circle
+     * @param mass mass; positive infinity for a static circle
      * @param vx velocity
      * @param vy velocity
      * @return its handle
@@ -190,7 +190,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle a velocity. A fixed circle moves on with it until told otherwise; at the
+     * Gives a circle a velocity. A static circle moves on with it until told otherwise; at the
      * bounds it stops, and has no velocity from there on.
      *
      * @param handle the circle
@@ -217,7 +217,7 @@ public final class World implements AutoCloseable {
      * Gives a circle another mass.
      *
      * @param handle the circle
-     * @param mass mass; positive infinity makes it a fixed circle, which keeps its velocity
+     * @param mass mass; positive infinity makes it a static circle, which keeps its velocity
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
@@ -236,7 +236,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes a circle: its velocity changes by the impulse over its mass. A fixed circle does not mind.
+     * Pushes a circle: its velocity changes by the impulse over its mass. A static circle does not mind.
      *
      * @param handle the circle
      * @param x impulse, mass times velocity
@@ -517,7 +517,7 @@ public final class World implements AutoCloseable {
      * Reads the mass of one circle; see {@link #x}.
      *
      * @param handle the circle
-     * @return its mass; positive infinity for a fixed circle
+     * @return its mass; positive infinity for a static circle
      * @throws IllegalArgumentException where the handle is stale
      */
     public float mass(long handle) {

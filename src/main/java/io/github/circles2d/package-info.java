@@ -14,7 +14,7 @@
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
- *     long floor = world.add(40, 0, 20, Float.POSITIVE_INFINITY); // x, y, radius, mass: a fixed circle
+ *     long floor = world.add(40, 0, 20, Float.POSITIVE_INFINITY); // x, y, radius, mass: a static circle
  *     long ball = world.add(40, 90, 1, 2);
  *     for (int frame = 0; frame < 300; frame++) {
  *         world.step(1 / 60f);

@@ -95,7 +95,7 @@ public final class Scene {
     }
 
     /**
-     * Every mass, that of the fixed circles included.
+     * Every mass, that of the static circles included.
      *
      * @return a new array of {@link #size()} elements, all finite and greater than 0
      */

@@ -62,7 +62,7 @@ public final class SceneLoader {
          * @param x x of the centre
          * @param y y of the centre
          * @param radius radius
-         * @param mass mass; positive infinity for a fixed circle
+         * @param mass mass; positive infinity for a static circle
          * @param vx velocity
          * @param vy velocity
          * @return its handle

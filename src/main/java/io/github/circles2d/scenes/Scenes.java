@@ -228,7 +228,7 @@ public final class Scenes {
     }
 
     /**
-     * Chipmunk's no-collide benchmark: 33 x 25 fixed circles, r = 4.5, at a pitch of 20, and 28 movers (the last 28
+     * Chipmunk's no-collide benchmark: 33 x 25 static circles, r = 4.5, at a pitch of 20, and 28 movers (the last 28
      * circles; r = 4.5, m = 7) that thread between them at speed 100, 12 along x and 16 along y. No gravity, restitution 1.
      * Nothing may ever touch but movers the walls, which stand at +/-334.5 and +/-254.5: with exact reflection two movers
      * never come nearer than 14.1, before the walls and after.

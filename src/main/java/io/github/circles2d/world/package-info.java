@@ -16,7 +16,7 @@
  *   <li><b>Sweep.</b> Where some circle moves farther than its radius in the step, it looks along its path for what it would
  *       pass through, and the path ends there.
  *   <li><b>Contacts.</b> The circle finds the circles whose reach meets its own, in 3 x 3 cells of its own level and of each
- *       coarser one that has circles. Pairs of fixed circles are left out. Each pair is a contact of the level of its larger
+ *       coarser one that has circles. Pairs of static circles are left out. Each pair is a contact of the level of its larger
  *       circle, and belongs to the group of its lesser column and lesser row there; all contacts are sorted by (level,
  *       colour, group, lower id, higher id). That order is the order of every sum below.
  *   <li><b>Prepare.</b> A contact recalls the impulse that it ended the step before with, and is measured: normal (from the

@@ -189,7 +189,7 @@ final class CirclePasses {
                 state.fresh[slot] = false;
             }
             if (w == 0f) {
-                // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+                // a static circle that is stopped has stopped: what lies on it must not see it go on
                 m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
                 m[s + VY] = m[s + DY] == dy ? m[s + VY] : 0f;
             } else {

@@ -9,7 +9,7 @@ package io.github.circles2d.world.model;
  *
  * <p>Units: lengths, masses and seconds are the caller's. n is the contact normal, a unit vector from the circle of the
  * lower id to that of the higher; s the separation of two surfaces, negative where they overlap; vn the relative speed
- * along n, negative where they approach; w an inverse mass, 0 for a fixed circle.
+ * along n, negative where they approach; w an inverse mass, 0 for a static circle.
  */
 public final class CircleMath {
     private CircleMath() {}
@@ -90,8 +90,8 @@ public final class CircleMath {
     /**
      * Inverse mass.
      *
-     * @param mass greater than 0; infinite for a fixed circle
-     * @return 1 / mass, exactly 0 for a fixed circle
+     * @param mass greater than 0; infinite for a static circle
+     * @return 1 / mass, exactly 0 for a static circle
      */
     public static float inverseMass(float mass) {
         return 1f / mass;

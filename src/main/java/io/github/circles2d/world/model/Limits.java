@@ -120,13 +120,13 @@ public final class Limits {
     /**
      * Checks a mass.
      *
-     * @param mass the mass; positive infinity for a fixed circle
+     * @param mass the mass; positive infinity for a static circle
      * @return the mass
      */
     public static float mass(float mass) {
         if (mass != Float.POSITIVE_INFINITY && !(mass >= LEAST_MASS && mass <= GREATEST_MASS)) {
             throw new IllegalArgumentException("mass is " + mass + ", but must be from " + LEAST_MASS + " to "
-                    + GREATEST_MASS + ", or positive infinity for a fixed circle");
+                    + GREATEST_MASS + ", or positive infinity for a static circle");
         }
         return mass;
     }

@@ -39,7 +39,7 @@ final class GridEngine implements Engine {
     private float[] radius;
     private float[] restitution;
 
-    /** Inverse mass, 0 for a fixed circle. */
+    /** Inverse mass, 0 for a static circle. */
     private float[] weight;
 
     /** Impulses of the walls a mass, positive where the lower wall pushes. */

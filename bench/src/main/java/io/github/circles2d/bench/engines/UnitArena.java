@@ -2,7 +2,7 @@ package io.github.circles2d.bench.engines;
 
 import io.github.circles2d.scenes.Scene;
 
-/** The thesis's physics knows one arena and no fixed circles. */
+/** The thesis's physics knows one arena and no static circles. */
 final class UnitArena {
     private UnitArena() {}
 
@@ -14,7 +14,7 @@ final class UnitArena {
         }
         if (!unit || !free) {
             throw new IllegalArgumentException(
-                    engine + " runs scenes in the arena [0, 1] x [0, 1] without fixed circles, not " + scene);
+                    engine + " runs scenes in the arena [0, 1] x [0, 1] without static circles, not " + scene);
         }
     }
 }
