@@ -1,17 +1,6 @@
 // Applies what the caller asked for since the last step: records of the Java class Commands. The host links the records
 // of one circle in call order (next) and marks the first of each; circles are independent of each other.
 
-// Records, in ints: operation, id, seven values.
-#define RECORD 9
-#define ADD 1
-#define REMOVE 2
-#define POSITION 3
-#define VELOCITY 4
-#define RADIUS 5
-#define MASS 6
-#define RESTITUTION 7
-#define IMPULSE 8
-
 // Index space: a record a work-item. Cost: the records of one circle.
 // links: for each record, the next of the same circle or -1, and (slot of a new circle) * 2, plus 1 where it is its
 // circle's first.
@@ -20,53 +9,55 @@ kernel void commands_apply(global const int *records, global const int2 *links, 
                            global int *homeMemory, global int *slotOf) {
     int r = (int) get_global_id(0);
     if (r >= count || (links[r].y & 1) == 0) return;
-    int id = records[r * RECORD + 1];
+    int id = records[r * COMMAND_STRIDE + COMMAND_ID];
     int slot = slotOf[id];
     for (; r >= 0; r = links[r].x) {
-        global const int *record = records + r * RECORD;
-        float a = as_float(record[2]);
-        float b = as_float(record[3]);
-        switch (record[0]) {
-        case ADD:
+        global const int *record = records + r * COMMAND_STRIDE;
+        float a = as_float(record[COMMAND_FIRST]);
+        float b = as_float(record[COMMAND_SECOND]);
+        switch (record[COMMAND_OPCODE]) {
+        case COMMAND_ADD:
             slot = links[r].y >> 1;
-            homeCircle[slot] = (float4)(a, b, as_float(record[4]), as_float(record[5]));
-            homeMotion[slot] = (float4)(0.0f, 0.0f, as_float(record[7]), as_float(record[8]));
-            homeTraits[slot] = (float4)(inverseMass(as_float(record[5])), as_float(record[6]), 0.0f, 0.0f);
+            homeCircle[slot] = (float4)(as_float(record[COMMAND_ADD_X]), as_float(record[COMMAND_ADD_Y]),
+                                        as_float(record[COMMAND_ADD_RADIUS]), as_float(record[COMMAND_ADD_MASS]));
+            homeMotion[slot] = (float4)(0.0f, 0.0f, as_float(record[COMMAND_ADD_VX]), as_float(record[COMMAND_ADD_VY]));
+            homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
+                                        as_float(record[COMMAND_ADD_RESTITUTION]), 0.0f, 0.0f);
             homeId[slot] = id;
             homeMemory[slot] = FRESH;
             slotOf[id] = slot;
             break;
-        case REMOVE:
+        case COMMAND_REMOVE:
             homeId[slot] = NONE;
             slotOf[id] = NONE;
             break;
-        case POSITION:
+        case COMMAND_POSITION:
             homeCircle[slot].x = a;
             homeCircle[slot].y = b;
             homeMotion[slot].x = 0.0f;
             homeMotion[slot].y = 0.0f;
             break;
-        case VELOCITY:
+        case COMMAND_VELOCITY:
             homeMotion[slot].z = a;
             homeMotion[slot].w = b;
             break;
-        case RADIUS:
+        case COMMAND_RADIUS:
             homeCircle[slot].z = a;
             homeMemory[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;
-        case MASS:
+        case COMMAND_MASS:
             homeCircle[slot].w = a;
             homeTraits[slot].x = inverseMass(a);
             homeMemory[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;
-        case RESTITUTION:
+        case COMMAND_RESTITUTION:
             homeTraits[slot].y = a;
             break;
-        case IMPULSE:
+        case COMMAND_IMPULSE:
             homeMotion[slot].z = afterImpulse(homeMotion[slot].z, homeTraits[slot].x, a);
             homeMotion[slot].w = afterImpulse(homeMotion[slot].w, homeTraits[slot].x, b);
             break;

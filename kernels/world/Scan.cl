@@ -1,8 +1,7 @@
 // Exclusive prefix sum of an array of counts, into another array; the counts are left all 0, ready to count the next thing.
 // Integers: any order gives the same result. A block is what a work-group takes: SCAN_EACH consecutive elements a work-item.
 // Both arrays have room for the number of elements rounded up to a multiple of SCAN_EACH, and the counts there are 0.
-#define SCAN_GROUP 256
-#define SCAN_EACH 4
+// From the host: SCAN_GROUP, the work-items of a work-group, and SCAN_EACH, which is 4.
 
 // Exclusive prefix sum over a work-group of one value a work-item; *total gets the sum of all. cells: two a work-item, each
 // half read while the other is written.

@@ -2,7 +2,7 @@
 // the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
 
-#define BLOCK_LOG 2 // blocks are 4 x 4 cells, as many rows as a piece has ranges
+// From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
 
 // What a fast circle looks ahead with.
 typedef struct {

@@ -25,21 +25,14 @@
 #define HALO_ROWS 1
 #define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class ClTiles
 #define TILE_CELLS ((32 + 2 * HALO_COLUMNS) * TILE_ROWS)
-#define NO_TILE 0x7fffffff // TILE_PEAK where no tile would do
 
 // As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered
 // reads would be most of a pass. So each tile has its own copies, in its order, of what only changes in a way that each can
 // follow: base, shape, contact. What a contact's owner alone finds out has a place for each contact: held, impulse.
 // Contacts are numbered anew for it, those of a tile in its order.
 //
-// A tile's record.
-#define RECORD_CIRCLES 0
-#define RECORD_PARTS 1
-#define RECORD_COPIES 2                               // its first copy of a contact
-#define RECORD_STARTS 4                               // by part: its first contact; and the end
-#define RECORD_SLOTS (RECORD_STARTS + TILE_PARTS + 2) // by circle: see AT_WALL
-#define RECORD_CONTACTS (RECORD_SLOTS + TILE_CIRCLES) // by place: its number, NOT_OWN too where it is not the tile's; circlesOf
-#define TILE_RECORD (RECORD_CONTACTS + 2 * TILE_CONTACTS)
+// A tile's record: see the Java class TileRecord. RECORD_SLOTS: by circle, see AT_WALL. RECORD_CONTACTS: by place, its number,
+// NOT_OWN too where it is not the tile's; circlesOf.
 #define NOT_OWN ((int) 0x80000000)
 
 // A circle's entry: its slot; AT_WALL where it has impulses of walls, or bounces off one; NOT_OWN where it is not the tile's.

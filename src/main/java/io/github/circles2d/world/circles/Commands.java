@@ -104,6 +104,16 @@ public final class Commands {
         return records;
     }
 
+    /** The operation of a record. */
+    public int operation(int record) {
+        return records[STRIDE * record + OPCODE];
+    }
+
+    /** The id of the circle of a record. */
+    public int id(int record) {
+        return records[STRIDE * record + ID];
+    }
+
     /** Forgets all records. */
     public void clear() {
         count = 0;

@@ -4,75 +4,90 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.RememberedContact;
+import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /** Applies commands on a device; {@code kernels/world/Commands.cl}. */
 final class CommandsStage {
+    private static final int LEAST_CAPACITY = 64;
+    private static final long RECORD_BYTES = (long) Integer.BYTES * Commands.STRIDE;
+
+    // The link of a record: the next record of the same circle or NONE; then (slot of a new circle) times 2, plus 1 for
+    // its
+    // circle's first record.
+    private static final int LINK_STRIDE = 2;
+    private static final int AT_NEXT = 0;
+    private static final int AT_SLOT = 1;
+    private static final long LINK_BYTES = (long) Integer.BYTES * LINK_STRIDE;
+
     private final Session session;
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Kernel apply;
     private final Kernel confine;
     private DeviceBuffer records;
     private DeviceBuffer links;
 
     /** By id: its last record so far of the batch numbered by {@link #batchOf}. */
-    private int[] last = new int[64];
+    private int[] last = new int[LEAST_CAPACITY];
 
-    private int[] batchOf = new int[64];
+    private int[] batchOf = new int[LEAST_CAPACITY];
     private int batch;
     private int[] link = new int[0];
 
     /** By id: the slot that it was given since the slots were last put in order, the time of which is {@link #orderOf}. */
-    private int[] given = new int[64];
+    private int[] given = new int[LEAST_CAPACITY];
 
-    private int[] orderOf = new int[64];
+    private int[] orderOf = new int[LEAST_CAPACITY];
     private int order = 1;
 
     /** Slots that have been given and left since then: without a step between, circles that come and go need no others. */
-    private int[] free = new int[64];
+    private int[] free = new int[LEAST_CAPACITY];
 
     private int freeCount;
 
-    CommandsStage(Session session, StageKernels kernels, DeviceArrays buffers) {
+    CommandsStage(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
-        this.buffers = buffers;
+        this.arrays = arrays;
         apply = kernels.plain("commands_apply");
         confine = kernels.plain("commands_confine");
-        records = session.allocate("commands", 4L * Commands.STRIDE * 64);
-        links = session.allocate("command links", 8L * 64);
+        records = session.allocate("commands", RECORD_BYTES * LEAST_CAPACITY);
+        links = session.allocate("command links", LINK_BYTES * LEAST_CAPACITY);
     }
 
     /** Makes room for commands, of which {@link #apply} says what they need. */
     void makeRoom(Commands commands, int slots) {
         int count = commands.count();
-        int[] words = commands.records();
         int removed = 0;
-        for (int k = 0; k < count * Commands.STRIDE; k += Commands.STRIDE) {
-            removed += words[k] == Commands.REMOVE ? 1 : 0;
-            if (words[k + 1] >= last.length) {
-                ensureIds(words[k + 1] + (words[k + 1] >> 1));
+        for (int r = 0; r < count; r++) {
+            removed += commands.operation(r) == Commands.REMOVE ? 1 : 0;
+            int id = commands.id(r);
+            if (id >= last.length) {
+                ensureIds(id + (id >> 1));
             }
         }
         if (free.length < freeCount + removed) {
             free = Arrays.copyOf(free, Math.max(2 * free.length, freeCount + removed));
         }
-        if (link.length < 2 * count) {
-            link = new int[2 * count + count];
+        if (link.length < LINK_STRIDE * count) {
+            link = new int[LINK_STRIDE * (count + (count >> 1))];
         }
-        buffers.ensureIds(last.length);
-        if (records.bytes() < 4L * Commands.STRIDE * count) {
-            DeviceBuffer larger = session.allocate("commands", 4L * Commands.STRIDE * (count + (count >> 1)));
+        arrays.ensureIds(last.length);
+        if (records.bytes() < RECORD_BYTES * count) {
+            DeviceBuffer larger = session.allocate("commands", RECORD_BYTES * (count + (count >> 1)));
             records.close();
             records = larger;
         }
-        if (links.bytes() < 8L * count) {
-            DeviceBuffer larger = session.allocate("command links", 8L * (count + (count >> 1)));
+        if (links.bytes() < LINK_BYTES * count) {
+            DeviceBuffer larger = session.allocate("command links", LINK_BYTES * (count + (count >> 1)));
             links.close();
             links = larger;
         }
-        buffers.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
+        arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
 
     /**
@@ -82,23 +97,19 @@ final class CommandsStage {
      */
     int apply(Commands commands, int slots) {
         int count = commands.count();
-        int[] words = commands.records();
-        int nextSlot = link(words, count, slots);
-        records.write(0, IntBuffer.wrap(words, 0, Commands.STRIDE * count));
-        links.write(0, IntBuffer.wrap(link, 0, 2 * count));
-        apply.arg(0, records).arg(1, links).arg(2, count);
-        int[] homes = {
-            DeviceArrays.HOME_CIRCLE,
-            DeviceArrays.HOME_MOTION,
-            DeviceArrays.HOME_TRAITS,
-            DeviceArrays.HOME_ID,
-            DeviceArrays.HOME_MEMORY,
-            DeviceArrays.SLOT_OF
-        };
-        for (int i = 0; i < homes.length; i++) {
-            apply.arg(3 + i, buffers.get(homes[i]));
-        }
-        apply.run(count);
+        int nextSlot = link(commands, slots);
+        records.write(0, IntBuffer.wrap(commands.records(), 0, Commands.STRIDE * count));
+        links.write(0, IntBuffer.wrap(link, 0, LINK_STRIDE * count));
+        apply.arg(0, records)
+                .arg(1, links)
+                .arg(2, count)
+                .arg(3, arrays.get(DeviceArray.HOME_CIRCLE))
+                .arg(4, arrays.get(DeviceArray.HOME_MOTION))
+                .arg(5, arrays.get(DeviceArray.HOME_TRAITS))
+                .arg(6, arrays.get(DeviceArray.HOME_ID))
+                .arg(7, arrays.get(DeviceArray.HOME_MEMORY))
+                .arg(8, arrays.get(DeviceArray.SLOT_OF))
+                .run(count);
         return nextSlot;
     }
 
@@ -110,10 +121,10 @@ final class CommandsStage {
 
     /** Brings circles that are outside of new bounds inside. */
     void confine(Bounds bounds, int slots) {
-        confine.arg(0, buffers.get(DeviceArrays.HOME_ID))
-                .arg(1, buffers.get(DeviceArrays.HOME_CIRCLE))
-                .arg(2, buffers.get(DeviceArrays.HOME_MOTION))
-                .arg(3, buffers.get(DeviceArrays.HOME_TRAITS))
+        confine.arg(0, arrays.get(DeviceArray.HOME_ID))
+                .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
+                .arg(2, arrays.get(DeviceArray.HOME_MOTION))
+                .arg(3, arrays.get(DeviceArray.HOME_TRAITS))
                 .arg(4, slots)
                 .arg(5, bounds.minX())
                 .arg(6, bounds.minY())
@@ -122,26 +133,23 @@ final class CommandsStage {
                 .run(slots);
     }
 
-    /**
-     * Links the records of each circle: for a record, the next of the same circle or -1, and (slot of a new circle) times
-     * 2, plus 1 for its circle's first record.
-     */
-    private int link(int[] words, int count, int slots) {
+    /** Links the records of each circle. */
+    private int link(Commands commands, int slots) {
         batch++;
         int nextSlot = slots;
         // What becomes free now is for the next batch: circles are independent of each other within one.
         int reusable = freeCount;
         int reused = 0;
-        for (int r = 0; r < count; r++) {
-            int operation = words[r * Commands.STRIDE];
-            int id = words[r * Commands.STRIDE + 1];
+        for (int r = 0; r < commands.count(); r++) {
+            int operation = commands.operation(r);
+            int id = commands.id(r);
             boolean first = batchOf[id] != batch;
             if (!first) {
-                link[2 * last[id]] = r;
+                link[LINK_STRIDE * last[id] + AT_NEXT] = r;
             }
             batchOf[id] = batch;
             last[id] = r;
-            link[2 * r] = -1;
+            link[LINK_STRIDE * r + AT_NEXT] = RememberedContact.NONE;
             int slot = 0;
             if (operation == Commands.ADD) {
                 slot = reused < reusable ? free[reused++] : nextSlot++;
@@ -150,7 +158,7 @@ final class CommandsStage {
             } else if (operation == Commands.REMOVE && orderOf[id] == order) {
                 free[freeCount++] = given[id];
             }
-            link[2 * r + 1] = 2 * slot + (first ? 1 : 0);
+            link[LINK_STRIDE * r + AT_SLOT] = 2 * slot + (first ? 1 : 0);
         }
         freeCount -= reused;
         System.arraycopy(free, reused, free, 0, freeCount);

@@ -8,11 +8,20 @@ import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.Status;
+import io.github.circles2d.world.device.memory.StatusWord;
+import io.github.circles2d.world.device.memory.StepParameters;
+import io.github.circles2d.world.device.plan.Plan;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Stages;
+import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
-import java.nio.IntBuffer;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -23,17 +32,6 @@ import java.util.TreeMap;
  * enlarges the buffers, or enqueues the missing steps with what the case needs.
  */
 public final class DevicePipeline implements Pipeline {
-    // Ints of the status, as in World.cl.
-    private static final int OUT_OF_ROOM = 0;
-    private static final int CONTACTS = 1;
-    private static final int STEPS_DONE = 2;
-    private static final int FAST = 3;
-    private static final int CROWDED = 4;
-    private static final int TILE_PEAK = 5;
-    private static final int TILE_COPIES = 7;
-    private static final int PLACES = 9;
-    private static final int APART = 8;
-
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
     private static final int MOST_PENDING = 64;
 
@@ -46,28 +44,18 @@ public final class DevicePipeline implements Pipeline {
     private static final int LEAST_ROOM = 4096;
 
     private final Session session;
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
     private final CommandsStage commands;
-    private final GridStage grid;
-    private final ContinuousCollisionStage sweep;
-    private final ContactsStage contacts;
-    private final SolverStage solver;
-    private final Tiles tiles;
-    private final Plan plan;
 
-    /** Null where the plan is another. */
-    private final PersistentGpu resident;
-
-    /** Null where the plan is another. */
-    private final PersistentCpu lanes;
+    /** The first of them that suits a step makes it. */
+    private final List<Plan> plans;
 
     private final Readback readback;
     private final RequestedPositions requested;
     private final StepStatistics stats;
-    private final int[] status = new int[DeviceArrays.STATUS_INTS];
-    private final IntBuffer statusView = IntBuffer.wrap(status);
+    private final Status status = new Status();
 
     private int slots;
     private int circles;
@@ -75,11 +63,8 @@ public final class DevicePipeline implements Pipeline {
     /** What the next load needs; null except between making room for it and loading. */
     private StateTransfer.Links links;
 
-    /** What the steps that were enqueued last are made by; null where they are made in another way. */
-    private PersistentCpu lanesEnqueued;
-
-    /** Whether the steps that were enqueued last are made by tiles. */
-    private boolean tiled;
+    /** What makes the steps that were enqueued last; null before the first. */
+    private Plan plan;
 
     /** Places of contacts in the last step, which remembered impulses are numbered by. */
     private int remembered;
@@ -108,28 +93,22 @@ public final class DevicePipeline implements Pipeline {
      * @param profiling whether to measure the time of each stage
      */
     public DevicePipeline(Device device, int capacity, boolean profiling) {
-        this(device, capacity, profiling, Plan.choose(device));
+        this(device, capacity, profiling, Plans.choose(device).of(device), StageKernels.USUAL_GROUPS);
     }
 
-    DevicePipeline(Device device, int capacity, boolean profiling, Plan plan) {
-        this.plan = plan;
+    DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize) {
+        this.plans = plans;
         session = Session.open(device, profiling);
         try {
-            buffers = new DeviceArrays(session, capacity, plan == Plan.TILES || plan == Plan.RESIDENT);
-            kernels = new StageKernels(session, plan);
-            commands = new CommandsStage(session, kernels, buffers);
-            Scan scan = new Scan(kernels);
-            grid = new GridStage(kernels, buffers, scan);
-            sweep = new ContinuousCollisionStage(kernels);
-            contacts = new ContactsStage(kernels, buffers, scan);
-            solver = new SolverStage(kernels);
-            tiles = new Tiles(kernels, buffers, scan, device);
-            resident = plan == Plan.RESIDENT ? new PersistentGpu(kernels, device) : null;
-            lanes = plan == Plan.LANES ? new PersistentCpu(kernels, device) : null;
-            readback = new Readback(session, kernels, buffers);
-            requested = new RequestedPositions(session, kernels, buffers);
-            stats = new StepStatistics(kernels, buffers);
-            buffers.get(DeviceArrays.STATUS).write(0, statusView);
+            arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
+            kernels = new StageKernels(session, Plans.source(plans, device), workGroupSize);
+            commands = new CommandsStage(session, kernels, arrays);
+            Stages stages = new Stages(device, kernels, arrays, parameters);
+            plans.forEach(each -> each.load(stages));
+            readback = new Readback(session, kernels, arrays);
+            requested = new RequestedPositions(session, kernels, arrays);
+            stats = new StepStatistics(kernels, arrays);
+            status.write(arrays);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -142,24 +121,13 @@ public final class DevicePipeline implements Pipeline {
      * @return a fingerprint of their source
      */
     public static String kernels() {
-        return StageKernels.source(true, true).fingerprint();
-    }
-
-    /** Sets the size of work-groups, which has no effect on results. */
-    DevicePipeline workGroupSize(int size) {
-        kernels.workGroupSize(size);
-        return this;
-    }
-
-    /** What makes steps by lanes; null where the plan is another. */
-    PersistentCpu lanes() {
-        return lanes;
+        return Plans.source(Plans.all()).fingerprint();
     }
 
     @Override
     public void makeRoom(Commands changes) {
         settle();
-        if (slots + changes.added() > buffers.slotRoom()) {
+        if (slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
         commands.makeRoom(changes, slots);
@@ -172,7 +140,7 @@ public final class DevicePipeline implements Pipeline {
         }
         settle();
         for (int r = 0; r < changes.count(); r++) {
-            int operation = changes.records()[r * Commands.STRIDE];
+            int operation = changes.operation(r);
             circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
         slots = commands.apply(changes, slots);
@@ -193,7 +161,7 @@ public final class DevicePipeline implements Pipeline {
             subSteps = constants.subSteps;
             warmScale = constants.warmScale;
             parameters.set(constants, shape);
-            buffers.ensureBuckets(levels.buckets());
+            arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
             if (pendingSteps == MOST_PENDING) {
@@ -216,65 +184,34 @@ public final class DevicePipeline implements Pipeline {
 
     private void enqueue(int steps) {
         // Behind pending steps the state is as a step leaves it, and the length of the step before is that of the step.
-        int from = slotsBehindPending();
         float warm = pendingSteps == 0 ? warmScale : 1f;
+        Steps wanted =
+                new Steps(steps, levels, slotsBehindPending(), circles, subSteps, warm, sweeping > 0, thinning > 0);
         pendingSteps += steps;
-        lanesEnqueued = lanes != null && thinning == 0 && PersistentCpu.suits(levels) ? lanes : null;
-        boolean small = resident != null && thinning == 0 && PersistentGpu.suits(circles);
-        int atOnce = small ? resident.mostGroups() : 0;
-        tiled = plan != Plan.COLOURS && lanes == null && tiles.choose(levels, parameters, atOnce, thinning > 0);
-        parameters.setPlan(sweeping > 0, thinning > 0, tiled);
-        if (lanesEnqueued != null) {
-            parameters.setWarmScale(warm);
-            parameters.send(buffers);
-            kernels.bind(buffers, from, circles);
-            lanes.run(levels, circles, steps);
-            return;
-        }
-        if (tiled && small) {
-            parameters.setWarmScale(warm);
-            parameters.send(buffers);
-            kernels.bind(buffers, from, circles);
-            resident.run(tiles.tiles(), circles, steps);
-            return;
-        }
-        for (int step = 0; step < steps; step++) {
-            parameters.setWarmScale(step == 0 ? warm : 1f);
-            parameters.send(buffers);
-            kernels.bind(buffers, from, circles);
-            grid.build(levels, from, circles);
-            if (sweeping > 0) {
-                sweep.sweep(levels, circles);
-            }
-            if (tiled) {
-                tiles.list(levels, circles, thinning > 0);
-                tiles.solve(circles, subSteps);
-            } else {
-                contacts.list(levels, circles, thinning > 0);
-                solver.solve(levels, circles, subSteps);
-            }
-            from = circles;
-        }
+        plan = Plans.first(plans, wanted);
+        plan.enqueue(wanted);
     }
 
     /** Sees to it that the steps asked for have been made. */
     private void settle() {
         while (pendingSteps > 0) {
-            buffers.get(DeviceArrays.STATUS).read(statusView);
-            int done = status[STEPS_DONE] - stepsSeen;
-            stepsSeen = status[STEPS_DONE];
+            status.read(arrays);
+            int done = status.get(StatusWord.STEPS_DONE) - stepsSeen;
+            stepsSeen += done;
             if (done > 0) {
                 slots = circles;
                 commands.slotsInOrder();
                 warmScale = 1f;
             }
             pendingSteps -= done;
-            tiles.learn(status[TILE_PEAK], thinning > 0);
+            for (Plan each : plans) {
+                each.learn(status.get(StatusWord.TILE_PEAK), thinning > 0);
+            }
             if (pendingSteps == 0) {
-                remembered = Math.max(status[CONTACTS], status[PLACES]);
-                stats.stepped(circles, status[CONTACTS], tiled, lanesEnqueued);
-                sweeping = status[FAST] != 0 && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
-                thinning = status[CROWDED] != 0 ? CALM : Math.max(0, thinning - 1);
+                remembered = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));
+                stats.stepped(plan, circles, status.get(StatusWord.CONTACTS));
+                sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
+                thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
             } else {
                 adapt();
                 int refused = pendingSteps;
@@ -293,36 +230,36 @@ public final class DevicePipeline implements Pipeline {
 
     /** Sees to it that the step that has been refused can be made. */
     private void adapt() {
-        if (sweeping == 0 && status[FAST] != 0) {
+        int contacts = status.get(StatusWord.CONTACTS);
+        if (sweeping == 0 && status.has(StatusWord.FAST)) {
             sweeping = CALM;
         }
-        if (status[OUT_OF_ROOM] != 0 && status[CONTACTS] > buffers.contactRoom()) {
-            // Lanes ask for room by the fullest band, which is no sign of a crowd; they tell of crowds by themselves.
+        if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
             if (thinning == 0
-                    && lanesEnqueued == null
-                    && status[CONTACTS] > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
+                    && plan.wantOfRoomTellsOfCrowds()
+                    && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
                 thinning = CALM;
             } else {
-                buffers.ensureContacts(status[CONTACTS]);
+                arrays.ensureContacts(contacts);
             }
         }
-        if (status[OUT_OF_ROOM] != 0) {
-            buffers.ensureCopies(status[TILE_COPIES]);
+        if (status.has(StatusWord.OUT_OF_ROOM)) {
+            arrays.ensureCopies(status.get(StatusWord.TILE_COPIES));
         }
-        if (thinning == 0 && status[CROWDED] != 0) {
+        if (thinning == 0 && status.has(StatusWord.CROWDED)) {
             thinning = CALM;
         }
-        status[TILE_COPIES] = 0;
-        if (status[APART] != 0) {
-            lanes.calledOff();
+        if (status.has(StatusWord.APART)) {
+            plan.calledOff();
         }
-        status[APART] = 0;
-        status[OUT_OF_ROOM] = 0;
-        status[FAST] = 0;
-        status[CROWDED] = 0;
-        status[TILE_PEAK] = 0;
-        // All of it, as it was read: Oclgrind takes the rest of a buffer that is written in part for uninitialised.
-        buffers.get(DeviceArrays.STATUS).write(0, statusView);
+        status.clear(
+                StatusWord.TILE_COPIES,
+                StatusWord.APART,
+                StatusWord.OUT_OF_ROOM,
+                StatusWord.FAST,
+                StatusWord.CROWDED,
+                StatusWord.TILE_PEAK);
+        status.write(arrays);
     }
 
     @Override
@@ -377,37 +314,37 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(buffers, slots, remembered).hash();
+        return new StateTransfer(arrays, slots, remembered).hash();
     }
 
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(buffers, slots, remembered).save(into);
+        new StateTransfer(arrays, slots, remembered).save(into);
     }
 
     @Override
     public void makeRoom(SavedState from) {
         settle();
-        if (from.circles > buffers.slotRoom() || from.impulses > buffers.contactRoom()) {
+        if (from.circles > arrays.slotCapacity() || from.impulses > arrays.contactCapacity()) {
             stats.keep();
         }
-        buffers.ensureSlots(from.circles, slots);
-        buffers.ensureIds(from.ids);
-        buffers.ensureContacts(from.impulses);
-        links = new StateTransfer.Links(from, buffers);
+        arrays.ensureSlots(from.circles, slots);
+        arrays.ensureIds(from.ids);
+        arrays.ensureContacts(from.impulses);
+        links = new StateTransfer.Links(from, arrays);
     }
 
     @Override
     public void load(SavedState from) {
         settle();
-        StateTransfer.load(from, buffers, links);
+        StateTransfer.load(from, arrays, links);
         links = null;
         slots = from.circles;
         commands.slotsInOrder();
         circles = from.circles;
         remembered = from.impulses;
-        stats.stepped(0, 0, false, null);
+        stats.loaded();
     }
 
     @Override

@@ -5,14 +5,23 @@ import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.function.IntPredicate;
 
 /** Reads the state back in the order of ids; {@code kernels/world/Readback.cl}. */
 final class Readback {
+    /** Bytes of x, y, radius and mass. */
+    private static final long CIRCLE_BYTES = 4L * Float.BYTES;
+
+    /** Bytes of x and y. */
+    static final long POINT_BYTES = 2L * Float.BYTES;
+
     private final Session session;
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Kernel circles;
     private final Kernel velocities;
     private final Kernel positions;
@@ -24,9 +33,9 @@ final class Readback {
 
     private FloatBuffer sharedView;
 
-    Readback(Session session, StageKernels kernels, DeviceArrays buffers) {
+    Readback(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
-        this.buffers = buffers;
+        this.arrays = arrays;
         circles = kernels.plain("readback_circles");
         velocities = kernels.plain("readback_velocities");
         positions = kernels.plain("readback_positions");
@@ -37,35 +46,35 @@ final class Readback {
     }
 
     void circles(HandleTable roster, int slots, float[] to) {
-        ensureHost(16L * roster.end());
-        layOut(circles, DeviceArrays.HOME_CIRCLE, slots);
-        byId.read(0, host, 0, 16L * roster.end());
+        ensureHost(CIRCLE_BYTES * roster.end());
+        layOut(circles, DeviceArray.HOME_CIRCLE, slots);
+        byId.read(0, host, 0, CIRCLE_BYTES * roster.end());
         FloatBuffer read = host.floats();
         compact(roster::lives, roster.end(), 4, (at, written, length) -> read.get(at, to, written, length));
     }
 
     void velocities(HandleTable roster, int slots, float[] to) {
-        ensureHost(8L * roster.end());
-        layOut(velocities, DeviceArrays.HOME_MOTION, slots);
-        byId.read(0, host, 0, 8L * roster.end());
+        ensureHost(POINT_BYTES * roster.end());
+        layOut(velocities, DeviceArray.HOME_MOTION, slots);
+        byId.read(0, host, 0, POINT_BYTES * roster.end());
         FloatBuffer read = host.floats();
         compact(roster::lives, roster.end(), 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
     FloatBuffer positions(HandleTable roster, int slots) {
-        ensureShared(8L * roster.end());
-        layOut(positions, DeviceArrays.HOME_CIRCLE, slots);
-        byId.read(0, shared, 0, 8L * roster.end());
+        ensureShared(POINT_BYTES * roster.end());
+        layOut(positions, DeviceArray.HOME_CIRCLE, slots);
+        byId.read(0, shared, 0, POINT_BYTES * roster.end());
         if (roster.size() < roster.end()) {
             closeGaps(roster::lives, roster.end(), shared.floats());
         }
         return sharedView.clear().limit(2 * roster.size());
     }
 
-    /** Lays a buffer of the state out by id, on the device. */
-    private void layOut(Kernel kernel, int state, int slots) {
-        kernel.arg(0, buffers.get(DeviceArrays.HOME_ID))
-                .arg(1, buffers.get(state))
+    /** Lays an array of the state out by id, on the device. */
+    private void layOut(Kernel kernel, DeviceArray state, int slots) {
+        kernel.arg(0, arrays.get(DeviceArray.HOME_ID))
+                .arg(1, arrays.get(state))
                 .arg(2, slots)
                 .arg(3, byId)
                 .run(slots);

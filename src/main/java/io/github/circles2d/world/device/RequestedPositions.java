@@ -6,6 +6,9 @@ import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 
 /**
@@ -17,7 +20,7 @@ final class RequestedPositions {
     private static final int HEADER = 8;
 
     private final Session session;
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Kernel layOut;
 
     /** Null until the first request, as the memory below: few worlds have one. */
@@ -46,9 +49,9 @@ final class RequestedPositions {
     /** Whether a copy may be under way. */
     private boolean copying;
 
-    RequestedPositions(Session session, StageKernels kernels, DeviceArrays buffers) {
+    RequestedPositions(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
-        this.buffers = buffers;
+        this.arrays = arrays;
         layOut = kernels.plain("readback_request");
     }
 
@@ -61,7 +64,7 @@ final class RequestedPositions {
     void request(HandleTable roster, int slots, int steps) {
         awaitCopy();
         requested = false;
-        ensure(HEADER + 8L * roster.end());
+        ensure(HEADER + Readback.POINT_BYTES * roster.end());
         circles = roster.size();
         end = roster.end();
         if (circles < end) {
@@ -85,13 +88,13 @@ final class RequestedPositions {
         }
         HostBuffer host = targets[current].host;
         host.ints().put(0, ~stepsDue); // what an earlier request has left there may be the same number
-        layOut.arg(0, buffers.get(DeviceArrays.HOME_ID))
-                .arg(1, buffers.get(DeviceArrays.HOME_CIRCLE))
+        layOut.arg(0, arrays.get(DeviceArray.HOME_ID))
+                .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, slots)
-                .arg(3, buffers.get(DeviceArrays.STATUS))
+                .arg(3, arrays.get(DeviceArray.STATUS))
                 .arg(4, byId)
                 .run(slots);
-        copies.read(byId, host, HEADER + 8L * end);
+        copies.read(byId, host, HEADER + Readback.POINT_BYTES * end);
         copying = true;
     }
 
@@ -144,7 +147,7 @@ final class RequestedPositions {
 
         void replace(HostBuffer larger) {
             FloatBuffer floats = larger.floats();
-            positions = floats.slice(HEADER / 4, floats.capacity() - HEADER / 4);
+            positions = floats.slice(HEADER / Float.BYTES, floats.capacity() - HEADER / Float.BYTES);
             view = positions.asReadOnlyBuffer();
             if (host != null) {
                 host.close();

@@ -2,13 +2,20 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.RememberedContact;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /** A copy of a device's state on the host, for what is needed seldom: the hash and snapshots. */
 final class StateTransfer {
-    private static final int OLD_STRIDE = 4;
+    /** Floats of a circle in each of circle, motion and traits. */
+    private static final int FLOATS = 4;
+
+    /** Where traits hold what does not follow from the circle. */
+    private static final int AT_RESTITUTION = 1;
 
     /** Memory that a saved state needs on its way to the device. */
     static final class Links {
@@ -16,10 +23,10 @@ final class StateTransfer {
         private final int[] memory;
         private final int[] old;
 
-        Links(SavedState from, DeviceArrays buffers) {
-            slotOf = new int[(int) (buffers.get(DeviceArrays.SLOT_OF).bytes() / 4)];
+        Links(SavedState from, DeviceArrays arrays) {
+            slotOf = new int[arrays.idCapacity()];
             memory = new int[from.circles];
-            old = new int[OLD_STRIDE * from.impulses];
+            old = new int[RememberedContact.STRIDE * from.impulses];
         }
     }
 
@@ -31,7 +38,7 @@ final class StateTransfer {
     private final int[] memory;
     private final int[] slotOf;
 
-    /** Remembered contacts, {@value #OLD_STRIDE} ints each: higher id, impulse, next contact. */
+    /** Remembered contacts, as {@link RememberedContact} says. */
     private final int[] old;
 
     /**
@@ -40,16 +47,15 @@ final class StateTransfer {
      * @param slots slots at home
      * @param remembered number of contacts of the last step
      */
-    StateTransfer(DeviceArrays buffers, int slots, int remembered) {
+    StateTransfer(DeviceArrays arrays, int slots, int remembered) {
         this.slots = slots;
-        id = Readback.ints(buffers.get(DeviceArrays.HOME_ID), slots);
-        circle = Readback.floats(buffers.get(DeviceArrays.HOME_CIRCLE), 4 * slots);
-        motion = Readback.floats(buffers.get(DeviceArrays.HOME_MOTION), 4 * slots);
-        traits = Readback.floats(buffers.get(DeviceArrays.HOME_TRAITS), 4 * slots);
-        memory = Readback.ints(buffers.get(DeviceArrays.HOME_MEMORY), slots);
-        slotOf = Readback.ints(buffers.get(DeviceArrays.SLOT_OF), (int)
-                (buffers.get(DeviceArrays.SLOT_OF).bytes() / 4));
-        old = Readback.ints(buffers.get(DeviceArrays.OLD), OLD_STRIDE * remembered);
+        id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
+        circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
+        motion = Readback.floats(arrays.get(DeviceArray.HOME_MOTION), FLOATS * slots);
+        traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
+        memory = Readback.ints(arrays.get(DeviceArray.HOME_MEMORY), slots);
+        slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
+        old = Readback.ints(arrays.get(DeviceArray.OLD), RememberedContact.STRIDE * remembered);
     }
 
     long hash() {
@@ -63,15 +69,15 @@ final class StateTransfer {
     }
 
     private long hashOfCircle(int slot) {
-        int s = 4 * slot;
+        int s = FLOATS * slot;
         long h = StateHash.absorb(StateHash.circle(), id[slot]);
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < FLOATS; k++) {
             h = StateHash.absorb(h, circle[s + k]);
         }
-        for (int k = 0; k < 4; k++) {
+        for (int k = 0; k < FLOATS; k++) {
             h = StateHash.absorb(h, motion[s + k]);
         }
-        for (int k = 1; k < 4; k++) {
+        for (int k = AT_RESTITUTION; k < FLOATS; k++) {
             h = StateHash.absorb(h, traits[s + k]);
         }
         return h;
@@ -79,19 +85,24 @@ final class StateTransfer {
 
     private long hashOfMemory(int slot) {
         long sum = 0;
-        for (int c = memory[slot]; c >= 0; c = old[OLD_STRIDE * c + 2]) {
+        for (int c = memory[slot]; c >= 0; c = old[at(c, RememberedContact.AT_NEXT)]) {
             if (isRecalled(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), id[slot]), old[OLD_STRIDE * c]);
-                sum += StateHash.absorb(h, Float.intBitsToFloat(old[OLD_STRIDE * c + 1]));
+                long h = StateHash.absorb(
+                        StateHash.absorb(StateHash.impulse(), id[slot]), old[at(c, RememberedContact.AT_HIGHER_ID)]);
+                sum += StateHash.absorb(h, Float.intBitsToFloat(old[at(c, RememberedContact.AT_IMPULSE)]));
             }
         }
         return sum;
     }
 
+    private static int at(int contact, int field) {
+        return RememberedContact.STRIDE * contact + field;
+    }
+
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
     private boolean isRecalled(int c) {
-        int hi = slotOf[old[OLD_STRIDE * c]];
-        return hi >= 0 && memory[hi] != DeviceArrays.FRESH;
+        int hi = slotOf[old[at(c, RememberedContact.AT_HIGHER_ID)]];
+        return hi >= 0 && memory[hi] != RememberedContact.FRESH;
     }
 
     /** Saves the circles whose ids are given, and the impulses. */
@@ -99,41 +110,44 @@ final class StateTransfer {
         into.impulses = 0;
         for (int k = 0; k < into.circles; k++) {
             int slot = slotOf[into.id[k]];
-            System.arraycopy(circle, 4 * slot, into.circle, 4 * k, 4);
-            System.arraycopy(motion, 4 * slot, into.motion, 4 * k, 4);
-            System.arraycopy(traits, 4 * slot, into.traits, 4 * k, 4);
-            for (int c = memory[slot]; c >= 0; c = old[OLD_STRIDE * c + 2]) {
+            System.arraycopy(circle, FLOATS * slot, into.circle, FLOATS * k, FLOATS);
+            System.arraycopy(motion, FLOATS * slot, into.motion, FLOATS * k, FLOATS);
+            System.arraycopy(traits, FLOATS * slot, into.traits, FLOATS * k, FLOATS);
+            for (int c = memory[slot]; c >= 0; c = old[at(c, RememberedContact.AT_NEXT)]) {
                 if (isRecalled(c)) {
-                    into.addImpulse(id[slot], old[OLD_STRIDE * c], Float.intBitsToFloat(old[OLD_STRIDE * c + 1]));
+                    into.addImpulse(
+                            id[slot],
+                            old[at(c, RememberedContact.AT_HIGHER_ID)],
+                            Float.intBitsToFloat(old[at(c, RememberedContact.AT_IMPULSE)]));
                 }
             }
         }
     }
 
     /** Writes saved circles and impulses to a device that has room for them; slots are in the order of the ids. */
-    static void load(SavedState from, DeviceArrays buffers, Links links) {
+    static void load(SavedState from, DeviceArrays arrays, Links links) {
         int n = from.circles;
         int[] slotOf = links.slotOf;
         int[] memory = links.memory;
         int[] old = links.old;
-        Arrays.fill(slotOf, -1);
+        Arrays.fill(slotOf, RememberedContact.NONE);
         for (int slot = 0; slot < n; slot++) {
             slotOf[from.id[slot]] = slot;
         }
-        Arrays.fill(memory, -1);
+        Arrays.fill(memory, RememberedContact.NONE);
         for (int c = 0; c < from.impulses; c++) {
             int lo = slotOf[from.lo[c]];
-            old[OLD_STRIDE * c] = from.hi[c];
-            old[OLD_STRIDE * c + 1] = Float.floatToRawIntBits(from.lambda[c]);
-            old[OLD_STRIDE * c + 2] = memory[lo];
+            old[at(c, RememberedContact.AT_HIGHER_ID)] = from.hi[c];
+            old[at(c, RememberedContact.AT_IMPULSE)] = Float.floatToRawIntBits(from.lambda[c]);
+            old[at(c, RememberedContact.AT_NEXT)] = memory[lo];
             memory[lo] = c;
         }
-        buffers.get(DeviceArrays.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, 4 * n));
-        buffers.get(DeviceArrays.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, 4 * n));
-        buffers.get(DeviceArrays.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, 4 * n));
-        buffers.get(DeviceArrays.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
-        buffers.get(DeviceArrays.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
-        buffers.get(DeviceArrays.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
-        buffers.get(DeviceArrays.OLD).write(0, IntBuffer.wrap(old));
+        arrays.get(DeviceArray.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, FLOATS * n));
+        arrays.get(DeviceArray.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, FLOATS * n));
+        arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, FLOATS * n));
+        arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
+        arrays.get(DeviceArray.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
+        arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
+        arrays.get(DeviceArray.OLD).write(0, IntBuffer.wrap(old));
     }
 }

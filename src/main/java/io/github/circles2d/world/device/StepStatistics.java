@@ -1,20 +1,20 @@
 package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.plan.Plan;
 import java.nio.IntBuffer;
 
 /** Counts what the last step did, when asked: from the grid and the contact list that it has left behind. */
 final class StepStatistics {
     private final StageKernels kernels;
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Kernel candidates;
-    private final Kernel degrees;
 
-    /** Whether the last step was made by tiles. */
-    private boolean tiled;
-
-    /** What the last step was made by; null where it was made in another way. */
-    private PersistentCpu lanes;
+    /** The plan of the last step; null before the first. */
+    private Plan plan;
 
     /** Circles and contacts of the last step. */
     private int circles;
@@ -26,21 +26,27 @@ final class StepStatistics {
 
     private int greatestContacts;
 
-    StepStatistics(StageKernels kernels, DeviceArrays buffers) {
+    StepStatistics(StageKernels kernels, DeviceArrays arrays) {
         this.kernels = kernels;
-        this.buffers = buffers;
+        this.arrays = arrays;
         candidates = kernels.staged("contacts_candidates");
-        degrees = kernels.plain("contacts_degrees");
     }
 
     /** Takes note of a step. */
-    void stepped(int circlesOfStep, int contactsOfStep, boolean tiledStep, PersistentCpu lanesOfStep) {
-        tiled = tiledStep;
-        lanes = lanesOfStep;
+    void stepped(Plan planOfStep, int circlesOfStep, int contactsOfStep) {
+        plan = planOfStep;
         circles = circlesOfStep;
         contacts = contactsOfStep;
         candidatePairs = -1;
         greatestContacts = -1;
+    }
+
+    /** Takes note that the state is not of a step. */
+    void loaded() {
+        circles = 0;
+        contacts = 0;
+        candidatePairs = 0;
+        greatestContacts = 0;
     }
 
     int contacts() {
@@ -55,10 +61,10 @@ final class StepStatistics {
 
     long candidatePairs() {
         if (candidatePairs < 0) {
-            kernels.bind(buffers, circles, circles);
+            kernels.bind(arrays, circles, circles);
             candidates.run(circles);
             long sum = 0;
-            for (int tested : Readback.ints(buffers.get(DeviceArrays.RANK), circles)) {
+            for (int tested : Readback.ints(arrays.get(DeviceArray.RANK), circles)) {
                 sum += tested;
             }
             candidatePairs = sum;
@@ -68,18 +74,11 @@ final class StepStatistics {
 
     int greatestContacts() {
         if (greatestContacts < 0) {
-            buffers.get(DeviceArrays.RANK).write(0, IntBuffer.wrap(new int[circles]));
-            if (lanes != null) {
-                kernels.bind(buffers, circles, circles);
-                lanes.countDegrees();
-            } else {
-                degrees.arg(0, buffers.get(tiled ? DeviceArrays.ORDERED : DeviceArrays.PAIR))
-                        .arg(1, contacts)
-                        .arg(2, buffers.get(DeviceArrays.RANK))
-                        .run(contacts);
-            }
+            arrays.get(DeviceArray.RANK).write(0, IntBuffer.wrap(new int[circles]));
+            kernels.bind(arrays, circles, circles);
+            plan.countDegrees(contacts);
             int greatest = 0;
-            for (int degree : Readback.ints(buffers.get(DeviceArrays.RANK), circles)) {
+            for (int degree : Readback.ints(arrays.get(DeviceArray.RANK), circles)) {
                 greatest = Math.max(greatest, degree);
             }
             greatestContacts = greatest;

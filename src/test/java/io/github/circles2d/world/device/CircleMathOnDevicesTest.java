@@ -9,9 +9,9 @@ import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.Tuning;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -81,14 +81,7 @@ class CircleMathOnDevicesTest {
 
     /** The file of the formulas without the stages, whose kernels a driver would compile too, for ten seconds. */
     static KernelSource formulas() {
-        return KernelSource.of("world/CircleMath.cl")
-                .define("LEVELS", GridLevels.COUNT)
-                .define("MARGIN", Tuning.MARGIN)
-                .define("CAP", Tuning.CAP)
-                .define("TRAVEL", Tuning.TRAVEL)
-                .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
-                .define("CROWD", Tuning.CROWD)
-                .define("GREATEST_SPEED", Tuning.GREATEST_SPEED);
+        return WorldSource.tables().and("world/CircleMath.cl");
     }
 
     private static void compare(Device device, int count) throws Throwable {

@@ -8,6 +8,7 @@ import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.SplittableRandom;

@@ -7,9 +7,14 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.device.memory.Scan;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.WorldSource;
+import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.nio.IntBuffer;
 import java.util.Arrays;
+import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
@@ -49,25 +54,25 @@ final class OclgrindWorlds {
                 kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
                 break;
             case "TILES":
-                kernels.addAll(steps(Plan.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
                 break;
-            case "RESIDENT":
-                kernels.addAll(persistent(Plan.RESIDENT));
+            case "PERSISTENT_GPU":
+                kernels.addAll(persistent(Plans.PERSISTENT_GPU));
                 break;
-            case "LANES":
-                kernels.addAll(persistent(Plan.LANES));
+            case "PERSISTENT_CPU":
+                kernels.addAll(persistent(Plans.PERSISTENT_CPU));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
-                kernels.addAll(steps(Plan.RESIDENT, Scenes.gas(1024, 1), 1e-4f, 1, 1));
+                kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.gas(1024, 1), 1e-4f, 1, 1));
                 break;
             case "fast":
-                kernels.addAll(steps(Plan.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 4));
+                kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 4));
                 break;
             case "crowd":
                 // 780 pairs: more than there is room for at first.
-                kernels.addAll(steps(Plan.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
-                kernels.addAll(steps(Plan.RESIDENT, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
+                kernels.addAll(steps(Plans.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
+                kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
                 break;
             default:
                 throw new IllegalArgumentException(world);
@@ -76,19 +81,19 @@ final class OclgrindWorlds {
     }
 
     /** Two steps of a tile that stays in local memory; then one that is refused for fast circles at first. */
-    private Set<String> persistent(Plan plan) {
-        Set<String> kernels = new TreeSet<>(steps(plan, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
-        kernels.addAll(steps(plan, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 2));
+    private Set<String> persistent(Plans plans) {
+        Set<String> kernels = new TreeSet<>(steps(plans, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+        kernels.addAll(steps(plans, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 2));
         return kernels;
     }
 
-    private DevicePipeline pipeline(Plan plan) {
-        DevicePipeline pipeline = new DevicePipeline(device, 0, true, plan);
-        return small ? pipeline.workGroupSize(SMALL_GROUP) : pipeline;
+    private DevicePipeline pipeline(Plans plans) {
+        int workGroupSize = small ? SMALL_GROUP : StageKernels.USUAL_GROUPS;
+        return new DevicePipeline(device, 0, true, plans.of(device), workGroupSize);
     }
 
-    private Set<String> steps(Plan plan, Scene scene, float dt, int steps, int subSteps) {
-        DevicePipeline pipeline = pipeline(plan);
+    private Set<String> steps(Plans plans, Scene scene, float dt, int steps, int subSteps) {
+        DevicePipeline pipeline = pipeline(plans);
         try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             twins.step(dt, steps);
             twins.assertEqual(scene.name());
@@ -98,7 +103,7 @@ final class OclgrindWorlds {
     }
 
     private Set<String> changes(Scene scene) {
-        DevicePipeline pipeline = pipeline(Plan.COLOURS);
+        DevicePipeline pipeline = pipeline(Plans.COLOURS);
         SplittableRandom random = new SplittableRandom(3);
         try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
             for (int k = 0; k < 2; k++) {
@@ -124,7 +129,7 @@ final class OclgrindWorlds {
         int[] counts = new int[count];
         Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {
-            StageKernels kernels = new StageKernels(session, Plan.COLOURS);
+            StageKernels kernels = new StageKernels(session, WorldSource.of(List.of()), StageKernels.USUAL_GROUPS);
             DeviceBuffer buffer = session.allocate("counts", 4L * count);
             buffer.write(0, IntBuffer.wrap(counts));
             DeviceBuffer starts = session.allocate("starts", 4L * count);

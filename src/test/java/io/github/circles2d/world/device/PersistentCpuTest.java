@@ -8,6 +8,10 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.plan.ByColours;
+import io.github.circles2d.world.device.plan.PersistentCpu;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.WorkGroups;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +35,44 @@ class PersistentCpuTest {
         return processors;
     }
 
+    /** Work-groups of which one may be awaited that does not come, until the launch is called off. */
+    private static final class Absent extends WorkGroups {
+        private static final int FEW_LOOKS = 1000;
+
+        private int most;
+        private boolean waitsForNobody;
+
+        Absent(Device device) {
+            super(device.computeUnits());
+            most = super.most();
+        }
+
+        @Override
+        public int most() {
+            return Math.min(most, super.most());
+        }
+
+        @Override
+        public int awaited(int groups) {
+            return waitsForNobody ? groups + 1 : groups;
+        }
+
+        @Override
+        public int patience() {
+            return waitsForNobody ? FEW_LOOKS : super.patience();
+        }
+
+        @Override
+        public void calledOff() {
+            super.calledOff();
+            waitsForNobody = false;
+        }
+    }
+
+    private static DevicePipeline pipeline(Device device, WorkGroups workGroups) {
+        return Pipelines.of(device, List.of(new PersistentCpu(workGroups), new ByColours()));
+    }
+
     private static Pipeline java() {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
@@ -38,14 +80,14 @@ class PersistentCpuTest {
     @ParameterizedTest
     @MethodSource("processors")
     void aLaunchThatAWorkGroupDoesNotComeToChangesNothingAndIsMadeByOne(Device device) {
-        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
-        try (Twins twins = Twins.load(Scenes.packed(5000, 1), java(), pipeline)) {
+        Absent workGroups = new Absent(device);
+        try (Twins twins = Twins.load(Scenes.packed(5000, 1), java(), pipeline(device, workGroups))) {
             twins.step(1 / 60f, 3);
             twins.assertEqual("together");
-            pipeline.lanes().waitForNobody(1000);
+            workGroups.waitsForNobody = true;
             twins.step(1 / 60f, 3);
             twins.assertEqual("waited for nobody");
-            assertThat(pipeline.lanes().mostGroups()).isOne();
+            assertThat(workGroups.most()).isOne();
             twins.step(1 / 60f, 3);
             twins.assertEqual("alone");
         }
@@ -55,8 +97,8 @@ class PersistentCpuTest {
     @MethodSource("processors")
     void launchesBehindOneThatWasCalledOffMakeNoStepsEither(Device device) {
         Scene scene = Scenes.packed(3000, 2);
-        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
-        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+        Absent workGroups = new Absent(device);
+        try (Twins twins = Twins.load(scene, java(), pipeline(device, workGroups))) {
             twins.step(1 / 60f, 2);
             twins.assertEqual("before");
             // The next step finds more slots than circles, those behind it count on finding as many.
@@ -64,9 +106,9 @@ class PersistentCpuTest {
             for (int k = 0; k < 200; k++) {
                 twins.change(scene, random);
             }
-            pipeline.lanes().waitForNobody(1000);
+            workGroups.waitsForNobody = true;
             twins.step(1 / 60f, 1);
-            pipeline.lanes().waitForAll();
+            workGroups.waitsForNobody = false;
             twins.step(1 / 60f, 1);
             twins.step(1 / 60f, 1);
             twins.assertEqual("after");
@@ -76,12 +118,12 @@ class PersistentCpuTest {
     @ParameterizedTest
     @MethodSource("processors")
     void theNumberOfWorkGroupsDoesNotShow(Device device) {
-        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
-        try (Twins twins = Twins.load(Scenes.packed(12_000, 3), java(), pipeline)) {
+        Absent workGroups = new Absent(device);
+        try (Twins twins = Twins.load(Scenes.packed(12_000, 3), java(), pipeline(device, workGroups))) {
             for (int k = 0; k < 6; k++) {
-                pipeline.lanes().mostGroups(1 + k % device.computeUnits());
+                workGroups.most = 1 + k % device.computeUnits();
                 twins.step(1 / 60f, 3);
-                twins.assertEqual(pipeline.lanes().mostGroups() + " work-groups");
+                twins.assertEqual(workGroups.most() + " work-groups");
             }
         }
     }
@@ -91,7 +133,7 @@ class PersistentCpuTest {
     void worldsOfHardlyAnyRowsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         for (int circles : new int[] {1, 2, 7, 15, 40}) {
             Scene scene = Scenes.thesis(circles, 1);
-            try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+            try (Twins twins = Twins.load(scene, java(), Pipelines.of(device, Plans.PERSISTENT_CPU))) {
                 for (int k = 0; k < 10; k++) {
                     twins.step(scene.timeStep(), 10);
                     twins.assertEqual(circles + " circles");
@@ -105,7 +147,7 @@ class PersistentCpuTest {
     @MethodSource("processors")
     void figuresAndReadingsAreTheSameOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.packed(3000, 4);
-        try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+        try (Twins twins = Twins.load(scene, java(), Pipelines.of(device, Plans.PERSISTENT_CPU))) {
             for (int k = 0; k < 5; k++) {
                 twins.step(scene.timeStep(), 3);
                 twins.assertSameFigures();
@@ -118,7 +160,7 @@ class PersistentCpuTest {
     @MethodSource("processors")
     void stepsByLanesAndByColoursMayTakeTurns(Device device) {
         Scene scene = Scenes.packed(3000, 5);
-        DevicePipeline pipeline = new DevicePipeline(device, 0, false, Plan.LANES);
+        DevicePipeline pipeline = Pipelines.of(device, Plans.PERSISTENT_CPU);
         try (Twins twins = Twins.load(scene, java(), pipeline)) {
             for (int k = 0; k < 8; k++) {
                 // One circle that is much larger makes a second level, which lanes do not take.
@@ -142,7 +184,7 @@ class PersistentCpuTest {
             for (int seed = 1; seed <= 3; seed++) {
                 Scene scene = Scenes.packed(2000, seed);
                 worlds.add(() -> {
-                    try (Twins twins = Twins.load(scene, java(), new DevicePipeline(device, 0, false, Plan.LANES))) {
+                    try (Twins twins = Twins.load(scene, java(), Pipelines.of(device, Plans.PERSISTENT_CPU))) {
                         for (int k = 0; k < 20; k++) {
                             twins.step(scene.timeStep(), 2);
                             twins.assertEqual("step " + 2 * k);

@@ -6,6 +6,10 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.plan.PersistentCpu;
+import io.github.circles2d.world.device.plan.PersistentGpu;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,15 +28,15 @@ class PipelinesAgreeTest {
     static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
-        pipelines.add(new DevicePipeline(device, 0, false, Plan.COLOURS));
+        pipelines.add(Pipelines.of(device, Plans.COLOURS));
         if (Tiles.fit(device)) {
-            pipelines.add(new DevicePipeline(device, 0, false, Plan.TILES));
+            pipelines.add(Pipelines.of(device, Plans.TILES));
         }
         if (PersistentGpu.fits(device)) {
-            pipelines.add(new DevicePipeline(device, 0, false, Plan.RESIDENT));
+            pipelines.add(Pipelines.of(device, Plans.PERSISTENT_GPU));
         }
         if (PersistentCpu.fits(device)) {
-            pipelines.add(new DevicePipeline(device, 0, false, Plan.LANES));
+            pipelines.add(Pipelines.of(device, Plans.PERSISTENT_CPU));
         }
         return pipelines.toArray(Pipeline[]::new);
     }
@@ -101,7 +105,7 @@ class PipelinesAgreeTest {
     /** A driver may compile every kernel anew for each size. */
     private static void compareSizesOfWorkGroups(Device device, int... sizes) {
         for (int size : sizes) {
-            Pipeline other = new DevicePipeline(device, 0, false, Plan.COLOURS).workGroupSize(size);
+            Pipeline other = new DevicePipeline(device, 0, false, Plans.COLOURS.of(device), size);
             Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
             try (Twins twins = Twins.load(Scenes.mixed(600, 3), java, other)) {
                 for (int k = 0; k < 10; k++) {

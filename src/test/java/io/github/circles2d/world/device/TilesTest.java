@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
@@ -33,7 +35,7 @@ class TilesTest {
     @ParameterizedTest
     @MethodSource("devices")
     void crowdsThatAreThinnedOutAreSolvedByTilesWhereTheseFit(Device device) {
-        DevicePipeline pipeline = new DevicePipeline(device, 0, true, Plan.TILES);
+        DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
         try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), java, pipeline)) {
             addCrowd(twins);

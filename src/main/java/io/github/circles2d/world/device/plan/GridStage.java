@@ -1,18 +1,22 @@
-package io.github.circles2d.world.device;
+package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.Scan;
+import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
 /** Stage Grid on a device; {@code kernels/world/Grid.cl}. The same as {@code world.jvm.Grid}. */
 final class GridStage {
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Scan scan;
     private final Kernel count;
     private final Kernel scatter;
     private final Kernel gather;
 
-    GridStage(StageKernels kernels, DeviceArrays buffers, Scan scan) {
-        this.buffers = buffers;
+    GridStage(StageKernels kernels, DeviceArrays arrays, Scan scan) {
+        this.arrays = arrays;
         this.scan = scan;
         count = kernels.staged("grid_count");
         scatter = kernels.staged("grid_scatter");
@@ -21,7 +25,7 @@ final class GridStage {
 
     void build(GridLevels levels, int slots, int circles) {
         count.run(slots);
-        scan.run(buffers, levels.buckets() + 1, DeviceArrays.BUCKET_START);
+        scan.run(arrays, levels.buckets() + 1, DeviceArray.BUCKET_START);
         scatter.run(slots);
         gather.run(circles);
     }

@@ -1,6 +1,8 @@
-package io.github.circles2d.world.device;
+package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
@@ -8,9 +10,6 @@ import io.github.circles2d.world.model.GridLevels;
  * the kernel of stage Contacts that looks for pairs.
  */
 final class ContinuousCollisionStage {
-    /** log2 of the cells of a block. */
-    private static final int BLOCK_CELLS_LOG = 4;
-
     private final Kernel summarize;
     private final Kernel look;
 
@@ -19,13 +18,8 @@ final class ContinuousCollisionStage {
         look = kernels.staged("sweep_look");
     }
 
-    /** Number of blocks of cells. */
-    static int blocks(int buckets) {
-        return buckets >> BLOCK_CELLS_LOG;
-    }
-
     void sweep(GridLevels levels, int circles) {
-        summarize.run(blocks(levels.buckets()));
+        summarize.run(DeviceArrays.cellBlocks(levels.buckets()));
         look.run(circles);
     }
 }

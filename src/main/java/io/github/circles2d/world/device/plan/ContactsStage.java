@@ -1,28 +1,30 @@
-package io.github.circles2d.world.device;
+package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.Scan;
+import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
-/** Stage Contacts on a device; {@code kernels/world/Contacts.cl}. The same as {@code world.jvm.Contacts}. */
+/** Lists the contacts on a device, in no order within a group; {@code kernels/world/Contacts.cl}. */
 final class ContactsStage {
-    private final DeviceArrays buffers;
+    private final DeviceArrays arrays;
     private final Scan scan;
     private final Kernel crowd;
     private final Kernel count;
     private final Kernel list;
-    private final Kernel fill;
 
-    ContactsStage(StageKernels kernels, DeviceArrays buffers, Scan scan) {
-        this.buffers = buffers;
+    ContactsStage(StageKernels kernels, DeviceArrays arrays, Scan scan) {
+        this.arrays = arrays;
         this.scan = scan;
         crowd = kernels.staged("contacts_crowd");
         count = kernels.staged("contacts_count");
         list = kernels.staged("contacts_list");
-        fill = kernels.staged("contacts_fill");
     }
 
     /**
-     * Lists and fills the contacts.
+     * Lists the contacts.
      *
      * @param thinning whether to thin crowds out
      */
@@ -31,8 +33,7 @@ final class ContactsStage {
             crowd.run(circles);
         }
         count.run(circles);
-        scan.run(buffers, levels.buckets() + 1, DeviceArrays.GROUP_START);
+        scan.run(arrays, levels.buckets() + 1, DeviceArray.GROUP_START);
         list.run(2L * circles);
-        Colours.run(levels, fill);
     }
 }

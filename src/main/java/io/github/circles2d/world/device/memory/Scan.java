@@ -1,20 +1,20 @@
-package io.github.circles2d.world.device;
+package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 
 /** Exclusive prefix sums on the device; {@code kernels/world/Scan.cl}. */
-final class Scan {
+public final class Scan {
     /** Work-items of a work-group. */
-    private static final int GROUP = 256;
+    static final int GROUP = 256;
 
     /** Elements a work-item. */
-    private static final int EACH = 4;
+    static final int EACH = 4;
 
     private final Kernel blocks;
     private final Kernel starts;
 
-    Scan(StageKernels kernels) {
+    public Scan(StageKernels kernels) {
         blocks = kernels.plain("scan_blocks");
         starts = kernels.plain("scan_starts");
     }
@@ -25,16 +25,16 @@ final class Scan {
     }
 
     /** Number of block sums that a scan needs. */
-    static int blocks(int elements) {
+    public static int blocks(int elements) {
         return (elements + EACH * GROUP - 1) / (EACH * GROUP);
     }
 
-    /** Sums up the tally into one of the stages' buffers, and clears it. */
-    void run(DeviceArrays buffers, int elements, int sums) {
-        run(buffers.get(DeviceArrays.TALLY), elements, buffers.get(DeviceArrays.BLOCK_SUMS), buffers.get(sums));
+    /** Sums up the tally into one of the stages' arrays, and clears it. */
+    public void run(DeviceArrays arrays, int elements, DeviceArray sums) {
+        run(arrays.get(DeviceArray.TALLY), elements, arrays.get(DeviceArray.BLOCK_SUMS), arrays.get(sums));
     }
 
-    void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums) {
+    public void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums) {
         long items = (long) blocks(elements) * GROUP;
         blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run(items, GROUP);
         starts.arg(0, counts).arg(1, elements).arg(2, blockSums).arg(3, sums).run(items, GROUP);

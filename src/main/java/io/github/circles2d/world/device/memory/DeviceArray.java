@@ -1,0 +1,203 @@
+package io.github.circles2d.world.device.memory;
+
+/**
+ * The arrays of a World on a device. The rows give the kernels their argument list, the struct World and its initialiser
+ * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. The position of a row is that of the kernels' argument.
+ */
+public enum DeviceArray {
+    CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
+    LEVELS("Levels", "levels", Index.STRUCT, "shape of the grids"),
+    STATUS("int", "status", Index.STATUS, "see the defines above"),
+
+    // The state between two steps.
+    HOME_CIRCLE("float4", "homeCircle", Index.HOME_SLOT, "x, y of the base, radius, mass"),
+    HOME_MOTION("float4", "homeMotion", Index.HOME_SLOT, "displacement x, y, velocity x, y"),
+    HOME_TRAITS(
+            "float4",
+            "homeTraits",
+            Index.HOME_SLOT,
+            "inverse mass (0: fixed), restitution, wall impulse x, y (positive: lower wall)"),
+    HOME_ID("int", "homeId", Index.HOME_SLOT, "NONE: empty"),
+    HOME_MEMORY(
+            "int",
+            "homeMemory",
+            Index.HOME_SLOT,
+            "first remembered contact as the lower id; NONE; FRESH: its id's memories are not its own"),
+    SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
+
+    // Stage Grid.
+    BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
+    RANK("int", "rank", Index.SLOT, "by slot at home; later, where crowds are thinned, candidates by working slot"),
+    ORDER("int2", "order", Index.SLOT, "id and slot at home, bucket by bucket"),
+    BUCKET_START("int", "bucketStart", Index.BUCKET, "first working slot"),
+    BUCKET_OF("int", "bucketOf", Index.SLOT, "bucket of the working slot"),
+    SIGHT(
+            "float4",
+            "sight",
+            Index.SLOT,
+            "x, y of the base, reach, inverse mass: what the search for contacts looks at"),
+    CIRCLE("float4", "circle", Index.SLOT, "as homeCircle"),
+    MOTION("float4", "motion", Index.SLOT, "as homeMotion"),
+    TRAITS("float4", "traits", Index.SLOT, "as homeTraits"),
+    ID("int", "id", Index.SLOT, "as homeId"),
+    MEMORY("int", "memory", Index.SLOT, "as homeMemory"),
+    LOAD(
+            "float4",
+            "load",
+            Index.SLOT,
+            "up to the biased pass: velocity before impulses x, y, whether loaded; in the relaxing pass: sum of contact impulses x, y,"
+                    + " loaded, loaded in the sub-step to come; while contacts are filled, z: candidates so far"),
+    WALL_BOUNCE("float2", "wallBounce", Index.SLOT, "target speed of a bounce off a wall x, y"),
+
+    // Stage Sweep.
+    LEASH(
+            "float4",
+            "leash",
+            Index.SLOT,
+            "what it moves if nothing is in its way x, y, allowance, length; later what is free of that"),
+    SHARE("int", "share", Index.SLOT, "bits of the share of its path that it can go"),
+    NEAR(
+            "float",
+            "near",
+            Index.SLOT,
+            "the share up to where it touches one that it has a contact with; NOT_FAST where it is not"),
+    BLOCK_RANGE(
+            "float4",
+            "blockRange",
+            Index.CELL_BLOCK,
+            "least and greatest x, least and greatest y of the paths in the block"),
+
+    DRIVE(
+            "float4",
+            "drive",
+            Index.TILED_SLOT,
+            "as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl"),
+    PUSHED_MOTION("float4", "pushedMotion", Index.TILED_SLOT, "between the passes"),
+    BURDEN("float", "burden", Index.TILED_SLOT, "as the biased pass begins: inverse mass, negative where loaded"),
+    PUSHED_BURDEN("float", "pushedBurden", Index.TILED_SLOT, "between the passes"),
+
+    // Stage Contacts.
+    GROUP_START("int", "groupStart", Index.BUCKET, "by group: its first contact"),
+    TALLY(
+            "int",
+            "tally",
+            Index.BUCKET,
+            "counts by bucket, later by group; all 0 when a step begins, and when a scan has used them"),
+    KEY("ulong", "key", Index.CONTACT, "lower id, higher id"),
+    PAIR("uint2", "pair", Index.CONTACT, "working slots, in the same order"),
+    BASE(
+            "float4",
+            "base",
+            Index.CONTACT,
+            "difference of the bases x, y, sum of the radii, restitution; by tiles see listedOf, later basesOf"),
+    MASSES(
+            "float4",
+            "masses",
+            Index.CONTACT,
+            "inverse masses, greatest push-out speed, target speed of a bounce;"
+                    + " by tiles, as contacts are listed: contact as the step begins, with its impulse"),
+    CONTACT(
+            "float4",
+            "contact",
+            Index.COPY,
+            "normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse;"
+                    + " before that, as ints: see recordContact"),
+    LINK("uint", "link", Index.TILED_CONTACT, "see linkOf"),
+    ORDERED("uint2", "ordered", Index.TILED_CONTACT, "working slots, where pair is in no order within a group"),
+    SHAPE("float2", "shape", Index.TILED_COPY, "sum of the radii, restitution"),
+    HELD("float", "held", Index.TILED_CONTACT, "accumulated impulse after a sub-step"),
+    IMPULSE(
+            "float2",
+            "impulse",
+            Index.TILED_CONTACT,
+            "between the passes: accumulated impulse, target speed of a bounce"),
+    OLD(
+            "int4",
+            "old",
+            Index.OLD_CONTACT,
+            "higher id, impulse, the next of the same circle of lower id or NONE; see RememberedContact"),
+
+    BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
+    TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl");
+
+    /** Number of arrays. */
+    static final int COUNT = values().length;
+
+    /** What an array is indexed by, which decides its size. */
+    enum Index {
+        STRUCT("once", false),
+        STATUS("once", false),
+        HOME_SLOT("by slot at home", true),
+        ID("by id", true),
+        SLOT("by slot", false),
+        BUCKET("by bucket", false),
+        SCAN_BLOCK("by block of a scan", false),
+        CELL_BLOCK("by block of cells", false),
+        CONTACT("by contact", false),
+        OLD_CONTACT("by contact of the step before", true),
+        COPY("by contact; by tiles, by copy of a contact", false),
+        TILED_SLOT("by tiles, by slot", false),
+        TILED_CONTACT("by tiles, by contact", false),
+        TILED_COPY("by tiles, by copy of a contact", false),
+        TILE("by tile", false);
+
+        private final String words;
+        private final boolean kept;
+
+        Index(String words, boolean kept) {
+            this.words = words;
+            this.kept = kept;
+        }
+    }
+
+    private final String type;
+    private final String kernelName;
+    private final Index index;
+    private final String comment;
+
+    DeviceArray(String type, String kernelName, Index index, String comment) {
+        this.type = type;
+        this.kernelName = kernelName;
+        this.index = index;
+        this.comment = comment;
+    }
+
+    /** The name in the kernels and in messages. */
+    String kernelName() {
+        return kernelName;
+    }
+
+    Index index() {
+        return index;
+    }
+
+    /** Whether its elements stay when it grows. */
+    boolean kept() {
+        return index.kept;
+    }
+
+    /** Whether a device without tiles can do without it. */
+    boolean forTilesAlone() {
+        return index == Index.TILED_SLOT || index == Index.TILED_CONTACT || index == Index.TILED_COPY;
+    }
+
+    /** The declaration as a parameter, or as a member of the struct World. */
+    String declaration() {
+        return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
+    }
+
+    /** The comment of the declaration. */
+    String comment() {
+        return index.words + ": " + comment;
+    }
+
+    /** Bytes of an element, of an array that is no struct. */
+    int elementBytes() {
+        return switch (type) {
+            case "int", "uint", "float" -> 4;
+            case "int2", "uint2", "float2", "ulong" -> 8;
+            case "int4", "float4" -> 16;
+            default -> throw new IllegalStateException(type + " has no size here");
+        };
+    }
+}

@@ -1,0 +1,211 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.function.ToLongFunction;
+
+/** The state and the working memory of a World on a device. It grows by half at least; what must outlive a step stays. */
+public final class DeviceArrays {
+    /** log2 of the columns, and of the rows, of a block of cells. */
+    static final int BLOCK_LOG = 2;
+
+    /** Slots that no circle has: four at a time are read to the next multiple of four. */
+    private static final int SPARE_SLOTS = 4;
+
+    /** Says of an index that its arrays do not grow. */
+    private static final long AS_IT_IS = 0;
+
+    private static final int LEAST_CAPACITY = 64;
+    private static final int LEAST_BUCKETS = 16;
+    private static final int CONTACTS_PER_CIRCLE = 4;
+
+    private final Session session;
+    private final boolean tiled;
+    private Map<DeviceArray, DeviceBuffer> buffers = new EnumMap<>(DeviceArray.class);
+    private int slotCapacity;
+    private int idCapacity;
+    private int bucketCapacity;
+    private int contactCapacity;
+    private int tileCapacity;
+
+    /** Counts how often arrays were replaced, so that kernels know when to bind again. */
+    private int version;
+
+    /**
+     * Memory for a number of circles.
+     *
+     * @param tiled whether there may be steps by tiles; otherwise the arrays for these alone have one element
+     */
+    public DeviceArrays(Session session, int capacity, boolean tiled) {
+        this.session = session;
+        this.tiled = tiled;
+        allocateOnce(DeviceArray.CONSTANTS, StepParameters.CONSTANTS.words());
+        allocateOnce(DeviceArray.LEVELS, StepParameters.LEVELS.words());
+        allocateOnce(DeviceArray.STATUS, StatusWord.WORDS);
+        int circles = Math.max(capacity, LEAST_CAPACITY);
+        ensureSlots(circles, 0);
+        ensureIds(circles);
+        ensureBuckets(LEAST_BUCKETS);
+        ensureTiles(1);
+        ensureContacts(CONTACTS_PER_CIRCLE * circles);
+    }
+
+    private void allocateOnce(DeviceArray array, int words) {
+        buffers.put(array, session.allocate(array.kernelName(), (long) Integer.BYTES * words));
+    }
+
+    public DeviceBuffer get(DeviceArray array) {
+        return buffers.get(array);
+    }
+
+    int version() {
+        return version;
+    }
+
+    public int slotCapacity() {
+        return slotCapacity;
+    }
+
+    /** Number of ids that there is memory for. */
+    public int idCapacity() {
+        return idCapacity;
+    }
+
+    public int contactCapacity() {
+        return contactCapacity;
+    }
+
+    /** Makes room for slots; what is at home in the first {@code kept} of them stays. */
+    public void ensureSlots(int slots, int kept) {
+        if (slots > slotCapacity) {
+            int capacity = grown(slotCapacity, slots);
+            grow(kept, index -> switch (index) {
+                case HOME_SLOT, SLOT, TILED_SLOT -> capacity + SPARE_SLOTS;
+                default -> AS_IT_IS;
+            });
+            slotCapacity = capacity;
+        }
+    }
+
+    /** Makes room for ids; new ones belong to no circle. */
+    public void ensureIds(int ids) {
+        if (ids > idCapacity) {
+            int capacity = grown(idCapacity, ids);
+            grow(idCapacity, index -> index == Index.ID ? capacity : AS_IT_IS);
+            int[] none = new int[Math.min(capacity - idCapacity, 1 << 18)];
+            Arrays.fill(none, RememberedContact.NONE);
+            for (int from = idCapacity; from < capacity; from += none.length) {
+                get(DeviceArray.SLOT_OF)
+                        .write(
+                                (long) Integer.BYTES * from,
+                                IntBuffer.wrap(none, 0, Math.min(none.length, capacity - from)));
+            }
+            idCapacity = capacity;
+        }
+    }
+
+    public void ensureBuckets(int buckets) {
+        if (buckets > bucketCapacity) {
+            int capacity = grown(bucketCapacity, buckets);
+            // One more element for the end; both scans share the block sums.
+            int elements = Scan.padded(capacity + 1);
+            grow(0, index -> switch (index) {
+                case BUCKET -> elements;
+                case SCAN_BLOCK -> Scan.blocks(capacity + 1);
+                case CELL_BLOCK -> cellBlocks(capacity);
+                default -> AS_IT_IS;
+            });
+            get(DeviceArray.TALLY).write(0, IntBuffer.wrap(new int[elements]));
+            bucketCapacity = capacity;
+        }
+    }
+
+    /** Makes room for records of tiles; they do not outlive a step. */
+    public void ensureTiles(int tiles) {
+        if (tiles > tileCapacity) {
+            int capacity = grown(tileCapacity, tiles);
+            grow(0, index -> index == Index.TILE ? (long) TileRecord.WORDS * capacity : AS_IT_IS);
+            tileCapacity = capacity;
+        }
+    }
+
+    /** Makes room for contacts; the remembered ones stay. */
+    public void ensureContacts(int contacts) {
+        if (contacts > contactCapacity) {
+            int capacity = grown(contactCapacity, contacts);
+            grow(contactCapacity, index -> switch (index) {
+                case CONTACT, TILED_CONTACT, OLD_CONTACT -> capacity;
+                case COPY -> tiled ? TileRecord.copies(capacity) : capacity;
+                case TILED_COPY -> TileRecord.copies(capacity);
+                default -> AS_IT_IS;
+            });
+            contactCapacity = capacity;
+        }
+    }
+
+    /** Makes room for copies that tiles make of contacts. */
+    public void ensureCopies(int copies) {
+        if (copies > TileRecord.copies(contactCapacity)) {
+            ensureContacts((int) (2L * copies / TileRecord.COPIES_IN_TWO) + 2);
+        }
+    }
+
+    /** Number of blocks of cells. */
+    public static int cellBlocks(int buckets) {
+        return buckets >> 2 * BLOCK_LOG;
+    }
+
+    private static int grown(int capacity, int needed) {
+        return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), 1 << 30);
+    }
+
+    /**
+     * Replaces arrays by larger ones: all of them, or none if one does not fit.
+     *
+     * @param kept how many elements stay of an array that is kept
+     * @param elements how many elements the arrays of an index get; {@link #AS_IT_IS} for those that do not grow
+     */
+    private void grow(int kept, ToLongFunction<Index> elements) {
+        Map<DeviceArray, DeviceBuffer> next = new EnumMap<>(buffers);
+        Map<DeviceArray, DeviceBuffer> added = new EnumMap<>(DeviceArray.class);
+        try {
+            for (DeviceArray array : DeviceArray.values()) {
+                long wanted = elements.applyAsLong(array.index());
+                boolean present = buffers.containsKey(array);
+                boolean stub = array.forTilesAlone() && !tiled;
+                if (wanted != AS_IT_IS && !(stub && present)) {
+                    long bytes = (stub ? 1 : wanted) * array.elementBytes();
+                    added.put(array, session.allocate(array.kernelName(), bytes));
+                }
+            }
+        } catch (RuntimeException | Error e) {
+            added.values().forEach(DeviceBuffer::close);
+            throw e;
+        }
+        next.putAll(added);
+        for (DeviceArray array : added.keySet()) {
+            if (array.kept() && buffers.containsKey(array)) {
+                get(array).copyTo(added.get(array), (long) kept * array.elementBytes());
+            }
+        }
+        session.finish();
+        for (DeviceArray array : added.keySet()) {
+            if (buffers.containsKey(array)) {
+                get(array).close();
+            }
+        }
+        buffers = next;
+        version++;
+    }
+
+    /** Gives a stage's kernel its arrays; its counts are set by {@link StageKernels}. */
+    void bind(Kernel kernel) {
+        buffers.forEach((array, buffer) -> kernel.arg(array.ordinal(), buffer));
+    }
+}

@@ -1,0 +1,32 @@
+package io.github.circles2d.world.device.memory;
+
+/** Counts that kernels of a stage take as arguments behind the arrays. */
+enum DeviceCount {
+    SLOTS("slots", "slots at home, empty ones included"),
+    CIRCLES("circles", "circles: working slots"),
+    CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold");
+
+    /** Number of counts. */
+    static final int COUNT = values().length;
+
+    private final String kernelName;
+    private final String comment;
+
+    DeviceCount(String kernelName, String comment) {
+        this.kernelName = kernelName;
+        this.comment = comment;
+    }
+
+    String kernelName() {
+        return kernelName;
+    }
+
+    String comment() {
+        return comment;
+    }
+
+    /** Position of the kernels' argument. */
+    int position() {
+        return DeviceArray.COUNT + ordinal();
+    }
+}

@@ -1,0 +1,80 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Program;
+import io.github.circles2d.opencl.Session;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The compiled stages, and the one argument list that all their kernels share. */
+public final class StageKernels {
+    /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
+    public static final int USUAL_GROUPS = Integer.MAX_VALUE;
+
+    private static final int OWN_ARGUMENTS = DeviceArray.COUNT + DeviceCount.COUNT;
+
+    private final Program program;
+    private final int workGroupSize;
+    private final List<Kernel> staged = new ArrayList<>();
+    private int boundVersion = -1;
+    private int boundSlots = -1;
+    private int boundCircles = -1;
+
+    /**
+     * Compiles the stages.
+     *
+     * @param workGroupSize work-items of a work-group, for the kernels of the stages that leave it open; as near to it as each
+     *     kernel allows; or {@link #USUAL_GROUPS}
+     */
+    public StageKernels(Session session, KernelSource source, int workGroupSize) {
+        program = session.build(source, options(session.device()));
+        this.workGroupSize = workGroupSize;
+    }
+
+    /** Without this option a device may round divisions and square roots as it likes, and some do. */
+    public static String[] options(Device device) {
+        return device.correctlyRounded() ? new String[] {"-cl-fp32-correctly-rounded-divide-sqrt"} : new String[0];
+    }
+
+    /** A kernel with an argument list of its own. */
+    public Kernel plain(String name) {
+        return program.kernel(name);
+    }
+
+    /** A kernel of a stage: its first arguments are WORLD_PARAMETERS. */
+    public Kernel staged(String name) {
+        Kernel kernel = program.kernel(name);
+        if (workGroupSize != USUAL_GROUPS) {
+            kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
+        }
+        staged.add(kernel);
+        return kernel;
+    }
+
+    /** The position of an argument of a stage's kernel behind WORLD_PARAMETERS: 0 for the first. */
+    public static int own(int argument) {
+        return OWN_ARGUMENTS + argument;
+    }
+
+    /** Brings the shared arguments up to date. */
+    public void bind(DeviceArrays arrays, int slots, int circles) {
+        boolean replaced = boundVersion != arrays.version();
+        for (Kernel kernel : staged) {
+            if (replaced) {
+                arrays.bind(kernel);
+                kernel.arg(DeviceCount.CONTACT_ROOM.position(), arrays.contactCapacity());
+            }
+            if (replaced || boundSlots != slots) {
+                kernel.arg(DeviceCount.SLOTS.position(), slots);
+            }
+            if (replaced || boundCircles != circles) {
+                kernel.arg(DeviceCount.CIRCLES.position(), circles);
+            }
+        }
+        boundVersion = arrays.version();
+        boundSlots = slots;
+        boundCircles = circles;
+    }
+}

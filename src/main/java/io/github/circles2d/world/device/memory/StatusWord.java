@@ -1,0 +1,40 @@
+package io.github.circles2d.world.device.memory;
+
+/** Ints by which kernels tell the host, and each other, how a step went; kernels know them by the same names. */
+public enum StatusWord {
+    OUT_OF_ROOM(
+            0, "set by a step that lacks room for its contacts or copies of them, or found no way to go on with them"),
+    CONTACTS(1, "contacts of the last step, or of one that was out of room"),
+    STEPS_DONE(2, "steps written home, since the world was made"),
+    FAST(3, "1 where some circle is fast"),
+    CROWDED(4, "1 where some circle has so many candidates that pairs are to be thinned out"),
+    TILE_PEAK(5, "the fullest tile: percent of the room, or NO_TILE"),
+    TILE_NUMBERS(6, "contacts that tiles have numbered"),
+    TILE_COPIES(7, "copies of contacts that tiles have made"),
+    APART(8, "by lanes: 1 where not all work-groups came at once"),
+    PLACES(9, "by lanes: end of the places of contacts that the last step has used"),
+    MOST_PLACES(10, "by lanes: places that a work-group needs at most"),
+    ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
+    DEPARTURES(33, "of work-groups"),
+    FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),
+    MEETING(49, "by lanes: whether all work-groups are here");
+
+    /** Ints of the status. */
+    static final int WORDS = 64;
+
+    private final int index;
+    private final String comment;
+
+    StatusWord(int index, String comment) {
+        this.index = index;
+        this.comment = comment;
+    }
+
+    int index() {
+        return index;
+    }
+
+    String comment() {
+        return comment;
+    }
+}

@@ -1,0 +1,135 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.StepConstants;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+
+/** Packs the constants of a step and the shape of the grids as structs of the kernels, and sends what changed. */
+public final class StepParameters {
+    static final HostStruct<StepConstants> CONSTANTS = new HostStruct<StepConstants>("StepConstants")
+            .field("float", "dt", (k, to) -> to.put(k.dt), "length of the step, seconds")
+            .field("float", "h", (k, to) -> to.put(k.h), "length of a sub-step")
+            .field("float", "inverseH", (k, to) -> to.put(k.inverseH), "1 / length of a sub-step")
+            .field("float", "gravityStepX", (k, to) -> to.put(k.gravityStepX), "gain of speed in a sub-step")
+            .field("float", "gravityStepY", (k, to) -> to.put(k.gravityStepY), "the same")
+            .field("float", "fallX", (k, to) -> to.put(k.fallX), "what gravity moves a circle in the step")
+            .field("float", "fallY", (k, to) -> to.put(k.fallY), "the same")
+            .field("float", "biasRate", (k, to) -> to.put(k.biasRate), "softness of contacts: push-out speed per depth")
+            .field("float", "massScale", (k, to) -> to.put(k.massScale), "share of the impulse")
+            .field("float", "impulseScale", (k, to) -> to.put(k.impulseScale), "decay of the impulse")
+            .field("float", "wallBiasRate", (k, to) -> to.put(k.wallBiasRate), "softness of walls")
+            .field("float", "wallMassScale", (k, to) -> to.put(k.wallMassScale), "the same")
+            .field("float", "wallImpulseScale", (k, to) -> to.put(k.wallImpulseScale), "the same")
+            .field("float", "thresholdRate", (k, to) -> to.put(k.thresholdRate), "bounce threshold")
+            .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity and restitution")
+            .field("float", "pushPerLength", (k, to) -> to.put(k.pushPerLength), "greatest push-out speed")
+            .field("float", "pushPerRoot", (k, to) -> to.put(k.pushPerRoot), "the same")
+            .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
+            .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")
+            .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
+            .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
+            .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
+            .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
+            .apart("sweeping", "1 where the step has the stage Sweep, else it does not take fast circles")
+            .apart("thinning", "1 where the step thins crowds out, else it does not take them")
+            .apart("tiled", "1 where the step is made by tiles");
+
+    static final HostStruct<GridLevels> LEVELS = new HostStruct<GridLevels>("Levels")
+            .field("float", "minX", (s, to) -> to.put(s.minX), "where cells begin")
+            .field("float", "minY", (s, to) -> to.put(s.minY), "the same")
+            .field("float", "rmax", (s, to) -> to.put(s.rmax), "greatest radius")
+            .field("int", "usedCount", (s, to) -> to.put(s.usedCount), "levels that have circles")
+            .field("float", "inverseEdge[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.inverseEdge), "of a cell")
+            .field("float", "top[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.top), "greatest radius")
+            .field("int", "levelOf[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.levelOf), "by size class")
+            .field(
+                    "int",
+                    "columnsLog[LEVELS]",
+                    GridLevels.COUNT,
+                    (s, to) -> to.put(s.columnsLog),
+                    "of the torus, rounded up to powers of two")
+            .field("int", "rowsLog[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.rowsLog), "the same")
+            .field("int", "columnCount[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.columnCount), "of the torus")
+            .field("int", "rowCount[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.rowCount), "of the torus")
+            .field("int", "used[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.used), "levels, finest first")
+            .field(
+                    "int",
+                    "first[LEVELS + 1]",
+                    GridLevels.COUNT + 1,
+                    (s, to) -> to.put(s.first).put(s.buckets()),
+                    "first bucket, and first group; and the end")
+            .apart("tileColumnsLog", "cells of a tile (Tiles.cl)")
+            .apart("tileRowsLog", "the same")
+            .apart("tilesAcross", "tiles that may hold circles")
+            .apart("tilesDown", "the same");
+
+    private static final int WARM_SCALE = CONSTANTS.at("warmScale");
+    private static final int SWEEPING = CONSTANTS.at("sweeping");
+    private static final int THINNING = CONSTANTS.at("thinning");
+    private static final int TILED = CONSTANTS.at("tiled");
+    private static final int TILE_COLUMNS_LOG = LEVELS.at("tileColumnsLog");
+    private static final int TILE_ROWS_LOG = LEVELS.at("tileRowsLog");
+    private static final int TILES_ACROSS = LEVELS.at("tilesAcross");
+    private static final int TILES_DOWN = LEVELS.at("tilesDown");
+
+    private final int[] constants = new int[CONSTANTS.words()];
+    private final int[] levels = new int[LEVELS.words()];
+    private final int[] otherConstants = new int[CONSTANTS.words()];
+    private final int[] otherLevels = new int[LEVELS.words()];
+    private final int[] sentConstants = new int[CONSTANTS.words()];
+    private final int[] sentLevels = new int[LEVELS.words()];
+    private final IntBuffer constantsView = IntBuffer.wrap(constants);
+    private final IntBuffer levelsView = IntBuffer.wrap(levels);
+
+    /** Takes down what the next steps are made with. */
+    public void set(StepConstants k, GridLevels shape) {
+        CONSTANTS.pack(k, constants);
+        LEVELS.pack(shape, levels);
+    }
+
+    /** Whether what was taken down last is these, but for what is set apart from it. */
+    public boolean areOf(StepConstants k, GridLevels shape) {
+        System.arraycopy(constants, 0, otherConstants, 0, constants.length);
+        System.arraycopy(levels, 0, otherLevels, 0, levels.length);
+        CONSTANTS.pack(k, otherConstants);
+        LEVELS.pack(shape, otherLevels);
+        otherConstants[WARM_SCALE] = constants[WARM_SCALE];
+        return Arrays.equals(constants, otherConstants) && Arrays.equals(levels, otherLevels);
+    }
+
+    /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
+    public void setTile(int columnsLog, int rowsLog, int across, int down) {
+        levels[TILE_COLUMNS_LOG] = columnsLog;
+        levels[TILE_ROWS_LOG] = rowsLog;
+        levels[TILES_ACROSS] = across;
+        levels[TILES_DOWN] = down;
+    }
+
+    /** Sets what impulses of the step before are multiplied by. */
+    public void setWarmScale(float scale) {
+        constants[WARM_SCALE] = Float.floatToRawIntBits(scale);
+    }
+
+    /** Sets whether the step takes fast circles, and crowds, and whether it is made by tiles. */
+    public void setWay(boolean sweeping, boolean thinning, boolean tiled) {
+        constants[SWEEPING] = sweeping ? 1 : 0;
+        constants[THINNING] = thinning ? 1 : 0;
+        constants[TILED] = tiled ? 1 : 0;
+    }
+
+    /** Sends both, in the order of the device's commands, where they are not there yet. */
+    public void send(DeviceArrays arrays) {
+        send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
+        send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
+    }
+
+    private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {
+        // No constants and no shape are all zeros.
+        if (!Arrays.equals(words, sent)) {
+            to.write(0, view);
+            System.arraycopy(words, 0, sent, 0, words.length);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package io.github.circles2d.world.device.memory;
+
+/** The room of a tile and the layout of its record, for host and kernels; {@code kernels/world/Tiles.cl} explains them. */
+public final class TileRecord {
+    /**
+     * Circles that the local memory of a work-group has room for. As few as the largest size needs where circles are packed:
+     * more room means fewer work-groups at once.
+     */
+    public static final int CIRCLES = 1312;
+
+    /** Contacts that the local memory of a work-group has room for. */
+    public static final int CONTACTS = 3328;
+
+    /** Rounds that there is room for. */
+    public static final int ROUNDS = 96;
+
+    /** Work-items of a work-group: at least as many as a colour has groups around a tile. */
+    public static final int GROUP = 128;
+
+    /** Parts of rounds that there is room for; even, as {@link #CIRCLES}: the pairs behind them in a record are aligned. */
+    public static final int PARTS = (ROUNDS + CONTACTS / GROUP + 1) & ~1;
+
+    /** Copies that tiles make of two contacts, as far as there is room for them from the start: 1.5 of each with usual tiles. */
+    public static final int COPIES_IN_TWO = 3;
+
+    /** A peak that says that no tile would do. */
+    public static final int NO_TILE = Integer.MAX_VALUE;
+
+    // A record begins with the numbers of its circles, of its parts and of its first copy, and a word that keeps pairs
+    // aligned.
+    public static final int AT_CIRCLES = 0;
+    public static final int AT_PARTS = 1;
+    public static final int AT_COPIES = 2;
+
+    /** By part its first contact, and the end. */
+    public static final int AT_STARTS = 4;
+
+    public static final int AT_SLOTS = AT_STARTS + PARTS + 2;
+    public static final int AT_CONTACTS = AT_SLOTS + CIRCLES;
+
+    /** Ints of a record. */
+    public static final int WORDS = AT_CONTACTS + 2 * CONTACTS;
+
+    private TileRecord() {}
+
+    /** Room for copies where there is room for so many contacts; the same in {@code TileOrder.cl}. */
+    static int copies(int contacts) {
+        return (contacts >> 1) * COPIES_IN_TWO;
+    }
+}

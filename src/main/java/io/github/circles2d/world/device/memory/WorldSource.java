@@ -1,0 +1,48 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Tuning;
+import java.util.Collection;
+
+/** The source of the stages' kernels; the numbers that host and device share are defined from their one place in Java. */
+public final class WorldSource {
+    private static final String[] SHARED = {
+        "world/CircleMath.cl",
+        "world/World.cl",
+        "world/Scan.cl",
+        "world/Commands.cl",
+        "world/Grid.cl",
+        "world/Sweep.cl",
+        "world/Contacts.cl",
+        "world/Readback.cl"
+    };
+
+    private WorldSource() {}
+
+    /**
+     * What all plans share, and the files of some plans.
+     *
+     * @param planFiles paths below the folder {@code kernels}
+     */
+    public static KernelSource of(Collection<String> planFiles) {
+        return tables().and(SHARED).and(planFiles.toArray(String[]::new));
+    }
+
+    /** What the host tells all files: its tables and numbers. */
+    public static KernelSource tables() {
+        return KernelSource.ofText(WorldTables.NAME, WorldTables.text())
+                .define("LEVELS", GridLevels.COUNT)
+                .define("MARGIN", Tuning.MARGIN)
+                .define("CAP", Tuning.CAP)
+                .define("TRAVEL", Tuning.TRAVEL)
+                .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
+                .define("LEASH", Tuning.LEASH)
+                .define("CROWD", Tuning.CROWD)
+                .define("COINCIDENT", Tuning.COINCIDENT)
+                .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)
+                .define("SCAN_GROUP", Scan.GROUP)
+                .define("SCAN_EACH", Scan.EACH)
+                .define("BLOCK_LOG", DeviceArrays.BLOCK_LOG);
+    }
+}

@@ -1,0 +1,111 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.world.circles.Commands;
+
+/**
+ * The part of the kernels that the tables of the host give: status words, structs that the host fills, the argument list of
+ * the stages' kernels and the struct World that they pack it into, and the numbers of records.
+ */
+final class WorldTables {
+    /** The name of the text in messages of a compiler. */
+    static final String NAME = "world/tables of the host";
+
+    private WorldTables() {}
+
+    static String text() {
+        StringBuilder text = new StringBuilder();
+        for (StatusWord word : StatusWord.values()) {
+            define(text, word.name(), word.index(), word.comment());
+        }
+        commands(text);
+        tileRecord(text);
+        define(text, "NONE", "(" + RememberedContact.NONE + ")", "no slot, no id, no contact");
+        define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "a memory that is not its circle's own");
+        text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
+        return text.append(parameters()).append(struct()).append(initialiser()).toString();
+    }
+
+    private static void commands(StringBuilder text) {
+        define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next eight");
+        define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
+        define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
+        define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
+        define(text, "COMMAND_VELOCITY", Commands.VELOCITY, "x, y");
+        define(text, "COMMAND_RADIUS", Commands.RADIUS, "radius");
+        define(text, "COMMAND_MASS", Commands.MASS, "mass");
+        define(text, "COMMAND_RESTITUTION", Commands.RESTITUTION, "restitution");
+        define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
+        define(text, "COMMAND_ID", Commands.ID, "the circle's");
+        define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
+        define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
+        define(text, "COMMAND_ADD_X", Commands.ADD_X, "of a new circle");
+        define(text, "COMMAND_ADD_Y", Commands.ADD_Y, "of a new circle");
+        define(text, "COMMAND_ADD_RADIUS", Commands.ADD_RADIUS, "of a new circle");
+        define(text, "COMMAND_ADD_MASS", Commands.ADD_MASS, "of a new circle");
+        define(text, "COMMAND_ADD_RESTITUTION", Commands.ADD_RESTITUTION, "of a new circle");
+        define(text, "COMMAND_ADD_VX", Commands.ADD_VX, "of a new circle");
+        define(text, "COMMAND_ADD_VY", Commands.ADD_VY, "of a new circle");
+    }
+
+    private static void tileRecord(StringBuilder text) {
+        define(text, "RECORD_CIRCLES", TileRecord.AT_CIRCLES, "number of circles");
+        define(text, "RECORD_PARTS", TileRecord.AT_PARTS, "number of parts");
+        define(text, "RECORD_COPIES", TileRecord.AT_COPIES, "its first copy of a contact");
+        define(text, "RECORD_STARTS", TileRecord.AT_STARTS, "by part: its first contact; and the end");
+        define(text, "RECORD_SLOTS", TileRecord.AT_SLOTS, "by circle: see AT_WALL");
+        define(
+                text,
+                "RECORD_CONTACTS",
+                TileRecord.AT_CONTACTS,
+                "by place: its number, NOT_OWN too where it is not the tile's; circlesOf");
+        define(text, "TILE_RECORD", TileRecord.WORDS, "ints of a record");
+        define(text, "NO_TILE", TileRecord.NO_TILE, "TILE_PEAK where no tile would do");
+    }
+
+    private static void define(StringBuilder text, String name, Object value, String comment) {
+        text.append("#define " + name + " " + value + " // " + comment + "\n");
+    }
+
+    private static String parameters() {
+        StringBuilder text = new StringBuilder("#define WORLD_PARAMETERS");
+        String separator = " ";
+        for (DeviceArray array : DeviceArray.values()) {
+            text.append(separator).append(array.declaration());
+            separator = ", ";
+        }
+        for (DeviceCount count : DeviceCount.values()) {
+            text.append(", int ").append(count.kernelName());
+        }
+        return text.append("\n").toString();
+    }
+
+    private static String struct() {
+        StringBuilder text = new StringBuilder("typedef struct {\n");
+        text.append("    StepConstants k; // by value: read once, not at every use\n");
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array != DeviceArray.CONSTANTS) {
+                text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
+            }
+        }
+        for (DeviceCount count : DeviceCount.values()) {
+            text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
+        }
+        text.append("    float warmScale; // what remembered impulses are multiplied by\n");
+        return text.append("} World;\n").toString();
+    }
+
+    private static String initialiser() {
+        String constants = DeviceArray.CONSTANTS.kernelName();
+        StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array != DeviceArray.CONSTANTS) {
+                text.append(", ").append(array.kernelName());
+            }
+        }
+        for (DeviceCount count : DeviceCount.values()) {
+            text.append(", ").append(count.kernelName());
+        }
+        return text.append(", " + constants + "->warmScale }\n").toString();
+    }
+}

@@ -1,0 +1,83 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.GridLevels;
+import java.util.List;
+
+/**
+ * A launch per stage, and per colour of contacts: takes any world, and suits devices to which launches are cheap;
+ * {@code kernels/world/Solver.cl}. The same as {@code world.jvm.Solver}.
+ */
+public final class ByColours implements Plan {
+    private static final int COLOURS = 4;
+
+    private Stages stages;
+    private Kernel fill;
+    private Kernel accelerate;
+    private Kernel push;
+    private Kernel move;
+    private Kernel relax;
+    private Kernel finish;
+
+    @Override
+    public List<String> files() {
+        return List.of("world/Solver.cl");
+    }
+
+    @Override
+    public void load(Stages shared) {
+        stages = shared;
+        fill = stages.kernel("contacts_fill");
+        accelerate = stages.kernel("solver_accelerate");
+        push = stages.kernel("solver_push");
+        move = stages.kernel("solver_move");
+        relax = stages.kernel("solver_relax");
+        finish = stages.kernel("solver_finish");
+    }
+
+    @Override
+    public boolean suits(Steps steps) {
+        return true;
+    }
+
+    @Override
+    public void enqueue(Steps steps) {
+        stages.enqueueEach(steps, false, () -> solve(steps));
+    }
+
+    private void solve(Steps steps) {
+        GridLevels levels = steps.levels();
+        runByColour(levels, fill);
+        for (int sub = 0; sub < steps.subSteps(); sub++) {
+            accelerate.run(steps.circles());
+            runByColour(levels, push);
+            move.run(steps.circles());
+            relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0);
+            runByColour(levels, relax);
+        }
+        finish.run(steps.circles());
+    }
+
+    /**
+     * Runs a kernel that works on groups of contacts: level by level, colour by colour, a work-item per group. The kernel's
+     * first arguments of its own are the level and the colour.
+     */
+    private static void runByColour(GridLevels levels, Kernel kernel) {
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            int groups = levels.firstOfColour(level, 1) - levels.firstOfColour(level, 0);
+            for (int colour = 0; colour < COLOURS; colour++) {
+                kernel.arg(StageKernels.own(0), level)
+                        .arg(StageKernels.own(1), colour)
+                        .run(groups);
+            }
+        }
+    }
+
+    @Override
+    public void countDegrees(int contacts) {
+        stages.countDegrees(DeviceArray.PAIR, contacts);
+    }
+}

@@ -1,0 +1,104 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.StageKernels;
+import java.util.List;
+
+/**
+ * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/Lanes.cl}. The launch has
+ * as many work-groups of one work-item as the processor has threads, which wait for each other within it. Should they turn
+ * out not to run at once, the launch says so and changes nothing; from then on there is one work-group alone.
+ */
+public final class PersistentCpu implements Plan {
+    /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */
+    private static final int LEAST_SHARE = 512;
+
+    /** Rows of cells that a work-group needs at least. */
+    private static final int LEAST_ROWS = 8;
+
+    private final WorkGroups workGroups;
+    private Stages stages;
+    private Kernel steps;
+    private Kernel degrees;
+
+    /** Rows of cells of the last steps. */
+    private int rows;
+
+    public PersistentCpu(WorkGroups workGroups) {
+        this.workGroups = workGroups;
+    }
+
+    /** Whether a device can run it: a processor, on which one work-item is as good as many. */
+    public static boolean fits(Device device) {
+        return device.kind() == Device.Kind.CPU;
+    }
+
+    @Override
+    public List<String> files() {
+        return List.of(
+                "world/LaneMath.cl",
+                "world/Together.cl",
+                "world/LaneMover.cl",
+                "world/LaneContacts.cl",
+                "world/LaneFinding.cl",
+                "world/LanePasses.cl",
+                "world/LaneGrid.cl",
+                "world/Lanes.cl");
+    }
+
+    @Override
+    public KernelSource define(KernelSource source, Device device) {
+        return source.define("YIELDS", yields(device));
+    }
+
+    /**
+     * Whether kernels may call the system while they wait, in assembler: POCL 3 compiles that, POCL 5 ends the process, and no
+     * other is known. Elsewhere who waits keeps his processor.
+     */
+    private static boolean yields(Device device) {
+        return device.platform().equals("Portable Computing Language")
+                && device.driverVersion().startsWith("3.");
+    }
+
+    @Override
+    public void load(Stages shared) {
+        stages = shared;
+        steps = stages.kernel("lanes_steps");
+        degrees = stages.kernel("lanes_degrees");
+    }
+
+    @Override
+    public boolean suits(Steps wanted) {
+        return !wanted.thinning() && wanted.haveOneLevel();
+    }
+
+    @Override
+    public void enqueue(Steps wanted) {
+        stages.begin(wanted, false);
+        rows = wanted.levels().rowCount[wanted.level()];
+        int useful = Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS);
+        int groups = Math.max(1, Math.min(workGroups.most(), useful));
+        steps.arg(StageKernels.own(0), wanted.count())
+                .arg(StageKernels.own(1), workGroups.awaited(groups))
+                .arg(StageKernels.own(2), workGroups.patience())
+                .run(groups, 1);
+    }
+
+    @Override
+    public void countDegrees(int contacts) {
+        degrees.run(rows);
+    }
+
+    /** The fullest band says how much room is needed, which is no sign of a crowd; kernels tell of crowds by themselves. */
+    @Override
+    public boolean wantOfRoomTellsOfCrowds() {
+        return false;
+    }
+
+    @Override
+    public void calledOff() {
+        workGroups.calledOff();
+    }
+}

@@ -1,0 +1,89 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.StageKernels;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/Resident.cl}. A launch costs
+ * the host several microseconds, a barrier over resident work-groups one or two; a large world has other costs, and is better
+ * off with launches.
+ */
+public final class PersistentGpu implements Plan {
+    /** Worlds of more circles use a launch a pass: with several tiles a work-group the barriers cost more than launches. */
+    private static final int MOST_CIRCLES = 32_000;
+
+    /** Work-items of a work-group. */
+    private static final int GROUP = 256;
+
+    private final TileSizes sizes;
+    private Stages stages;
+    private Kernel steps;
+    private int mostGroups;
+
+    PersistentGpu(TileSizes sizes) {
+        this.sizes = sizes;
+    }
+
+    /** Whether a device is known to run work-groups that wait for each other. */
+    public static boolean fits(Device device) {
+        return device.vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
+    }
+
+    @Override
+    public List<String> files() {
+        List<String> files = new ArrayList<>(Tiles.FILES);
+        files.add("world/Resident.cl");
+        return files;
+    }
+
+    @Override
+    public KernelSource define(KernelSource source) {
+        return source.define("RESIDENT_GROUP", GROUP);
+    }
+
+    @Override
+    public KernelSource define(KernelSource source, Device device) {
+        return source.define("PTX", fits(device));
+    }
+
+    @Override
+    public boolean usesTileArrays() {
+        return true;
+    }
+
+    @Override
+    public void load(Stages shared) {
+        stages = shared;
+        steps = stages.kernel("resident_steps");
+        // Elsewhere nothing is known of work-groups that wait for each other.
+        // On a compute unit one surely runs; whether two run at once hangs on registers, and one that does not would be
+        // waited for.
+        mostGroups = fits(stages.device()) ? stages.device().computeUnits() : 1;
+    }
+
+    @Override
+    public boolean suits(Steps wanted) {
+        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suit(wanted);
+    }
+
+    @Override
+    public void enqueue(Steps wanted) {
+        sizes.choose(wanted, mostGroups);
+        stages.prepare(sizes, wanted);
+        stages.begin(wanted, true);
+        int needed = Math.max(sizes.tiles(), (wanted.circles() + GROUP - 1) / GROUP);
+        int groups = Math.min(needed, mostGroups);
+        steps.arg(StageKernels.own(0), wanted.count()).run((long) groups * GROUP, GROUP);
+    }
+
+    @Override
+    public void countDegrees(int contacts) {
+        stages.countDegrees(DeviceArray.ORDERED, contacts);
+    }
+}

@@ -1,0 +1,54 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.KernelSource;
+import java.util.List;
+
+/** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
+public interface Plan {
+    /** The kernel files that the plan needs besides those that all plans share, in the order in which they are compiled. */
+    List<String> files();
+
+    /** Adds the numbers that the files share with the host. */
+    default KernelSource define(KernelSource source) {
+        return source;
+    }
+
+    /** Adds what the files must know of a device. */
+    default KernelSource define(KernelSource source, Device device) {
+        return source;
+    }
+
+    /** Whether the plan needs the arrays for tiles alone. */
+    default boolean usesTileArrays() {
+        return false;
+    }
+
+    /** Takes its kernels out of the compiled program; once, before all that follows. */
+    void load(Stages stages);
+
+    /** Whether the plan can make such steps. */
+    boolean suits(Steps steps);
+
+    /** Enqueues steps that it suits. */
+    void enqueue(Steps steps);
+
+    /** Counts the contacts of each circle after a step of this plan, into ranks, which are all zeros before. */
+    void countDegrees(int contacts);
+
+    /**
+     * Takes note of how full the fullest tile was, whichever plan made the steps.
+     *
+     * @param tilePeak percent of the room; 0 where no tiles were used
+     * @param thinning whether the steps thinned crowds out
+     */
+    default void learn(int tilePeak, boolean thinning) {}
+
+    /** Whether a step that asks for room for very many contacts has met a crowd. */
+    default boolean wantOfRoomTellsOfCrowds() {
+        return true;
+    }
+
+    /** Takes note that a launch was called off because its work-groups did not all come. */
+    default void calledOff() {}
+}

@@ -1,0 +1,119 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.WorldSource;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Predicate;
+
+/**
+ * Which plans a device follows. The first row that takes a device is its own. Of the plans of a row, the first that suits a step
+ * makes it; the last suits all.
+ */
+public enum Plans {
+    PERSISTENT_CPU(
+            PersistentCpu::fits,
+            device -> "a processor of " + device.computeUnits() + " threads",
+            device -> List.of(new PersistentCpu(new WorkGroups(device.computeUnits())), new ByColours())),
+    PERSISTENT_GPU(
+            device -> isGpu(device) && Tiles.fit(device) && PersistentGpu.fits(device),
+            device -> gpu(device) + ", of a vendor whose work-groups can wait for each other",
+            device -> {
+                TileSizes sizes = new TileSizes(device.computeUnits());
+                return List.of(new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
+            }),
+    TILES(
+            device -> isGpu(device) && Tiles.fit(device),
+            Plans::gpu,
+            device -> List.of(new Tiles(new TileSizes(device.computeUnits())), new ByColours())),
+    COLOURS(
+            device -> true,
+            device -> isGpu(device) ? gpu(device) + ", too few for tiles" : "it is neither a GPU nor a processor",
+            device -> List.of(new ByColours()));
+
+    private static final System.Logger LOG = System.getLogger(Plans.class.getName());
+
+    private final Predicate<Device> takes;
+    private final Function<Device, String> reason;
+    private final Function<Device, List<Plan>> plans;
+
+    Plans(Predicate<Device> takes, Function<Device, String> reason, Function<Device, List<Plan>> plans) {
+        this.takes = takes;
+        this.reason = reason;
+        this.plans = plans;
+    }
+
+    /** The row of a device, with the reason in the log. */
+    public static Plans choose(Device device) {
+        for (Plans row : values()) {
+            if (row.takes.test(device)) {
+                LOG.log(
+                        System.Logger.Level.DEBUG,
+                        "World on {0} uses plan {1}: {2}",
+                        device.name(),
+                        row,
+                        row.reason.apply(device));
+                return row;
+            }
+        }
+        throw new AssertionError("the last row takes every device");
+    }
+
+    /** The plans of this row, in the order in which a step looks at them. */
+    public List<Plan> of(Device device) {
+        return plans.apply(device);
+    }
+
+    /** The plan that makes steps: the first that suits them. */
+    public static Plan first(List<Plan> plans, Steps steps) {
+        for (Plan plan : plans) {
+            if (plan.suits(steps)) {
+                return plan;
+            }
+        }
+        throw new IllegalStateException("none of the plans suits " + steps);
+    }
+
+    /** One plan of each kind. */
+    public static List<Plan> all() {
+        TileSizes sizes = new TileSizes(1);
+        return List.of(
+                new PersistentCpu(new WorkGroups(1)), new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
+    }
+
+    /** The source of plans: of what all share, and of no other file than theirs. */
+    public static KernelSource source(List<Plan> plans) {
+        Set<String> files = new LinkedHashSet<>();
+        // The last plan first: those before it may use its functions.
+        List<Plan> fromLast = new ArrayList<>(plans);
+        Collections.reverse(fromLast);
+        fromLast.forEach(plan -> files.addAll(plan.files()));
+        KernelSource source = WorldSource.of(files);
+        for (Plan plan : fromLast) {
+            source = plan.define(source);
+        }
+        return source;
+    }
+
+    /** The same, with what they must know of a device. */
+    public static KernelSource source(List<Plan> plans, Device device) {
+        KernelSource source = source(plans);
+        for (Plan plan : plans) {
+            source = plan.define(source, device);
+        }
+        return source;
+    }
+
+    private static boolean isGpu(Device device) {
+        return device.kind() == Device.Kind.GPU;
+    }
+
+    private static String gpu(Device device) {
+        return "a GPU with " + device.localMemoryBytes() + " bytes of local memory";
+    }
+}

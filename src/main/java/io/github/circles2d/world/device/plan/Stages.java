@@ -1,0 +1,89 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.Scan;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.StepParameters;
+
+/** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of steps with a launch per stage. */
+public final class Stages {
+    private final Device device;
+    private final StageKernels kernels;
+    private final DeviceArrays arrays;
+    private final StepParameters parameters;
+    private final GridStage grid;
+    private final ContinuousCollisionStage continuousCollision;
+    private final ContactsStage contacts;
+    private final Kernel degrees;
+
+    public Stages(Device device, StageKernels kernels, DeviceArrays arrays, StepParameters parameters) {
+        this.device = device;
+        this.kernels = kernels;
+        this.arrays = arrays;
+        this.parameters = parameters;
+        Scan scan = new Scan(kernels);
+        grid = new GridStage(kernels, arrays, scan);
+        continuousCollision = new ContinuousCollisionStage(kernels);
+        contacts = new ContactsStage(kernels, arrays, scan);
+        degrees = kernels.plain("contacts_degrees");
+    }
+
+    Device device() {
+        return device;
+    }
+
+    Kernel kernel(String name) {
+        return kernels.staged(name);
+    }
+
+    /** Makes room for the tiles of steps, and notes their size and number. */
+    void prepare(TileSizes sizes, Steps steps) {
+        arrays.ensureTiles(sizes.tiles());
+        sizes.describe(steps, parameters);
+    }
+
+    /** Hands over what steps are made with that one launch makes, by tiles or not. */
+    void begin(Steps steps, boolean tiled) {
+        parameters.setWay(steps.sweeping(), steps.thinning(), tiled);
+        send(steps.warmScale(), steps.slots(), steps.circles());
+    }
+
+    /**
+     * Enqueues steps stage by stage, up to the list of contacts.
+     *
+     * @param tiled whether they are made by tiles
+     * @param rest enqueues the rest of a step
+     */
+    void enqueueEach(Steps steps, boolean tiled, Runnable rest) {
+        parameters.setWay(steps.sweeping(), steps.thinning(), tiled);
+        int slots = steps.slots();
+        int circles = steps.circles();
+        for (int step = 0; step < steps.count(); step++) {
+            send(step == 0 ? steps.warmScale() : 1f, slots, circles);
+            grid.build(steps.levels(), slots, circles);
+            if (steps.sweeping()) {
+                continuousCollision.sweep(steps.levels(), circles);
+            }
+            contacts.list(steps.levels(), circles, steps.thinning());
+            rest.run();
+            slots = circles;
+        }
+    }
+
+    private void send(float warmScale, int slots, int circles) {
+        parameters.setWarmScale(warmScale);
+        parameters.send(arrays);
+        kernels.bind(arrays, slots, circles);
+    }
+
+    /** Counts the contacts of each circle into ranks, which are all zeros before. */
+    void countDegrees(DeviceArray pairs, int contacts) {
+        degrees.arg(0, arrays.get(pairs))
+                .arg(1, contacts)
+                .arg(2, arrays.get(DeviceArray.RANK))
+                .run(contacts);
+    }
+}

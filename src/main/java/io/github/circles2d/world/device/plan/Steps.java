@@ -1,0 +1,35 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.world.model.GridLevels;
+
+/**
+ * Steps to be enqueued.
+ *
+ * @param count how many
+ * @param levels shape of the grids
+ * @param slots slots at home before the first; circles before those behind it
+ * @param circles circles
+ * @param subSteps sub-steps of a step
+ * @param warmScale what impulses of the step before the first are multiplied by
+ * @param sweeping whether the steps take fast circles
+ * @param thinning whether the steps thin crowds out
+ */
+public record Steps(
+        int count,
+        GridLevels levels,
+        int slots,
+        int circles,
+        int subSteps,
+        float warmScale,
+        boolean sweeping,
+        boolean thinning) {
+    /** Whether all circles are of one level. */
+    boolean haveOneLevel() {
+        return levels.usedCount == 1;
+    }
+
+    /** The level of all circles, where they are of one. */
+    int level() {
+        return levels.used[0];
+    }
+}

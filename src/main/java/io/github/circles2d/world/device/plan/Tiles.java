@@ -1,0 +1,106 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.TileRecord;
+import java.util.List;
+
+/**
+ * A launch per stage, and per pass over all contacts instead of per colour, if all circles are of one level;
+ * {@code kernels/world/Tiles.cl} tells how.
+ */
+public final class Tiles implements Plan {
+    static final List<String> FILES = List.of(
+            "world/Solver.cl",
+            "world/TileCircles.cl",
+            "world/Tiles.cl",
+            "world/TileContacts.cl",
+            "world/TileOrder.cl",
+            "world/TileSolver.cl");
+
+    /** Local memory that a work-group takes. */
+    private static final int LOCAL_BYTES = 40 << 10;
+
+    private final TileSizes sizes;
+    private Stages stages;
+    private Kernel link;
+    private Kernel arrange;
+    private Kernel push;
+    private Kernel relax;
+    private Kernel remember;
+
+    Tiles(TileSizes sizes) {
+        this.sizes = sizes;
+    }
+
+    /** Whether a device can run the tiles at all. */
+    public static boolean fit(Device device) {
+        return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
+    }
+
+    @Override
+    public List<String> files() {
+        return FILES;
+    }
+
+    @Override
+    public KernelSource define(KernelSource source) {
+        return source.define("TILE_CIRCLES", TileRecord.CIRCLES)
+                .define("TILE_CONTACTS", TileRecord.CONTACTS)
+                .define("TILE_ROUNDS", TileRecord.ROUNDS)
+                .define("TILE_PARTS", TileRecord.PARTS)
+                .define("TILE_GROUP", TileRecord.GROUP)
+                .define("TILE_COPIES_IN_TWO", TileRecord.COPIES_IN_TWO);
+    }
+
+    @Override
+    public boolean usesTileArrays() {
+        return true;
+    }
+
+    @Override
+    public void load(Stages shared) {
+        stages = shared;
+        link = stages.kernel("contacts_link");
+        arrange = stages.kernel("contacts_arrange");
+        push = stages.kernel("solver_pushTile");
+        relax = stages.kernel("solver_relaxTile");
+        remember = stages.kernel("solver_remember");
+    }
+
+    @Override
+    public boolean suits(Steps steps) {
+        return sizes.suit(steps);
+    }
+
+    @Override
+    public void enqueue(Steps steps) {
+        sizes.choose(steps);
+        stages.prepare(sizes, steps);
+        stages.enqueueEach(steps, true, () -> solve(steps));
+    }
+
+    private void solve(Steps steps) {
+        long items = (long) sizes.tiles() * TileRecord.GROUP;
+        link.run(2L * steps.circles());
+        arrange.run(items, TileRecord.GROUP);
+        for (int sub = 0; sub < steps.subSteps(); sub++) {
+            push.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
+            relax.arg(StageKernels.own(0), sub == steps.subSteps() - 1 ? 1 : 0).run(items, TileRecord.GROUP);
+        }
+        remember.run(2L * steps.circles());
+    }
+
+    @Override
+    public void countDegrees(int contacts) {
+        stages.countDegrees(DeviceArray.ORDERED, contacts);
+    }
+
+    @Override
+    public void learn(int tilePeak, boolean thinning) {
+        sizes.learn(tilePeak, thinning);
+    }
+}

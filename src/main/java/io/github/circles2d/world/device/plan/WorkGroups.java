@@ -1,0 +1,44 @@
+package io.github.circles2d.world.device.plan;
+
+/** The work-groups of a launch of {@link PersistentCpu}: how many there are at most, and how long they wait for each other. */
+public class WorkGroups {
+    /** How often a work-group looks for the others before it calls the launch off: about a second. */
+    private static final int PATIENCE = 1 << 23;
+
+    private static final System.Logger LOG = System.getLogger(WorkGroups.class.getName());
+
+    private int most;
+
+    /**
+     * Work-groups that are expected to run at once.
+     *
+     * @param most number of compute units
+     */
+    public WorkGroups(int most) {
+        this.most = most;
+    }
+
+    /** How many a launch has at most. */
+    public int most() {
+        return most;
+    }
+
+    /** How many of a launch wait for each other, where there are so many. */
+    public int awaited(int groups) {
+        return groups;
+    }
+
+    /** How often one looks for the others before it calls the launch off. */
+    public int patience() {
+        return PATIENCE;
+    }
+
+    /** Takes note that a launch was called off: from now on there is one work-group alone. */
+    public void calledOff() {
+        LOG.log(
+                System.Logger.Level.WARNING,
+                "{0} work-groups of World did not run at once, as they should on so many compute units; it goes on with one",
+                most);
+        most = 1;
+    }
+}

@@ -1,0 +1,24 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.plan.Plan;
+import io.github.circles2d.world.device.plan.Plans;
+import java.util.List;
+
+/** Empty pipelines on devices, by plans that need not be those that the device would follow. */
+final class Pipelines {
+    private Pipelines() {}
+
+    static DevicePipeline of(Device device, Plans plans) {
+        return of(device, plans, false);
+    }
+
+    static DevicePipeline of(Device device, Plans plans, boolean profiling) {
+        return new DevicePipeline(device, 0, profiling, plans.of(device), StageKernels.USUAL_GROUPS);
+    }
+
+    static DevicePipeline of(Device device, List<Plan> plans) {
+        return new DevicePipeline(device, 0, false, plans, StageKernels.USUAL_GROUPS);
+    }
+}

@@ -1,0 +1,106 @@
+package io.github.circles2d.world.device.memory;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.KernelBuildException;
+import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.opencl.TestDevices;
+import java.nio.IntBuffer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The tables of the host, and what compilers of devices make of them. */
+class WorldTablesTest {
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void theDeviceTakesTheSizesOfStructsAndElementsForWhatTheHostDoes(Device device) {
+        List<String> probed = new ArrayList<>(List.of("StepConstants", "Levels"));
+        List<Integer> onHost =
+                new ArrayList<>(List.of(4 * StepParameters.CONSTANTS.words(), 4 * StepParameters.LEVELS.words()));
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array.index() != DeviceArray.Index.STRUCT) {
+                probed.add("*w." + array.kernelName());
+                onHost.add(array.elementBytes());
+            }
+        }
+        assertThat(sizes(device, probed)).isEqualTo(onHost);
+    }
+
+    private static List<Integer> sizes(Device device, List<String> probed) {
+        StringBuilder probe = new StringBuilder("kernel void probe(global int *out) {\n    World w;\n");
+        for (int i = 0; i < probed.size(); i++) {
+            probe.append("    out[" + i + "] = (int) sizeof(" + probed.get(i) + ");\n");
+        }
+        KernelSource source = WorldSource.tables().and(KernelSource.ofText("probe", probe + "}\n"));
+        int[] sizes = new int[probed.size()];
+        try (Session session = Session.open(device);
+                DeviceBuffer out = session.allocate("sizes", 4L * sizes.length)) {
+            session.build(source, StageKernels.options(device))
+                    .kernel("probe")
+                    .arg(0, out)
+                    .run(1);
+            out.read(IntBuffer.wrap(sizes));
+        }
+        return Arrays.stream(sizes).boxed().toList();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void compilersNameTheFileAndLineOfAnErrorBehindTheTables(Device device) {
+        KernelSource source = WorldSource.tables().and(KernelSource.ofText("wrong.cl", "\nint wrong = nothing;\n"));
+        try (Session session = Session.open(device)) {
+            assertThatThrownBy(() -> session.build(source))
+                    .isInstanceOf(KernelBuildException.class)
+                    .hasMessageContaining("wrong.cl:2");
+        }
+    }
+
+    @Test
+    void everyStatusWordHasAPlaceOfItsOwn() {
+        Set<Integer> places = new HashSet<>();
+        for (StatusWord word : StatusWord.values()) {
+            assertThat(word.index()).as(word.name()).isBetween(0, StatusWord.WORDS - 1);
+            assertThat(places.add(word.index())).as(word.name()).isTrue();
+        }
+    }
+
+    @Test
+    void aStructPacksItsRowsInOrderAndLeavesAloneWhatIsSetApart() {
+        HostStruct<float[]> struct = new HostStruct<float[]>("Some")
+                .field("float", "first", (from, to) -> to.put(from[0]), "one")
+                .apart("between", "another")
+                .field("float", "last[2]", 2, (from, to) -> to.put(from[1]).put(from[2]), "two");
+        int[] words = {0, 7, 0, 0};
+        struct.pack(new float[] {1f, 2f, -0f}, words);
+        assertThat(words)
+                .containsExactly(
+                        Float.floatToRawIntBits(1f), 7, Float.floatToRawIntBits(2f), Float.floatToRawIntBits(-0f));
+        assertThat(struct.at("between")).isEqualTo(1);
+        assertThat(struct.text())
+                .isEqualTo("typedef struct {\n    float first; // one\n    int between; // another\n"
+                        + "    float last[2]; // two\n} Some;\n");
+    }
+
+    @Test
+    void aRowOfAnotherLengthThanItSaysIsRefused() {
+        HostStruct<float[]> struct =
+                new HostStruct<float[]>("Some").field("float", "both[2]", 2, (from, to) -> to.put(from[0]), "two");
+        assertThatThrownBy(() -> struct.pack(new float[] {1f}, new int[2]))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("Some.both[2]");
+    }
+}

@@ -1,0 +1,90 @@
+package io.github.circles2d.world.device.plan;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.GridLevels;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Which plan makes a step, and what a device compiles. */
+class PlansTest {
+    private static final int MANY_CIRCLES = 1_000_000;
+
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void theLastPlanOfEveryRowSuitsAllSteps(Device device) {
+        for (Plans row : Plans.values()) {
+            List<Plan> plans = row.of(device);
+            assertThat(plans.get(plans.size() - 1).suits(steps(2, MANY_CIRCLES, true)))
+                    .as(row.name())
+                    .isTrue();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aStepGoesToTheFirstPlanThatSuitsIt(Device device) {
+        List<Plan> processor = Plans.PERSISTENT_CPU.of(device);
+        assertThat(Plans.first(processor, steps(1, 1000, false))).isInstanceOf(PersistentCpu.class);
+        assertThat(Plans.first(processor, steps(1, 1000, true))).isInstanceOf(ByColours.class);
+        assertThat(Plans.first(processor, steps(2, 1000, false))).isInstanceOf(ByColours.class);
+        List<Plan> gpu = Plans.PERSISTENT_GPU.of(device);
+        assertThat(Plans.first(gpu, steps(1, 1000, false))).isInstanceOf(PersistentGpu.class);
+        assertThat(Plans.first(gpu, steps(1, 1000, true))).isInstanceOf(Tiles.class);
+        assertThat(Plans.first(gpu, steps(1, MANY_CIRCLES, false))).isInstanceOf(Tiles.class);
+        assertThat(Plans.first(gpu, steps(2, 1000, false))).isInstanceOf(ByColours.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void tilesThatNeverDoAreGivenUpForAWhile(Device device) {
+        List<Plan> plans = Plans.PERSISTENT_GPU.of(device);
+        Steps steps = steps(1, 1000, false);
+        plans.forEach(plan -> plan.learn(Integer.MAX_VALUE, false));
+        int looks = 0;
+        while (Plans.first(plans, steps) instanceof ByColours) {
+            plans.forEach(plan -> plan.learn(0, false));
+            looks++;
+        }
+        assertThat(looks).isEqualTo(256);
+        assertThat(Plans.first(plans, steps)).isInstanceOf(PersistentGpu.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aDeviceCompilesNoFileThatItsPlansDoNotNeed(Device device) {
+        assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "Lane", "Resident");
+        assertThat(Plans.source(Plans.PERSISTENT_CPU.of(device)).toString())
+                .contains("Lanes.cl", "Solver.cl")
+                .doesNotContain("Tile", "Resident");
+        assertThat(Plans.source(Plans.TILES.of(device)).toString())
+                .contains("TileSolver.cl")
+                .doesNotContain("Lane", "Resident");
+    }
+
+    @Test
+    void theFingerprintIsOfTheFilesOfAllPlans() {
+        assertThat(Plans.source(Plans.all()).toString())
+                .contains("Solver.cl", "TileSolver.cl", "Resident.cl", "Lanes.cl");
+    }
+
+    private static Steps steps(int sizes, int circles, boolean thinning) {
+        int[] counts = new int[GridLevels.COUNT];
+        counts[0] = circles;
+        // Three size classes apart, so that the levels do not join.
+        counts[3 * (sizes - 1)] = circles;
+        GridLevels levels = new GridLevels();
+        levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts);
+        assertThat(levels.usedCount).isEqualTo(sizes);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning);
+    }
+}
