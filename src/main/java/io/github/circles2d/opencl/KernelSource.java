@@ -9,12 +9,21 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HexFormat;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
- * OpenCL C source: files of the folder {@code kernels}, joined in a given order, and the constants that the host defines
- * for them. Immutable.
+ * OpenCL C source: files of the folder {@code kernels}, each behind those that it uses, and the constants that the host
+ * defines for them. Immutable.
+ *
+ * <p>A file names the files that it uses in lines such as {@code // uses: world/shared/Contact.cl world/stages/World.cl}. A
+ * source has each file once. {@code Contact.cl*4} takes a file with the macro LANES defined as 4 instead of empty: one text that
+ * serves several widths of vectors. {@code Contact.cl*LANES} takes it as the using file was taken.
  *
  * <p>The files come out of the library's jar. To develop kernels, name a folder that holds them by the system property
  * {@value #FOLDER_PROPERTY}.
@@ -25,51 +34,71 @@ public final class KernelSource {
 
     private static final String RESOURCES = "/io/github/circles2d/kernels/";
 
-    private final List<String> files;
-    private final String text;
+    /** What takes a file for several lanes, in front of their number; and what goes back to one lane, behind the file. */
+    private static final String LANES = "#undef LANES\n#define LANES ";
+
+    private static final Pattern USES = Pattern.compile("^// uses: (.*)$", Pattern.MULTILINE);
+
+    /** Texts by the names of their files, in the order in which they are compiled. */
+    private final Map<String, String> files;
+
     private final List<String> buildOptions;
 
-    private KernelSource(List<String> files, String text, List<String> buildOptions) {
-        this.files = files;
-        this.text = text;
+    private KernelSource(Map<String, String> files, List<String> buildOptions) {
+        this.files = Collections.unmodifiableMap(files);
         this.buildOptions = buildOptions;
     }
 
     /**
-     * Reads source files.
+     * Reads source files, and those that they use.
      *
-     * @param files paths below the folder {@code kernels}, in the order in which they are to be compiled
-     * @return the joined source
-     * @throws IllegalArgumentException if there is no such file, it cannot be read, or it is not plain ASCII
+     * @param files paths below the folder {@code kernels}
+     * @return the files in this order, each behind those that it uses
+     * @throws IllegalArgumentException if there is no such file, it cannot be read, it is not plain ASCII, or it uses itself
      */
     public static KernelSource of(String... files) {
-        return new KernelSource(List.of(files), join(files), List.of());
+        return new KernelSource(Map.of(), List.of()).and(files);
     }
 
     /**
-     * Adds source files.
+     * Adds source files, and those that they use.
      *
      * @param more paths below the folder {@code kernels}, to be compiled after those that are there
      * @return a source that has them too
-     * @throws IllegalArgumentException if there is no such file, it cannot be read, or it is not plain ASCII
+     * @throws IllegalArgumentException if there is no such file, it cannot be read, it is not plain ASCII, or it uses itself
      */
     public KernelSource and(String... more) {
-        List<String> all = new ArrayList<>(files);
-        all.addAll(List.of(more));
-        return new KernelSource(List.copyOf(all), text + join(more), buildOptions);
+        Map<String, String> all = new LinkedHashMap<>(files);
+        for (String file : more) {
+            add(file, all, new ArrayList<>());
+        }
+        return new KernelSource(all, buildOptions);
     }
 
-    private static String join(String... files) {
-        StringBuilder text = new StringBuilder();
-        for (String file : files) {
-            // Joined, not included: #include would look in the current directory first.
-            text.append("#line 1 \"")
-                    .append(file)
-                    .append("\"\n")
-                    .append(read(file))
-                    .append('\n');
+    /** Adds a file behind those that it uses. users: the files that led here. */
+    private static void add(String file, Map<String, String> files, List<String> users) {
+        if (users.contains(file)) {
+            String ring = String.join(" uses ", users.subList(users.indexOf(file), users.size()));
+            throw new IllegalArgumentException("kernel sources use each other in a ring: " + ring + " uses " + file);
         }
-        return text.toString();
+        if (files.containsKey(file)) {
+            return;
+        }
+        int star = file.indexOf('*');
+        String path = star < 0 ? file : file.substring(0, star);
+        String lanes = star < 0 ? "" : file.substring(star + 1);
+        String text = read(path, users);
+        users.add(file);
+        Matcher uses = USES.matcher(text);
+        while (uses.find()) {
+            for (String used : uses.group(1).split(" ")) {
+                add(used.replace("*LANES", lanes.isEmpty() ? "" : "*" + lanes), files, users);
+            }
+        }
+        users.remove(users.size() - 1);
+        // Joined, not included: #include would look in the current directory first.
+        String marked = "#line 1 \"" + path + "\"\n" + text + "\n";
+        files.put(file, lanes.isEmpty() ? marked : LANES + lanes + "\n" + marked + LANES + "\n");
     }
 
     /**
@@ -81,7 +110,7 @@ public final class KernelSource {
      */
     public static KernelSource ofText(String name, String text) {
         requireAscii(name, text);
-        return new KernelSource(List.of(name), "#line 1 \"" + name + "\"\n" + text, List.of());
+        return new KernelSource(Map.of(name, "#line 1 \"" + name + "\"\n" + text), List.of());
     }
 
     /**
@@ -94,21 +123,27 @@ public final class KernelSource {
     public KernelSource define(String name, Object value) {
         List<String> options = new ArrayList<>(buildOptions);
         options.add("-D" + name + "=" + literal(value));
-        return new KernelSource(files, text, List.copyOf(options));
+        return new KernelSource(files, List.copyOf(options));
     }
 
     /**
      * Appends another source.
      *
      * @param next what follows
-     * @return a source with the files and definitions of both
+     * @return a source with the files and definitions of both; a file that both have comes once
+     * @throws IllegalArgumentException if both have a file of one name, but not the same
      */
     public KernelSource and(KernelSource next) {
-        List<String> allFiles = new ArrayList<>(files);
-        allFiles.addAll(next.files);
+        Map<String, String> allFiles = new LinkedHashMap<>(files);
+        next.files.forEach((file, text) -> {
+            if (!text.equals(allFiles.getOrDefault(file, text))) {
+                throw new IllegalArgumentException("two different kernel sources are named " + file);
+            }
+            allFiles.put(file, text);
+        });
         List<String> allOptions = new ArrayList<>(buildOptions);
         allOptions.addAll(next.buildOptions);
-        return new KernelSource(List.copyOf(allFiles), text + next.text, List.copyOf(allOptions));
+        return new KernelSource(allFiles, List.copyOf(allOptions));
     }
 
     private static String literal(Object value) {
@@ -122,7 +157,7 @@ public final class KernelSource {
     }
 
     String text() {
-        return text;
+        return String.join("", files.values());
     }
 
     List<String> buildOptions() {
@@ -138,7 +173,7 @@ public final class KernelSource {
     public String fingerprint() {
         try {
             MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update(text.getBytes(StandardCharsets.US_ASCII));
+            digest.update(text().getBytes(StandardCharsets.US_ASCII));
             digest.update(String.join(" ", buildOptions).getBytes(StandardCharsets.US_ASCII));
             return HexFormat.of().formatHex(digest.digest(), 0, 8);
         } catch (NoSuchAlgorithmException e) {
@@ -149,32 +184,33 @@ public final class KernelSource {
     /** Returns the names of the files. */
     @Override
     public String toString() {
-        return String.join(" + ", files);
+        return String.join(" + ", files.keySet());
     }
 
-    private static String read(String file) {
+    private static String read(String file, List<String> users) {
         String folder = System.getProperty(FOLDER_PROPERTY);
-        String text = folder == null ? readResource(file) : readFile(folder, file);
+        String user = users.isEmpty() ? "" : ", which " + users.get(users.size() - 1) + " uses";
+        String text = folder == null ? readResource(file, user) : readFile(folder, file, user);
         requireAscii(file, text);
         return text;
     }
 
     /** Not by a channel, which an interrupt may close. */
-    private static String readFile(String folder, String file) {
+    private static String readFile(String folder, String file, String user) {
         try (InputStream in = new FileInputStream(new File(folder, file))) {
             return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
         } catch (IOException e) {
             throw new IllegalArgumentException(
                     "the system property " + FOLDER_PROPERTY + " is '" + folder
-                            + "', but must name a folder that holds the kernel " + file + ": " + e.getMessage(),
+                            + "', but must name a folder that holds the kernel " + file + user + ": " + e.getMessage(),
                     e);
         }
     }
 
-    private static String readResource(String file) {
+    private static String readResource(String file, String user) {
         try (InputStream in = KernelSource.class.getResourceAsStream(RESOURCES + file)) {
             if (in == null) {
-                throw new IllegalArgumentException("there is no kernel source " + file);
+                throw new IllegalArgumentException("there is no kernel source " + file + user);
             }
             return new String(in.readAllBytes(), StandardCharsets.ISO_8859_1);
         } catch (IOException e) {

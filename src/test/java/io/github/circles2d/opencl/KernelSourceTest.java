@@ -40,6 +40,60 @@ class KernelSourceTest {
     }
 
     @Test
+    void aFileComesOnceAndBehindThoseThatItUses(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("Top.cl"), "// uses: Left.cl Right.cl\nint top;\n");
+        Files.writeString(folder.resolve("Left.cl"), "// A comment.\n// uses: Base.cl\n");
+        Files.writeString(folder.resolve("Right.cl"), "// uses: Left.cl\n// uses: Base.cl\n");
+        Files.writeString(folder.resolve("Base.cl"), "int base;\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        KernelSource top = KernelSource.of("Top.cl", "Base.cl");
+        assertThat(top).hasToString("Base.cl + Left.cl + Right.cl + Top.cl");
+        assertThat(top.text()).startsWith("#line 1 \"Base.cl\"\nint base;\n\n#line 1 \"Left.cl\"\n// A comment.\n");
+        assertThat(top.and(KernelSource.of("Right.cl")).text()).isEqualTo(top.text());
+    }
+
+    @Test
+    void aFileIsTakenForAsManyLanesAsItsUserSays(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("Top.cl"), "// uses: Formula.cl Formula.cl*4\n");
+        Files.writeString(folder.resolve("Formula.cl"), "// uses: Math.cl*LANES Plain.cl\n");
+        Files.writeString(folder.resolve("Math.cl"), "math LANES;\n");
+        Files.writeString(folder.resolve("Plain.cl"), "");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        KernelSource top = KernelSource.of("Top.cl");
+        assertThat(top).hasToString("Math.cl + Plain.cl + Formula.cl + Math.cl*4 + Formula.cl*4 + Top.cl");
+        assertThat(top.text())
+                .contains(
+                        "#undef LANES\n#define LANES 4\n#line 1 \"Math.cl\"\nmath LANES;\n\n#undef LANES\n#define LANES \n");
+    }
+
+    @Test
+    void aRingIsRefusedWithItsFiles(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("Top.cl"), "// uses: A.cl\n");
+        Files.writeString(folder.resolve("A.cl"), "// uses: B.cl\n");
+        Files.writeString(folder.resolve("B.cl"), "// uses: A.cl\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        assertThatThrownBy(() -> KernelSource.of("Top.cl"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("ring: A.cl uses B.cl uses A.cl");
+    }
+
+    @Test
+    void aFileThatIsUsedButAbsentIsNamedWithItsUser(@TempDir Path folder) throws IOException {
+        Files.writeString(folder.resolve("A.cl"), "// uses: Absent.cl\n");
+        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
+        assertThatThrownBy(() -> KernelSource.of("A.cl"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("Absent.cl, which A.cl uses");
+    }
+
+    @Test
+    void twoTextsOfOneNameAreRefused() {
+        assertThatThrownBy(() -> KernelSource.ofText("text", "a").and(KernelSource.ofText("text", "b")))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("text");
+    }
+
+    @Test
     void aLetterThatIsNotAsciiIsRefusedWithItsLine(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("A.cl"), "int a;\n// caf\u00e9\n");
         System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());

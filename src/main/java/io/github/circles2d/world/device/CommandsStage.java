@@ -12,7 +12,7 @@ import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
-/** Applies commands on a device; {@code kernels/world/Commands.cl}. */
+/** Applies commands on a device; {@code kernels/world/stages/Commands.cl}. */
 final class CommandsStage {
     private static final int LEAST_CAPACITY = 64;
     private static final long RECORD_BYTES = (long) Integer.BYTES * Commands.STRIDE;

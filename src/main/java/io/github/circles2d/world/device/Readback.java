@@ -12,7 +12,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.function.IntPredicate;
 
-/** Reads the state back in the order of ids; {@code kernels/world/Readback.cl}. */
+/** Reads the state back in the order of ids; {@code kernels/world/stages/Readback.cl}. */
 final class Readback {
     /** Bytes of x, y, radius and mass. */
     private static final long CIRCLE_BYTES = 4L * Float.BYTES;

@@ -12,7 +12,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 
 /**
- * Positions that come to the host while the next steps run; {@code kernels/world/Readback.cl}. They are laid out behind the
+ * Positions that come to the host while the next steps run; {@code kernels/world/stages/Readback.cl}. They are laid out behind the
  * pending steps, of which nobody knows yet whether they are refused; the number of steps made comes with them and tells.
  */
 final class RequestedPositions {

@@ -2,7 +2,7 @@ package io.github.circles2d.world.model;
 
 /**
  * Every floating-point formula of the World engine but those of a visit of a contact or a wall ({@link Constraints}), in small
- * functions of scalars. The file {@code kernels/world/CircleMath.cl} has the same functions under the same names, and both give
+ * functions of scalars. The file {@code kernels/world/shared/CircleMath.cl} has the same functions under the same names, and both give
  * the same bits: nothing but
  * {@code + - * /}, square roots, comparisons and integer operations, each written in one fixed bracketing, never
  * contracted.

@@ -15,7 +15,7 @@ import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** The formulas for four contacts at a time: every lane has the bits of the formula for one, on every device. */
+/** The formulas over REAL, for four contacts at a time: every lane has the bits of the formula for one, on every device. */
 class LaneMathTest {
     private static final int SETS = 20_000;
     private static final int ARGUMENTS = 6;
@@ -23,22 +23,51 @@ class LaneMathTest {
         0f, -0f, Float.MIN_VALUE, -Float.MIN_VALUE, Float.MIN_NORMAL, 1f, -1f, Math.nextUp(1f), 1e9f, -1e9f, 0x1p-60f
     };
 
-    /** Of formulas: that for four, that for one lane; a to f: arguments. StepConstants have the values of the last set. */
-    private static final String[][] FORMULAS = {
-        {"greatest4(A, B)", "greatest(a, b)"},
-        {"norm4(A, B)", "norm(a, b)"},
-        {"along4(A, B, C, D)", "along(a, b, c, d)"},
-        {"convert_float4(carries4(A, B, C, D) & 1)", "(float) carries(a, b, c, d)"},
-        {"bounceThreshold4(A, B, e, f)", "bounceThreshold(a, b, e, f)"},
-        {"pushSpeed4(fabs(A), e, f)", "pushSpeed(fabs(a), e, f)"},
-        {"rigid4(A, B, C, D)", "rigid(a, b, c, d)"},
-        {"freeBounce4(A, B, C)", "freeBounce(a, b, c)"},
-        {
-            "rigidOrSoft4(&k, A, B, C, D, E)",
-            "d > 0.0f ? rigid(a, b, c, d * k.inverseH)"
-                    + " : soft(a, b, c, d, e, k.biasRate, k.massScale, k.impulseScale)"
-        },
+    /** Over REAL; A to F: arguments. */
+    private static final String[] FORMULAS = {
+        "return NAME(greatest)(A, B);",
+        "return NAME(norm)(A, B);",
+        "return NAME(along)(A, B, C, D);",
+        "return NAME(isNear)(A, B, C) ? (REAL)(1.0f) : (REAL)(0.0f);",
+        "return NAME(mayCollide)(A, B) ? (REAL)(1.0f) : (REAL)(0.0f);",
+        "return NAME(restitutionThreshold)(k, A, B);",
+        "return NAME(maxPushSpeed)(k, fabs(A));",
+        "return NAME(effectiveMass)(A, B);",
+        "return NAME(velocityChange)(A, B, C);",
+        "return NAME(carries)(A, B, NAME(restingLimit)(C, D)) ? (REAL)(1.0f) : (REAL)(0.0f);",
+        "REAL x = A, y = B, s; NAME(measure)(C, D, E, F, fabs(A), &x, &y, &s); return x;",
+        "REAL x = A, y = B, s; NAME(measure)(C, D, E, F, fabs(A), &x, &y, &s); return y;",
+        "REAL x = A, y = B, s; NAME(measure)(C, D, E, F, fabs(A), &x, &y, &s); return s;",
+        "NAME(Visited) v = NAME(solved)(k, A, B, C, D, E, F); return v.impulse;",
+        "NAME(Visited) v = NAME(solved)(k, A, B, C, D, E, F); return v.normalImpulse;",
+        "NAME(Visited) v = NAME(solved)(k, A, B, C, D, E, F); return v.leaves ? A : v.solved ? B : C;",
+        "NAME(Visited) v = NAME(relaxed)(k, A, B, C, D, E, F); return v.impulse;",
+        "NAME(Visited) v = NAME(relaxed)(k, A, B, C, D, E, F); return v.normalImpulse;",
+        "NAME(Visited) v = NAME(relaxed)(k, A, B, C, D, E, F); return v.leaves ? A : v.solved ? B : C;"
     };
+
+    /** A contact of separation A, restitution B, impulse C and target speed or speed before D, visited at E; loaded if F is positive. */
+    private static final String VISITS =
+            "NAME(Found) NAME(found)(const StepConstants *k, REAL A, REAL B, REAL C, REAL F) {\n"
+                    + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B), fabs(F), C, F > 0.0f};\n"
+                    + "    return f;\n"
+                    + "}\n"
+                    + "NAME(Visited) NAME(solved)(const StepConstants *k, REAL A, REAL B, REAL C, REAL D, REAL E, REAL F) {\n"
+                    + "    NAME(Found) f = NAME(found)(k, A, B, C, F);\n"
+                    + "    NAME(Ready) c;\n"
+                    + "    NAME(makeReadyToSolve)(k, contactSoftness(k), &f, fabs(C), D, &c);\n"
+                    + "    NAME(Visited) v;\n"
+                    + "    NAME(visit)(&c, E, false, &v);\n"
+                    + "    return v;\n"
+                    + "}\n"
+                    + "NAME(Visited) NAME(relaxed)(const StepConstants *k, REAL A, REAL B, REAL C, REAL D, REAL E, REAL F) {\n"
+                    + "    NAME(Found) f = NAME(found)(k, A, B, C, F);\n"
+                    + "    NAME(Ready) c;\n"
+                    + "    NAME(makeReadyToRelax)(k, &f, D, &c);\n"
+                    + "    NAME(Visited) v;\n"
+                    + "    NAME(visit)(&c, E, true, &v);\n"
+                    + "    return v;\n"
+                    + "}\n";
 
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -48,7 +77,7 @@ class LaneMathTest {
     @MethodSource("devices")
     void everyLaneHasTheBitsOfTheFormulaForOne(Device device) {
         KernelSource source = CircleMathOnDevicesTest.formulas()
-                .and("world/World.cl", "world/LaneMath.cl")
+                .and("world/shared/Contact.cl*4", "world/shared/PairRule.cl", "world/shared/PairRule.cl*4")
                 .and(KernelSource.ofText("probe", probe()));
         try (Session session = Session.open(device);
                 DeviceBuffer in = session.allocate("inputs", 16L * ARGUMENTS * SETS);
@@ -61,7 +90,7 @@ class LaneMathTest {
             out.read(IntBuffer.wrap(different));
             for (int formula = 0; formula < FORMULAS.length; formula++) {
                 assertThat(different[formula])
-                        .as(FORMULAS[formula][0] + " on " + device)
+                        .as(FORMULAS[formula] + " on " + device)
                         .isZero();
             }
         }
@@ -81,28 +110,31 @@ class LaneMathTest {
     }
 
     private static String probe() {
-        StringBuilder text =
+        StringBuilder over = new StringBuilder(VISITS);
+        StringBuilder kernel =
                 new StringBuilder("kernel void probe(global const float *in, global int *out, int count) {\n"
                         + "    int i = (int) get_global_id(0);\n"
                         + "    if (i >= count) return;\n"
                         + "    global const float *x = in + 24 * i;\n"
-                        + "    float4 A = vload4(0, x), B = vload4(1, x), C = vload4(2, x);\n"
-                        + "    float4 D = vload4(3, x), E = fabs(vload4(4, x));\n"
                         + "    StepConstants k;\n"
-                        + "    k.inverseH = 240.0f; k.biasRate = 45.0f; k.massScale = 0.9f; k.impulseScale = 0.1f;\n"
+                        + "    k.h = 0x1p-8f; k.inverseH = 240.0f;\n"
+                        + "    k.thresholdRate = 0.3f; k.restRate = 0.7f; k.pushPerLength = 4.0f; k.pushPerRoot = 3.0f;\n"
+                        + "    k.biasRate = 45.0f; k.massScale = 0.9f; k.impulseScale = 0.1f;\n"
                         + "    float lanes[4];\n");
         for (int formula = 0; formula < FORMULAS.length; formula++) {
-            text.append("    {\n        float e = fabs(x[16]), f = fabs(x[20]);\n")
-                    .append("        vstore4(" + FORMULAS[formula][0] + ", 0, lanes);\n    }\n")
+            over.append("REAL NAME(formula" + formula
+                            + "_)(const StepConstants *k, REAL A, REAL B, REAL C, REAL D, REAL E,")
+                    .append(" REAL F) {\n    " + FORMULAS[formula] + "\n}\n");
+            kernel.append("    vstore4(formula" + formula
+                            + "_4(&k, vload4(0, x), vload4(1, x), vload4(2, x), vload4(3, x),")
+                    .append(" vload4(4, x), vload4(5, x)), 0, lanes);\n")
                     .append("    for (int lane = 0; lane < 4; lane++) {\n")
-                    .append("        float a = x[lane], b = x[4 + lane], c = x[8 + lane], d = x[12 + lane];\n")
-                    .append("        float e = fabs(x[" + (formula == FORMULAS.length - 1 ? "16 + lane" : "16")
-                            + "]), f = fabs(x[20]);\n")
-                    .append("        float one = " + FORMULAS[formula][1] + ";\n")
+                    .append("        float one = formula" + formula + "_(&k, x[lane], x[4 + lane], x[8 + lane],")
+                    .append(" x[12 + lane], x[16 + lane], x[20 + lane]);\n")
                     .append(
                             "        bool same = as_int(one) == as_int(lanes[lane]) || isnan(one) && isnan(lanes[lane]);\n")
                     .append("        if (!same) atomic_inc(&out[" + formula + "]);\n    }\n");
         }
-        return text.append("}\n").toString();
+        return over + "#undef LANES\n#define LANES 4\n" + over + kernel + "}\n";
     }
 }

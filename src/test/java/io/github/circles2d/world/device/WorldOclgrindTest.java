@@ -104,8 +104,8 @@ class WorldOclgrindTest {
 
     private static Set<String> kernelsInFiles() throws IOException {
         Set<String> kernels = new TreeSet<>();
-        try (Stream<Path> files = Files.list(Path.of("kernels", "world"))) {
-            for (Path file : files.toList()) {
+        try (Stream<Path> files = Files.walk(Path.of("kernels", "world"))) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
                 Matcher matcher = KERNEL.matcher(Files.readString(file));
                 while (matcher.find()) {
                     kernels.add(matcher.group(1) != null ? matcher.group(1) : matcher.group(2));

@@ -3,7 +3,7 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 
-/** Exclusive prefix sums on the device; {@code kernels/world/Scan.cl}. */
+/** Exclusive prefix sums on the device; {@code kernels/world/stages/Scan.cl}. */
 public final class Scan {
     /** Work-items of a work-group. */
     static final int GROUP = 256;

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-/** The room of a tile and the layout of its record, for host and kernels; {@code kernels/world/Tiles.cl} explains them. */
+/** The room of a tile and the layout of its record, for host and kernels; {@code kernels/world/tiles/Tiles.cl} explains them. */
 public final class TileRecord {
     /**
      * Circles that the local memory of a work-group has room for. As few as the largest size needs where circles are packed:

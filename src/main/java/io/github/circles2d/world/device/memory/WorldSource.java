@@ -8,20 +8,17 @@ import java.util.Collection;
 /** The source of the stages' kernels; the numbers that host and device share are defined from their one place in Java. */
 public final class WorldSource {
     private static final String[] SHARED = {
-        "world/CircleMath.cl",
-        "world/World.cl",
-        "world/Scan.cl",
-        "world/Commands.cl",
-        "world/Grid.cl",
-        "world/Sweep.cl",
-        "world/Contacts.cl",
-        "world/Readback.cl"
+        "world/stages/Scan.cl",
+        "world/stages/Commands.cl",
+        "world/stages/Grid.cl",
+        "world/stages/Contacts.cl",
+        "world/stages/Readback.cl"
     };
 
     private WorldSource() {}
 
     /**
-     * What all plans share, and the files of some plans.
+     * What all plans share, the files of some plans, and the files that these use.
      *
      * @param planFiles paths below the folder {@code kernels}
      */

@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * A launch per stage, and per colour of contacts: takes any world, and suits devices to which launches are cheap;
- * {@code kernels/world/Solver.cl}. The same as {@code world.jvm.Solver}.
+ * {@code kernels/world/stages/Solver.cl}. The same as {@code world.jvm.Solver}.
  */
 public final class ByColours implements Plan {
     private static final int COLOURS = 4;
@@ -23,7 +23,7 @@ public final class ByColours implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/Solver.cl");
+        return List.of("world/stages/Solver.cl");
     }
 
     @Override

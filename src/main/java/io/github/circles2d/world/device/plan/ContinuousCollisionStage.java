@@ -6,7 +6,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Stage Sweep on a device; {@code kernels/world/Sweep.cl}. The same as {@code world.jvm.ContinuousCollision}; the leashes are laid by
+ * Stage Sweep on a device; {@code kernels/world/stages/Sweep.cl}. The same as {@code world.jvm.ContinuousCollision}; the leashes are laid by
  * the kernel of stage Contacts that looks for pairs.
  */
 final class ContinuousCollisionStage {

@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import java.util.List;
 
 /**
- * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/Lanes.cl}. The launch has
+ * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/persistent_cpu/Lanes.cl}. The launch has
  * as many work-groups of one work-item as the processor has threads, which wait for each other within it. Should they turn
  * out not to run at once, the launch says so and changes nothing; from then on there is one work-group alone.
  */
@@ -37,15 +37,7 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of(
-                "world/LaneMath.cl",
-                "world/Together.cl",
-                "world/LaneMover.cl",
-                "world/LaneContacts.cl",
-                "world/LaneFinding.cl",
-                "world/LanePasses.cl",
-                "world/LaneGrid.cl",
-                "world/Lanes.cl");
+        return List.of("world/persistent_cpu/Lanes.cl");
     }
 
     @Override

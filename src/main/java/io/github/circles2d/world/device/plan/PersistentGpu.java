@@ -5,12 +5,11 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.StageKernels;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /**
- * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/Resident.cl}. A launch costs
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/Resident.cl}. A launch costs
  * the host several microseconds, a barrier over resident work-groups one or two; a large world has other costs, and is better
  * off with launches.
  */
@@ -37,9 +36,7 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public List<String> files() {
-        List<String> files = new ArrayList<>(Tiles.FILES);
-        files.add("world/Resident.cl");
-        return files;
+        return List.of("world/persistent_gpu/Resident.cl");
     }
 
     @Override

@@ -6,7 +6,7 @@ import java.util.List;
 
 /** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
 public interface Plan {
-    /** The kernel files that the plan needs besides those that all plans share, in the order in which they are compiled. */
+    /** The kernel files that the plan needs besides those that all plans share, and those that they use. */
     List<String> files();
 
     /** Adds the numbers that the files share with the host. */

@@ -89,12 +89,9 @@ public enum Plans {
     /** The source of plans: of what all share, and of no other file than theirs. */
     public static KernelSource source(List<Plan> plans) {
         Set<String> files = new LinkedHashSet<>();
-        // The last plan first: those before it may use its functions.
-        List<Plan> fromLast = new ArrayList<>(plans);
-        Collections.reverse(fromLast);
-        fromLast.forEach(plan -> files.addAll(plan.files()));
+        plans.forEach(plan -> files.addAll(plan.files()));
         KernelSource source = WorldSource.of(files);
-        for (Plan plan : fromLast) {
+        for (Plan plan : plans) {
             source = plan.define(source);
         }
         return source;

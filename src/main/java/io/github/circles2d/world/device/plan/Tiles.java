@@ -10,17 +10,9 @@ import java.util.List;
 
 /**
  * A launch per stage, and per pass over all contacts instead of per colour, if all circles are of one level;
- * {@code kernels/world/Tiles.cl} tells how.
+ * {@code kernels/world/tiles/Tiles.cl} tells how.
  */
 public final class Tiles implements Plan {
-    static final List<String> FILES = List.of(
-            "world/Solver.cl",
-            "world/TileCircles.cl",
-            "world/Tiles.cl",
-            "world/TileContacts.cl",
-            "world/TileOrder.cl",
-            "world/TileSolver.cl");
-
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
 
@@ -43,7 +35,7 @@ public final class Tiles implements Plan {
 
     @Override
     public List<String> files() {
-        return FILES;
+        return List.of("world/tiles/TileSolver.cl");
     }
 
     @Override

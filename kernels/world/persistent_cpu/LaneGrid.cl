@@ -1,3 +1,5 @@
+// uses: world/stages/Grid.cl world/stages/Sweep.cl
+// uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
 // Stages Grid and Sweep by a few work-groups that meet: what Grid.cl and Sweep.cl do to a bucket or a circle, each work-group
 // for its part of all; and the bands of rows into which the circles are divided from there on.
 

@@ -1,3 +1,4 @@
+// uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LanePasses.cl
 // Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
 // device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved in bundles of
 // four (LaneContacts.cl). The Java classes JvmContacts and JvmSolver explain rows, bands and sweeps; it is the same here.
@@ -47,15 +48,15 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
 int ringRow(const World *w, int row) { return onRing(row, w->levels->rowCount[w->levels->used[0]]); }
 
 // All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row.
-void visit(const World *w, int row, int low, int high, int inwards, int subStep) {
+void visitRows(const World *w, int row, int low, int high, int inwards, int subStep) {
     if (isIn(row, low, high)) {
-        for (int r = 0; r < 2; r++) accelerateRow(w, ringRow(w, row + r));
+        for (int r = 0; r < 2; r++) integrateVelocitiesOfRow(w, ringRow(w, row + r));
     }
     for (int r = 0; r < 2; r++) {
-        if (isIn(row - r, low + r * inwards, high - r * inwards)) pushRow(w, ringRow(w, row - r));
+        if (isIn(row - r, low + r * inwards, high - r * inwards)) solveRow(w, ringRow(w, row - r));
     }
     for (int r = 2; r > 0; r--) {
-        if (isIn(row - r, low + inwards, high - inwards)) moveRow(w, ringRow(w, row - r), subStep == 0);
+        if (isIn(row - r, low + inwards, high - inwards)) integratePositionsOfRow(w, ringRow(w, row - r), subStep == 0);
     }
     for (int r = 2; r < 4; r++) {
         if (isIn(row - r, low + r * inwards, high - r * inwards)) {
@@ -73,7 +74,7 @@ void sweepRows(const World *w, const Crew *crew, int low, int high, int inwards,
     for (int front = low; front < end; front += 2) {
         int behind = 0;
         for (int subStep = from; subStep < to; subStep++) {
-            visit(w, front - behind, low + inwards * behind, high - inwards * behind, inwards, subStep);
+            visitRows(w, front - behind, low + inwards * behind, high - inwards * behind, inwards, subStep);
             behind += LAG;
         }
         for (int r = 0; r < 2 && to == w->k.subSteps; r++) {
@@ -102,11 +103,11 @@ void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
 // Pass after pass, by one work-group, where there are hardly any rows.
 void solveInPasses(const World *w, int rows) {
     for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
-        for (int row = 0; row < rows; row++) accelerateRow(w, row);
+        for (int row = 0; row < rows; row++) integrateVelocitiesOfRow(w, row);
         for (int odd = 0; odd < 2; odd++) {
-            for (int row = odd; row < rows; row += 2) pushRow(w, row);
+            for (int row = odd; row < rows; row += 2) solveRow(w, row);
         }
-        for (int row = 0; row < rows; row++) moveRow(w, row, subStep == 0);
+        for (int row = 0; row < rows; row++) integratePositionsOfRow(w, row, subStep == 0);
         for (int odd = 0; odd < 2; odd++) {
             for (int row = odd; row < rows; row += 2) relaxRow(w, row, subStep == w->k.subSteps - 1);
         }

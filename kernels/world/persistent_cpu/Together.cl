@@ -1,3 +1,4 @@
+// uses: world/stages/World.cl
 // Work-groups of one work-item that run at the same time and wait for each other, on devices whose compute units are the
 // threads of a processor. OpenCL does not promise that they run at once, so a launch begins with a meeting that may fail: who
 // waits too long calls it off for all, and all leave before anything has been changed. Once all have come, all are running,

@@ -1,3 +1,4 @@
+// uses: world/stages/World.cl
 // Tiles: how a pass over all contacts is made in one launch, where all circles are of one level. A work-group takes a tile
 // of cells and a region around it, copies the circles of the region into local memory, makes the pass there, and writes back
 // what is its own: the circles in the cells of the tile, and the contacts of the groups there.

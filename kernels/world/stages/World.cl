@@ -1,3 +1,4 @@
+// uses: world/shared/CircleMath.cl
 // What all stages share. Every kernel of a stage takes the same list of arrays (WORLD_PARAMETERS), packed into one struct (World)
 // on entry; what a kernel does not use costs nothing. The host writes both, the structs StepConstants and Levels, and the numbers
 // of the words of status out of its tables: see the Java classes DeviceArray, StepParameters and StatusWord.
@@ -7,6 +8,21 @@
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
 #define NOT_FAST 2.0f // more than any share
+
+// How an overlap is pushed out, which is softer than a rigid contact.
+typedef struct {
+    float biasRate, massScale, impulseScale;
+} Softness;
+
+Softness contactSoftness(const StepConstants *k) {
+    Softness softness = {k->biasRate, k->massScale, k->impulseScale};
+    return softness;
+}
+
+Softness wallSoftness(const StepConstants *k) {
+    Softness softness = {k->wallBiasRate, k->wallMassScale, k->wallImpulseScale};
+    return softness;
+}
 
 // Why a step is refused. A kernel does not ask for what it may set itself.
 bool outOfRoom(const World *w) { return w->status[OUT_OF_ROOM] != 0; }
@@ -79,9 +95,4 @@ Piece pieceOfRanges(int4 from, int4 to) {
 
 int slotInPiece(const Piece *p, int i) {
     return i + (i < p->end.x ? p->offset.x : i < p->end.y ? p->offset.y : i < p->end.z ? p->offset.z : p->offset.w);
-}
-
-// The square of the bounce threshold of a pair: sum of the radii, restitution.
-float thresholdOf(const World *w, float sum, float e) {
-    return bounceThreshold(sum, e, w->k.thresholdRate, w->k.restRate);
 }

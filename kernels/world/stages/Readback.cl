@@ -1,3 +1,4 @@
+// uses: world/stages/World.cl
 // Lays the state out by id, for one bulk copy to the host. Index space: a slot at home a work-item.
 
 kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots,

@@ -1,3 +1,4 @@
+// uses: world/stages/World.cl
 // Applies what the caller asked for since the last step: records of the Java class Commands. The host links the records
 // of one circle in call order (next) and marks the first of each; circles are independent of each other.
 

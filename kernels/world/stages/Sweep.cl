@@ -1,3 +1,4 @@
+// uses: world/shared/PairRule.cl world/stages/World.cl
 // Stage Sweep: keeps fast circles from passing through others. The Java class JvmSweep explains what is looked for; it is
 // the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
@@ -58,8 +59,7 @@ void meet(const World *w, const Runner *s, int other) {
     if (!mayPass(ux, uy, s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    float limit = s->reach + w->sight[other].z;
-    if (dx * dx + dy * dy < limit * limit) {
+    if (isNear(dx, dy, s->reach + w->sight[other].z)) {
         w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
         float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);

@@ -1,3 +1,4 @@
+// uses: world/tiles/TileCircles.cl world/tiles/TileContacts.cl
 // Stage Contacts for tiles: puts the contacts of each tile in order, once a step, starts its circles, and writes its record.
 // Cost: the circles of a region, and its contacts one after another in their groups.
 
@@ -326,7 +327,7 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
                                       greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
-                                        1.0f / (a->of.circle.inverseMass[i] + a->of.circle.inverseMass[j]));
+                                        effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
             if (contact[n].x < 0) continue;
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
             placed[place].x = number;

@@ -1,3 +1,4 @@
+// uses: world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileSolver.cl
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
 // run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
 // once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
@@ -155,7 +156,7 @@ void solveAll(const World *w, local Tile *t) {
             if (relaxing) {
                 relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3);
             } else {
-                pushTile(w, t, tile, subStep, 2);
+                solveTile(w, t, tile, subStep, 2);
             }
         }
         deviceBarrier(arrivals);
@@ -178,7 +179,7 @@ kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident
         int contacts = groupStart[levels->first[LEVELS]];
         solveAll(&w, &l.tile);
         // Shares the barrier of the next step's beginning, or of the end of the launch.
-        EACH(c, contacts) rememberHeld(&w, c);
+        EACH(c, contacts) storeHeldImpulse(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
         w.slots = w.circles;
         w.warmScale = 1.0f;

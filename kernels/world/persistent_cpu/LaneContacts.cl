@@ -1,3 +1,4 @@
+// uses: world/shared/Contact.cl*4 world/stages/Contacts.cl
 // Contacts in bundles of four, a lane each, that share no circle: what one does to its circles none of the others sees, so that
 // a processor can work on all four at a time, in the bits of one after the other.
 //
@@ -21,14 +22,6 @@ global float4 *shapeOf(const World *w, int bundle) { return (global float4 *) w-
 
 // Working slots: those of lower id, those of higher id.
 global uint *pairOf(const World *w, int bundle) { return (global uint *) w->pair + 8 * bundle; }
-
-// What runs for each bundle, in loops that keep a copy of the World of their own: its pointers stay in registers. Not where the
-// code is intermediate and will be inlined later anyway: Oclgrind does not know all that compilers leave behind when they inline.
-#ifdef __SPIR__
-#define INLINE
-#else
-#define INLINE __attribute__((always_inline))
-#endif
 
 // The slots of a bundle's circles of lower id (0) or higher (1), read one by one, as they are used.
 INLINE uint4 slotsOf(const World *w, int bundle, int higher) {
@@ -126,30 +119,6 @@ INLINE float4 addToLoads(const World *w, uint4 i, uint4 j, float4 x, float4 y, f
     return greatest4(most, load[j.w] += d);
 }
 
-// Measures four contacts, as measure does one: separation s; and the normal where there is a direction, elsewhere it stays.
-// Returns where there is.
-INLINE int4 measure4(float4 dx, float4 dy, float4 sum, float4 *nx, float4 *ny, float4 *s) {
-    float4 d = norm4(dx, dy);
-    int4 apart = d > COINCIDENT * sum;
-    *s = d - sum;
-    *nx = choose4(apart, dx / d, *nx);
-    *ny = choose4(apart, dy / d, *ny);
-    return apart;
-}
-
-// The normal of a contact whose circles have one centre.
-float2 partingNormal(ulong ids) {
-    int hash = pairHash((int) (ids >> 32), (int) ids);
-    float px = partingX(hash);
-    float py = partingY(hash);
-    float l = norm(px, py);
-    return (float2)(px / l, py / l);
-}
-
-INLINE float recall(const World *w, uint lo, uint hi, ulong ids) {
-    return w->memory[hi] == FRESH ? 0.0f : remembered(w, w->memory[lo], (int) ids) * w->warmScale;
-}
-
 // Fills a bundle, as fillContact does a contact, but for the sums of impulses. ids, slots: of the lower id above that of the
 // higher; used: how many of the four. Until the first biased pass, the word for the bounce says whether the contact carries.
 void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots, int used) {
@@ -167,26 +136,26 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
     Four mi = take(w->motion, i);
     Four mj = take(w->motion, j);
     float4 zero = (float4)(0.0f);
-    float4 sum = choose4(real, ci.z + cj.z, zero);
-    float4 ex = choose4(real, cj.x - ci.x, (float4)(UNUSED_LANES));
-    float4 ey = choose4(real, cj.y - ci.y, zero);
-    float4 e = choose4(real, greatest4(ti.y, tj.y), zero);
-    float4 wi = choose4(real, ti.x, zero);
-    float4 wj = choose4(real, tj.x, zero);
-    float4 thr2 = bounceThreshold4(sum, e, w->k.thresholdRate, w->k.restRate);
+    float4 sum = real ? ci.z + cj.z : zero;
+    float4 ex = real ? cj.x - ci.x : (float4)(UNUSED_LANES);
+    float4 ey = real ? cj.y - ci.y : zero;
+    float4 e = real ? greatest4(ti.y, tj.y) : zero;
+    float4 wi = real ? ti.x : zero;
+    float4 wj = real ? tj.x : zero;
+    float4 threshold = restitutionThreshold4(&w->k, sum, e);
     float4 nx = zero, ny = zero, s;
-    int4 apart = measure4(ex + (mj.x - mi.x), ey + (mj.y - mi.y), sum, &nx, &ny, &s);
+    int4 apart = measure4(ex, ey, mj.x - mi.x, mj.y - mi.y, sum, &nx, &ny, &s);
     if (!all(apart)) {
         float2 normal[4];
         for (int l = 0; l < 4; l++) normal[l] = partingNormal(l < used ? ids[l] : 0);
-        nx = choose4(apart, nx, (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x));
-        ny = choose4(apart, ny, (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y));
+        nx = apart ? nx : (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x);
+        ny = apart ? ny : (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y);
     }
-    float4 lambda = zero;
-    lambda.x = recall(w, i.x, j.x, ids[0]);
-    if (used > 1) lambda.y = recall(w, i.y, j.y, ids[1]);
-    if (used > 2) lambda.z = recall(w, i.z, j.z, ids[2]);
-    if (used > 3) lambda.w = recall(w, i.w, j.w, ids[3]);
+    float4 normalImpulse = zero;
+    normalImpulse.x = recall(w, i.x, j.x, ids[0]);
+    if (used > 1) normalImpulse.y = recall(w, i.y, j.y, ids[1]);
+    if (used > 2) normalImpulse.z = recall(w, i.z, j.z, ids[2]);
+    if (used > 3) normalImpulse.w = recall(w, i.w, j.w, ids[3]);
     float4 vn = along4(nx, ny, mj.z - mi.z, mj.w - mi.w);
 
     global float4 *base = baseOf(w, bundle);
@@ -197,16 +166,16 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
     global float4 *masses = massesOf(w, bundle);
     masses[0] = wi;
     masses[1] = wj;
-    masses[2] = pushSpeed4(sum, w->k.pushPerLength, w->k.pushPerRoot);
-    masses[3] = choose4(real & carries4(lambda, s, vn, thr2), (float4)(1.0f), zero);
+    masses[2] = maxPushSpeed4(&w->k, sum);
+    masses[3] = real && carries4(normalImpulse, vn, restingLimit4(s, threshold)) ? (float4)(1.0f) : zero;
     global float4 *contact = stateOf(w, bundle);
     contact[0] = nx;
     contact[1] = ny;
     contact[2] = s;
-    contact[3] = lambda;
+    contact[3] = normalImpulse;
     global float4 *shape = shapeOf(w, bundle);
-    shape[0] = choose4(real, 1.0f / (wi + wj), zero);
-    shape[1] = thr2;
+    shape[0] = real ? effectiveMass4(wi, wj) : zero;
+    shape[1] = threshold;
     vstore4(i, 0, pairOf(w, bundle));
     vstore4(j, 1, pairOf(w, bundle));
 }
@@ -215,10 +184,10 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
 // one level, a circle's contacts. Returns whether a circle has too many.
 INLINE bool gatherBundle(const World *w, int bundle) {
     global const float4 *contact = stateOf(w, bundle);
-    float4 lambda = contact[3], one = (float4)(1.0f);
+    float4 normalImpulse = contact[3], one = (float4)(1.0f);
     int4 used = shapeOf(w, bundle)[0] > 0.0f;
-    float4 most = addToLoads(w, slotsOf(w, bundle, 0), slotsOf(w, bundle, 1), contact[0] * lambda, contact[1] * lambda,
-                             choose4(used, one, (float4)(0.0f)), massesOf(w, bundle)[3]);
+    float4 most = addToLoads(w, slotsOf(w, bundle, 0), slotsOf(w, bundle, 1), contact[0] * normalImpulse,
+                             contact[1] * normalImpulse, used ? one : (float4)(0.0f), massesOf(w, bundle)[3]);
     return most.z > (float) CROWD;
 }
 

@@ -1,3 +1,4 @@
+// uses: world/tiles/TileOrder.cl
 // Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and
 // held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
 // goes back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, and how much they
@@ -99,90 +100,42 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 }
 
-// A contact made ready to be visited: what of pushImpulse and relaxImpulse in Solver.cl does not depend on the velocities.
-// Contacts wait for each other only in visitContact, which is what remains. Both together are those functions, to the bit.
+// A contact that is ready to be visited. Contacts wait for each other only in visitContact, so all else is done before.
 typedef struct {
     int2 contact;
     float nx, ny;
-    float wi, wj, mass; // inverse masses, effective mass
-    float lambda;
-    float scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
-    float flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
-    float gain;              // of the normal speed at a free bounce
-    float meeting;           // they bounce freely where the sum of this and the normal speed is negative
-    float bounce;            // target speed of a bounce
-    float resting;           // in the relaxing pass: square of the normal speed up to which it carries; or -1
-    bool still;              // in the relaxing pass: left alone at any speed
+    float invMassA, invMassB;
+    Ready ready;
 } Visit;
 
-// Makes a contact ready for the biased pass.
-void readyToPush(const World *w, local const Tile *t, const Reading *r, Visit *v) {
-    const StepConstants *k = &w->k;
+void readyContact(const World *w, local const Tile *t, const Reading *r, bool relaxing, Visit *v) {
     int i = lowerOf(r->contact.y);
     int j = higherOf(r->contact.y);
-    float2 bi = t->load[i];
-    float2 bj = t->load[j];
     float wi = t->burden[i];
     float wj = t->burden[j];
-    bool loaded = isLoaded(wi) || isLoaded(wj);
-    float s = r->normal.z;
-    float e = r->shape.y;
-    float thr2 = thresholdOf(w, r->shape.x, e);
-    float lambda = r->impulse.x;
-    float before = along(r->normal.x, r->normal.y, bj.x - bi.x, bj.y - bi.y);
-    float bounce = bounceSpeed(e, before, s, k->h, thr2);
-    bounce = e > 0.0f && loaded ? bounce : 0.0f;
-    float speculative = s * k->inverseH;
-    float push = k->massScale * greatest(k->biasRate * s, -pushSpeed(r->shape.x, k->pushPerLength, k->pushPerRoot));
-    bool rigidly = bounce > 0.0f || s > 0.0f;
+    Found f;
+    f.separation = r->normal.z;
+    f.restitution = r->shape.y;
+    f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
+    f.mass = r->normal.w;
+    f.normalImpulse = r->impulse.x;
+    f.loaded = isLoaded(wi) || isLoaded(wj);
     v->contact = r->contact;
     v->nx = r->normal.x;
     v->ny = r->normal.y;
-    v->wi = fabs(wi);
-    v->wj = fabs(wj);
-    v->mass = r->normal.w;
-    v->lambda = lambda;
-    v->scale = rigidly ? 1.0f : k->massScale;
-    v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? speculative : push;
-    v->less = rigidly ? 0.0f : k->impulseScale * lambda;
-    v->flight = e > 0.0f && !loaded && lambda == 0.0f ? thr2 : INFINITY;
-    v->gain = -(1.0f + e);
-    v->meeting = speculative;
-    v->bounce = bounce;
-    v->resting = -1.0f;
-    v->still = false;
+    v->invMassA = fabs(wi);
+    v->invMassB = fabs(wj);
+    if (relaxing) {
+        makeReadyToRelax(&w->k, &f, r->impulse.y, &v->ready);
+    } else {
+        float2 bi = t->load[i];
+        float2 bj = t->load[j];
+        float before = along(r->normal.x, r->normal.y, bj.x - bi.x, bj.y - bi.y);
+        makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, maxPushSpeed(&w->k, r->shape.x), before, &v->ready);
+    }
 }
 
-// Makes a contact ready for the relaxing pass.
-void readyToRelax(const World *w, local const Tile *t, const Reading *r, Visit *v) {
-    float wi = t->burden[lowerOf(r->contact.y)];
-    float wj = t->burden[higherOf(r->contact.y)];
-    bool loaded = isLoaded(wi) || isLoaded(wj);
-    float s = r->normal.z;
-    float e = r->shape.y;
-    float thr2 = thresholdOf(w, r->shape.x, e);
-    float lambda = r->impulse.x;
-    float bounce = r->impulse.y;
-    bool idle = lambda == 0.0f && bounce == 0.0f;
-    v->contact = r->contact;
-    v->nx = r->normal.x;
-    v->ny = r->normal.y;
-    v->wi = fabs(wi);
-    v->wj = fabs(wj);
-    v->mass = r->normal.w;
-    v->lambda = lambda;
-    v->scale = 1.0f;
-    v->bias = bounce > 0.0f ? -bounce : s > 0.0f ? s * w->k.inverseH : 0.0f;
-    v->less = 0.0f;
-    v->flight = idle && e > 0.0f && !loaded ? thr2 : INFINITY;
-    v->gain = -(1.0f + e);
-    v->meeting = -INFINITY;
-    v->bounce = bounce;
-    v->resting = s < 0.0f ? thr2 : -1.0f;
-    v->still = idle && s > 0.0f;
-}
-
-// Visits a contact, without branches: they would be most of the time.
+// Visits a contact, with as few branches as can be: they would be most of the time.
 void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.y);
     int j = higherOf(v->contact.y);
@@ -191,22 +144,20 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
     float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
     float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
     float vn = along(v->nx, v->ny, vj.x - vi.x, vj.y - vi.y);
-    bool flies = vn * vn > v->flight;
-    bool leaves = v->still || (flies && vn > 0.0f);
-    bool bounces = flies && !leaves && v->meeting + vn < 0.0f;
-    bool solved = !leaves && !bounces;
-    float next = greatest((v->lambda - v->mass * (v->scale * vn + v->bias)) - v->less, 0.0f);
-    float impulse = bounces ? v->gain * vn * v->mass : solved ? next - v->lambda : 0.0f;
-    if (relaxing && v->bounce > 0.0f) next = 0.0f;
-    if (!solved) next = v->lambda;
+    Visited visited;
+    visit(&v->ready, vn, relaxing, &visited);
+    float impulse = visited.impulse;
+    float next = visited.normalImpulse;
     bool there = isContact(v->contact);
-    if (there && !leaves) {
-        t->velocity[i] = (float2)(vi.x - v->nx * (v->wi * impulse), vi.y - v->ny * (v->wi * impulse));
-        t->velocity[j] = (float2)(vj.x + v->nx * (v->wj * impulse), vj.y + v->ny * (v->wj * impulse));
+    if (there && !visited.leaves) {
+        t->velocity[i] = (float2)(vi.x - velocityChange(v->nx, v->invMassA, impulse),
+                                  vi.y - velocityChange(v->ny, v->invMassA, impulse));
+        t->velocity[j] = (float2)(vj.x + velocityChange(v->nx, v->invMassB, impulse),
+                                  vj.y + velocityChange(v->ny, v->invMassB, impulse));
     }
     if (relaxing && !last) {
-        float after = vn + impulse * (v->wi + v->wj);
-        if (there && solved && (next > 0.0f || after * after <= v->resting)) {
+        float after = vn + impulse * (v->invMassA + v->invMassB);
+        if (there && visited.solved && carries(next, after, v->ready.restingLimit)) {
             t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
             t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
             atomic_or(&t->carried[i >> 5], 1u << (i & 31));
@@ -217,15 +168,7 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
     if (relaxing) {
         w->held[v->contact.x] = next;
     } else {
-        w->impulse[v->contact.x] = (float2)(next, v->bounce);
-    }
-}
-
-void readyContact(const World *w, local const Tile *t, const Reading *reading, bool relaxing, Visit *visit) {
-    if (relaxing) {
-        readyToRelax(w, t, reading, visit);
-    } else {
-        readyToPush(w, t, reading, visit);
+        w->impulse[v->contact.x] = (float2)(next, v->ready.bounce);
     }
 }
 
@@ -274,7 +217,7 @@ void noteWall(global int *entries, int i, int entry, bool atWall) {
 }
 
 // The biased pass of a tile. together: how many circles a work-item moves at a time.
-void pushTile(const World *w, local Tile *t, int tile, int subStep, int together) {
+void solveTile(const World *w, local Tile *t, int tile, int subStep, int together) {
     global int *record = recordOf(w, tile);
     global int *entries = record + RECORD_SLOTS;
     int circles = t->circles;
@@ -310,7 +253,7 @@ void pushTile(const World *w, local Tile *t, int tile, int subStep, int together
             if (entry[n] < 0) continue;
             int i = togetherItem(first, n);
             int slot = entry[n] & ENTRY_SLOT;
-            bool atWall = endPush(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
+            bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
             noteWall(entries, i, entry[n], atWall);
             if (subStep == 0) w->homeMemory[slot] = NONE;
         }
@@ -337,9 +280,13 @@ void measureContacts(const World *w, local Tile *t, global int *record) {
             if (togetherItem(first, n) >= contacts) continue;
             int i = lowerOf(circles[n]);
             int j = higherOf(circles[n]);
-            float4 c = (float4)(0.0f, 0.0f, 0.0f, 1.0f / (fabs(t->burden[i]) + fabs(t->burden[j])));
-            if (!measure(&c, base[n].x, base[n].y, sum[n], t->load[i], t->load[j])) c.xy = w->contact[copy].xy;
-            w->contact[copy] = c;
+            float2 moved = t->load[j] - t->load[i];
+            float nx = 0.0f, ny = 0.0f, separation;
+            if (!measure(base[n].x, base[n].y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
+                nx = w->contact[copy].x;
+                ny = w->contact[copy].y;
+            }
+            w->contact[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
         }
     }
 }
@@ -391,7 +338,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
             float4 m = (float4)(d[n].x, d[n].y, v.x, v.y);
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             if (last) {
-                goHome(w, slot, c[n], m, w->traits[slot]);
+                finalizePositions(w, slot, c[n], m, w->traits[slot]);
             } else if ((entry[n] & AT_WALL) != 0 ||
                        !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i], carried)) {
                 noteWall(entries, i, entry[n], startCircle(w, slot, c[n], m, w->traits[slot], t->load[i], carried));
@@ -400,14 +347,14 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
     }
 }
 
-// Remembers a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
+// Stores a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
 // looked up by id.
-void rememberHeld(const World *w, int c) {
-    float lambda = w->held[c];
-    if (!(lambda > 0.0f)) return;
+void storeHeldImpulse(const World *w, int c) {
+    float normalImpulse = w->held[c];
+    if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
     int next = atomic_xchg(&w->homeMemory[p.x], c);
-    w->old[c] = (int4)(w->id[p.y], as_int(lambda), next, 0);
+    w->old[c] = (int4)(w->id[p.y], as_int(normalImpulse), next, 0);
 }
 
 // Index space: any number of work-items, which take the contacts in turn.
@@ -415,7 +362,7 @@ kernel void solver_remember(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
     int contacts = groupStart[levels->first[LEVELS]];
-    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) rememberHeld(&w, c);
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) storeHeldImpulse(&w, c);
 }
 
 // Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
@@ -425,7 +372,7 @@ TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
-    pushTile(&w, &t, tile, subStep, 4);
+    solveTile(&w, &t, tile, subStep, 4);
 }
 
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {

@@ -1,3 +1,4 @@
+// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/Sweep.cl
 // Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
 // level of the larger circle, colour, group, lower id, higher id. The Java class JvmContacts explains groups and colours.
 
@@ -111,11 +112,8 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
     for (int i = s->part; i < count; i += s->parts) {
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
-        float dx = o.x - s->x;
-        float dy = o.y - s->y;
-        float limit = s->reach + o.z;
-        if (!(dx * dx + dy * dy < limit * limit)) continue;
-        if (s->inverseMass == 0.0f && o.w == 0.0f) continue;
+        if (!isNear(o.x - s->x, o.y - s->y, s->reach + o.z)) continue;
+        if (!mayCollide(s->inverseMass, o.w)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
         if (k < FINDINGS) {
@@ -169,11 +167,7 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        float dx = o.x - s->x;
-        float dy = o.y - s->y;
-        float limit = s->reach + o.z;
-        bool bothFixed = s->inverseMass == 0.0f && o.w == 0.0f;
-        sum += dx * dx + dy * dy < limit * limit && other != s->slot && !bothFixed;
+        sum += isNear(o.x - s->x, o.y - s->y, s->reach + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
     }
     return sum;
 }
@@ -310,14 +304,19 @@ float remembered(const World *w, int first, int hi) {
     return 0.0f;
 }
 
+// The same of a contact that starts a step; 0 if a circle is new.
+float recall(const World *w, uint lo, uint hi, ulong ids) {
+    return w->memory[hi] == FRESH ? 0.0f : remembered(w, w->memory[lo], (int) ids) * w->warmScale;
+}
+
 // Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
-void gatherLoad(const World *w, uint2 p, float nx, float ny, float lambda, bool carrying) {
+void gatherLoad(const World *w, uint2 p, float nx, float ny, float normalImpulse, bool carrying) {
     float4 lo = w->load[p.x];
     float4 hi = w->load[p.y];
-    lo.x -= nx * lambda;
-    lo.y -= ny * lambda;
-    hi.x += nx * lambda;
-    hi.y += ny * lambda;
+    lo.x -= nx * normalImpulse;
+    lo.y -= ny * normalImpulse;
+    hi.x += nx * normalImpulse;
+    hi.y += ny * normalImpulse;
     if (carrying) {
         lo.w = 1.0f;
         hi.w = 1.0f;
@@ -326,55 +325,45 @@ void gatherLoad(const World *w, uint2 p, float nx, float ny, float lambda, bool 
     w->load[p.y] = hi;
 }
 
-// Measures a contact: sets the separation of n, and the normal where there is a direction; returns whether there is.
-// ex, ey: difference of the bases; from, to: displacements.
-bool measure(float4 *n, float ex, float ey, float sum, float2 from, float2 to) {
-    float dx = difference(ex, from.x, to.x);
-    float dy = difference(ey, from.y, to.y);
-    float d = norm(dx, dy);
-    n->z = d - sum;
-    if (!(d > COINCIDENT * sum)) return false;
-    n->x = dx / d;
-    n->y = dy / d;
-    return true;
+// Measures a contact: n. b: difference of the bases x, y, sum of the radii; mi, mj: motion of its circles. Returns whether
+// there is a direction.
+bool measureContact(float4 b, float4 mi, float4 mj, float4 *n) {
+    float x = n->x;
+    float y = n->y;
+    float separation;
+    bool apart = measure(b.x, b.y, mj.x - mi.x, mj.y - mi.y, b.z, &x, &y, &separation);
+    *n = (float4)(x, y, separation, n->w);
+    return apart;
 }
 
 // A contact as it starts the step: normal, separation, the impulse with which it ended the step before; and whether it
-// carries.
-float4 newContact(const World *w, uint2 p, ulong ids, bool *carrying) {
-    float4 ci = w->circle[p.x];
-    float4 cj = w->circle[p.y];
+// carries. b: difference of the bases x, y, sum of the radii, restitution.
+float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) {
     float4 mi = w->motion[p.x];
     float4 mj = w->motion[p.y];
-    float sum = ci.z + cj.z;
-    float4 n;
-    if (!measure(&n, cj.x - ci.x, cj.y - ci.y, sum, mi.xy, mj.xy)) {
-        int hash = pairHash((int) (ids >> 32), (int) ids);
-        float px = partingX(hash);
-        float py = partingY(hash);
-        float l = norm(px, py);
-        n.x = px / l;
-        n.y = py / l;
-    }
-    n.w = 0.0f;
-    if (w->memory[p.y] != FRESH) n.w = remembered(w, w->memory[p.x], (int) ids) * w->warmScale;
+    float4 n = (float4)(0.0f);
+    if (!measureContact(b, mi, mj, &n)) n.xy = partingNormal(ids);
+    n.w = recall(w, p.x, p.y, ids);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    *carrying = carries(n.w, n.z, vn, thresholdOf(w, sum, greatest(w->traits[p.x].y, w->traits[p.y].y)));
+    *carrying = carries(n.w, vn, restingLimit(n.z, restitutionThreshold(&w->k, b.z, b.w)));
     return n;
+}
+
+// The difference of the bases x, y of a pair, the sum of the radii, the restitution.
+float4 baseOfPair(const World *w, uint2 p) {
+    float4 ci = w->circle[p.x];
+    float4 cj = w->circle[p.y];
+    return (float4)(cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, greatest(w->traits[p.x].y, w->traits[p.y].y));
 }
 
 // Fills a contact and measures it for the first sub-step.
 void fillContact(const World *w, int c) {
     uint2 p = w->pair[c];
-    float4 ci = w->circle[p.x];
-    float4 cj = w->circle[p.y];
-    float4 ti = w->traits[p.x];
-    float4 tj = w->traits[p.y];
-    float sum = ci.z + cj.z;
+    float4 b = baseOfPair(w, p);
     bool carrying;
-    float4 n = newContact(w, p, w->key[c], &carrying);
-    w->base[c] = (float4)(cj.x - ci.x, cj.y - ci.y, sum, greatest(ti.y, tj.y));
-    w->masses[c] = (float4)(ti.x, tj.x, pushSpeed(sum, w->k.pushPerLength, w->k.pushPerRoot), 0.0f);
+    float4 n = newContact(w, p, w->key[c], b, &carrying);
+    w->base[c] = b;
+    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, maxPushSpeed(&w->k, b.z), 0.0f);
     w->contact[c] = n;
     gatherLoad(w, p, n.x, n.y, n.w, carrying);
 }

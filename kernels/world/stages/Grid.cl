@@ -1,3 +1,4 @@
+// uses: world/stages/World.cl
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
 // sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
 // order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is

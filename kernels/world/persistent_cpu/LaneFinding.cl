@@ -1,3 +1,4 @@
+// uses: world/shared/PairRule.cl*4 world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
 // Finds the contacts of a row of groups and lays them out in bundles. A group finds the pairs whose lesser column and lesser
 // row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of the same
 // parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn. The more groups are
@@ -41,7 +42,7 @@ INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
         float4 dx = vload4(0, f->x + other) - x;
         float4 dy = vload4(0, f->y + other) - y;
         float4 limit = reach + vload4(0, f->reach + other);
-        int4 hit = (dx * dx + dy * dy < limit * limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
+        int4 hit = isNear4(dx, dy, limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
         // Whether a pair is near is as good as random: no branch.
         f->hit[hits] = high | other;
         hits -= hit.x;
@@ -63,7 +64,7 @@ INLINE void gatherHits(const World *w, Search *f, int hits) {
     for (int k = 0; k < hits; k++) {
         int slot = (int) (f->hit[k] >> 32);
         int other = (int) f->hit[k];
-        if (w->traits[slot].x == 0.0f && w->traits[other].x == 0.0f) continue;
+        if (!mayCollide(w->traits[slot].x, w->traits[other].x)) continue;
         int id = w->id[slot];
         int otherId = w->id[other];
         // Exchanged where the other has the lower id; no branch, which would be taken as if by chance.

@@ -1,19 +1,12 @@
-// Every floating-point formula of the World engine: the same functions, under the same names and in the same bracketing
-// as the Java class CircleMath, which documents them. Both give the same bits: only + - * / sqrt, comparisons and integer
-// operations, never contracted. No kernels here; constant cost a call.
-#pragma OPENCL FP_CONTRACT OFF
+// uses: world/shared/Real.cl
+// Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
+// only + - * / sqrt, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
 
 // ---- geometry -------------------------------------------------------------------------------------------------------
 
-float norm(float x, float y) { return sqrt(x * x + y * y); }
-
 float least(float a, float b) { return a < b ? a : b; }
 
-float greatest(float a, float b) { return a > b ? a : b; }
-
 float bounded(float a, float low, float high) { return greatest(least(a, high), low); }
-
-float difference(float base, float from, float to) { return base + (to - from); }
 
 float lostByRounding(float base, float displacement, float sum) {
     float part = sum - base;
@@ -101,60 +94,11 @@ float partingX(int hash) { return (float) (hash & 1023) - 511.5f; }
 
 float partingY(int hash) { return (float) ((int) ((uint) hash >> 10) & 1023) - 511.5f; }
 
-// ---- contacts -------------------------------------------------------------------------------------------------------
-
-float along(float nx, float ny, float vx, float vy) { return nx * vx + ny * vy; }
-
-// Results of freeFlight.
-#define SOLVE 0
-#define LEAVE 1
-#define BOUNCE 2
-
-float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
-    float creep = lengthRate * ((1.0f - e) * sum);
-    return gravityRate * sum + creep * creep;
-}
-
-int freeFlight(float vn, bool meets, float thr2) {
-    if (vn * vn > thr2) {
-        if (vn > 0.0f) return LEAVE;
-        if (meets) return BOUNCE;
-    }
-    return SOLVE;
-}
-
-bool carries(float lambda, float s, float vn, float thr2) { return lambda > 0.0f || (s < 0.0f && vn * vn <= thr2); }
-
-float bounceSpeed(float e, float vn, float s, float h, float thr2) {
-    return vn < 0.0f && vn * vn > thr2 && s + vn * h < 0.0f ? -e * vn : 0.0f;
-}
-
-float freeBounce(float e, float vn, float k) { return -(1.0f + e) * vn * k; }
-
-float rigid(float lambda, float k, float vn, float b) { return greatest(lambda - k * (vn + b), 0.0f); }
-
-float soft(float lambda, float k, float vn, float s, float push, float biasRate, float massScale, float impulseScale) {
-    float b = massScale * greatest(biasRate * s, -push);
-    return greatest((lambda - k * (massScale * vn + b)) - impulseScale * lambda, 0.0f);
-}
-
-float pushSpeed(float sum, float perLength, float perRoot) { return greatest(perLength * sum, perRoot * sqrt(sum)); }
-
-// ---- walls ----------------------------------------------------------------------------------------------------------
-
-float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
-
-float wallGap(float base, float displacement, float r, float side, float min, float max) {
-    return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
-}
-
-float leftBehind(float gap, float vn, float gain, float dt, float r) {
-    return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
-}
-
-float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
-
-float within(float base, float displacement, float low, float high) {
-    float x = base + displacement;
-    return x < low ? low - base : x > high ? high - base : displacement;
+// The normal of a contact of circles with one centre. ids: the lower above the higher.
+float2 partingNormal(ulong ids) {
+    int hash = pairHash((int) (ids >> 32), (int) ids);
+    float x = partingX(hash);
+    float y = partingY(hash);
+    float length = norm(x, y);
+    return (float2)(x / length, y / length);
 }

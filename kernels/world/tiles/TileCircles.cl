@@ -1,3 +1,4 @@
+// uses: world/shared/Motion.cl
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
 // work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
 // drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
@@ -29,45 +30,18 @@ void storeWalls(const World *w, int slot, float2 old, float2 walls) {
     }
 }
 
-// Wall impulses of a circle that no wall pushes, down to the signs of zeros. They are the same for the whole step.
-float2 noWalls(const World *w, float4 c) {
-    const StepConstants *k = &w->k;
-    return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
-}
-
 // Whether a circle has impulses of walls; most have none, and need not look at their traits.
 bool hasWalls(const World *w, float4 c, float2 walls) {
-    float2 none = noWalls(w, c);
+    float2 none = noWalls(&w->k, c);
     return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);
-}
-
-// Whether a wall without an impulse leaves a circle alone in the biased pass: pushFromWall would change no more than the sign
-// of a zero. before: velocity along the axis before any impulse; v: after those of its contacts.
-bool wallIsFar(const World *w, float x, float dx, float before, float v, float r, float min, float max) {
-    float side = wallSide(x, min, max);
-    float gap = wallGap(x, dx, r, side, min, max);
-    return gap > 0.0f && !(gap * w->k.inverseH + side * v < 0.0f) && !(gap + side * before * w->k.h < 0.0f);
-}
-
-// Whether walls without impulses leave a circle that has moved alone in the relaxing pass.
-bool wallsAreApart(const World *w, float4 c, float4 m) {
-    const StepConstants *k = &w->k;
-    return wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX) > 0.0f &&
-           wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY) > 0.0f;
 }
 
 // Begins a sub-step for a circle without impulses of walls: gravity, the impulses of the sub-step before. Returns false where
 // that is not all. c, m: circle, motion; sum: of the impulses of its contacts; carried: whether one of them carries.
 bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum, bool carried) {
-    const StepConstants *k = &w->k;
-    float2 before = (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
-    float2 next = (float2)(limitSpeed(before.x + inverseMass * sum.x), limitSpeed(before.y + inverseMass * sum.y));
-    if (inverseMass == 0.0f || !wallIsFar(w, c.x, m.x, before.x, next.x, c.z, k->minX, k->maxX) ||
-        !wallIsFar(w, c.y, m.y, before.y, next.y, c.z, k->minY, k->maxY)) {
-        return false;
-    }
-    float2 none = noWalls(w, c);
-    w->drive[slot] = (float4)(next.x + none.x, next.y + none.y, before.x, before.y);
+    float2 before, next;
+    if (!integrateOffWalls(&w->k, c, m, inverseMass, sum, &before, &next)) return false;
+    w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
     w->motion[slot] = (float4)(m.x, m.y, 0.0f, 0.0f);
     return true;
@@ -78,12 +52,12 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
     float2 walls = t.zw;
     if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.x, sum, carried)) {
-        storeWalls(w, slot, walls, noWalls(w, c));
+        storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
     float2 before, bounce;
     bool loaded;
-    accelerate(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+    integrateVelocities(w, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
     storeWalls(w, slot, walls, t.zw);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);
@@ -93,10 +67,10 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 
 // Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
 // Returns whether it is at a wall.
-bool endPush(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
+bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
     bool fixed = burden == 0.0f;
-    float4 m = displace(w, slot, c, (float4)(started.x, started.y, v.x, v.y), fixed);
-    if (!fixed && (atWall || !wallsAreApart(w, c, m))) {
+    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), fixed);
+    if (!fixed && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.zw;
         relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));

@@ -1,3 +1,4 @@
+// uses: world/stages/Contacts.cl world/tiles/Tiles.cl
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
@@ -47,7 +48,7 @@ void linkContact(const World *w, int listed) {
     for (int other = from; other < to; other++) c += listedOf(w)[other].x < ids;
 
     bool carrying;
-    float4 n = newContact(w, p, ids, &carrying);
+    float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
     w->impulse[c] = (float2)(n.x * n.w, n.y * n.w);
     w->masses[c] = n;
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,

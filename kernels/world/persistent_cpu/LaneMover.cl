@@ -1,0 +1,77 @@
+// uses: world/shared/Motion.cl
+// The circles' part of stage Solver for a row of cells. Loops have a copy of the World of their own, whose pointers stay in
+// registers; what is called for circles at walls gets the shared one: a copy that others know stays in memory.
+
+typedef struct {
+    int from, to; // slots
+} Cells;
+
+Cells cellsOf(const World *w, int row) {
+    int l = w->levels->used[0];
+    global const int *start = w->bucketStart + w->levels->first[l] + (row << w->levels->columnsLog[l]);
+    Cells c = {start[0], start[1 << w->levels->columnsLog[l]]};
+    return c;
+}
+
+// Gravity, the impulses of the sub-step before, and the biased pass over the walls.
+void integrateVelocitiesOfRow(const World *shared, int row) {
+    World own = *shared;
+    const World *w = &own;
+    Cells cells = cellsOf(w, row);
+    for (int slot = cells.from; slot < cells.to; slot++) {
+        float4 c = w->circle[slot];
+        float4 m = w->motion[slot];
+        float4 t = w->traits[slot];
+        float4 l = w->load[slot];
+        float2 before, v;
+        float2 bounce = (float2)(0.0f);
+        bool loaded = l.w > 0.0f;
+        bool clear = integrateOffWalls(&w->k, c, m, t.x, (float2)(l.x, l.y), &before, &v);
+        if (clear & (t.z == 0.0f) & (t.w == 0.0f)) {
+            m.zw = v;
+            t.zw = noWalls(&w->k, c);
+        } else {
+            integrateVelocities(shared, c, &m, &t, l, &before, &bounce, &loaded);
+        }
+        w->motion[slot] = m;
+        w->traits[slot] = t;
+        w->wallBounce[slot] = bounce;
+        w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    }
+}
+
+// Moves circles, keeps them within the walls, and makes the relaxing pass over the walls. first: forgets the impulses of the
+// step before, which have been recalled.
+void integratePositionsOfRow(const World *shared, int row, bool first) {
+    World own = *shared;
+    const World *w = &own;
+    Cells cells = cellsOf(w, row);
+    for (int slot = cells.from; slot < cells.to; slot++) {
+        float4 c = w->circle[slot];
+        float4 t = w->traits[slot];
+        float2 bounce = w->wallBounce[slot];
+        float loaded = w->load[slot].z;
+        bool fixed = t.x == 0.0f;
+        float4 m = integratePositions(w, slot, c, w->motion[slot], fixed);
+        bool apart = wallsAreApart(&w->k, c, m);
+        bool clear = apart & (t.z == 0.0f) & (t.w == 0.0f) & (bounce.x == 0.0f) & (bounce.y == 0.0f);
+        if (!fixed & !clear) {
+            relaxAtWalls(shared, c, &m, &t, bounce, loaded > 0.0f);
+            w->traits[slot] = t;
+        }
+        w->motion[slot] = m;
+        w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+        if (first) w->memory[slot] = NONE;
+    }
+}
+
+// Ends the step for circles.
+void finishRow(const World *shared, int row) {
+    World own = *shared;
+    const World *w = &own;
+    Cells cells = cellsOf(w, row);
+    for (int slot = cells.from; slot < cells.to; slot++) {
+        finalizePositions(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
+        w->homeMemory[slot] = w->memory[slot];
+    }
+}

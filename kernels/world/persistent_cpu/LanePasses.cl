@@ -1,0 +1,133 @@
+// uses: world/persistent_cpu/LaneContacts.cl
+// The passes over bundles of contacts (LaneContacts.cl): four at a time.
+
+// Applies impulses p along normals to the velocities of a bundle's circles, in those lanes that move. Taking +0 away and adding -0
+// change no bit of the others.
+INLINE void apply(const World *w, uint4 i, uint4 j, const Halves *vi, const Halves *vj, float4 nx, float4 ny, float4 wi,
+                  float4 wj, float4 p, int4 leaves) {
+    float4 none = (float4)(0.0f);
+    Halves taken = halvesOf(leaves ? none : velocityChange4(nx, wi, p), leaves ? none : velocityChange4(ny, wi, p));
+    Halves given = halvesOf(leaves ? -none : velocityChange4(nx, wj, p), leaves ? -none : velocityChange4(ny, wj, p));
+    Halves lower = halvesMinus(vi, &taken);
+    Halves higher = halvesPlus(vj, &given);
+    giveHalves(w->motion, i, j, &lower, &higher, ZW);
+}
+
+// Whether a circle of a contact is loaded.
+INLINE int4 someLoaded(const World *w, uint4 i, uint4 j) {
+    global const float4 *load = w->load;
+    float4 lower = (float4)(load[i.x].z, load[i.y].z, load[i.z].z, load[i.w].z);
+    float4 higher = (float4)(load[j.x].z, load[j.y].z, load[j.z].z, load[j.w].z);
+    return lower + higher > 0.0f;
+}
+
+// The contacts of a bundle as a pass finds them.
+INLINE Found4 foundBundle(const World *w, int bundle, int4 loaded) {
+    Found4 f;
+    f.separation = stateOf(w, bundle)[2];
+    f.restitution = baseOf(w, bundle)[3];
+    f.threshold = shapeOf(w, bundle)[1];
+    f.mass = shapeOf(w, bundle)[0];
+    f.normalImpulse = stateOf(w, bundle)[3];
+    f.loaded = loaded;
+    return f;
+}
+
+// The biased pass over a bundle.
+INLINE void solveBundle(const World *w, int bundle) {
+    uint4 i = slotsOf(w, bundle, 0);
+    uint4 j = slotsOf(w, bundle, 1);
+    global float4 *masses = massesOf(w, bundle);
+    global float4 *contact = stateOf(w, bundle);
+    Halves vi = takeHalves(w->motion, i, ZW);
+    Halves vj = takeHalves(w->motion, j, ZW);
+    Halves relative = halvesMinus(&vj, &vi);
+    Halves ui = takeHalves(w->load, i, XY);
+    Halves uj = takeHalves(w->load, j, XY);
+    Halves relativeBefore = halvesMinus(&uj, &ui);
+    float4 nx = contact[0], ny = contact[1];
+    float4 before = along4(nx, ny, firstOf(&relativeBefore), secondOf(&relativeBefore));
+    Found4 found = foundBundle(w, bundle, someLoaded(w, i, j));
+    Ready4 ready;
+    makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, masses[2], before, &ready);
+    Visited4 visited;
+    visit4(&ready, along4(nx, ny, firstOf(&relative), secondOf(&relative)), false, &visited);
+    masses[3] = ready.bounce;
+    contact[3] = visited.normalImpulse;
+    apply(w, i, j, &vi, &vj, nx, ny, masses[0], masses[1], visited.impulse, visited.leaves);
+}
+
+// Stores the impulse of a contact for the step to come, where it presses. No branch: whether it does is hard to guess.
+INLINE void storeImpulseOfLane(const World *w, int place, int lo, int hi, float normalImpulse, int presses) {
+    int before = w->memory[lo];
+    w->old[place] = (int4)(w->id[hi], as_int(normalImpulse), before, 0);
+    w->memory[lo] = presses ? place : before;
+}
+
+// Measures a bundle again. This needs no velocities, so it runs ahead of what changes those: roots and divisions take long, but
+// those of several bundles at a time hardly longer.
+INLINE void measureBundle(const World *w, int bundle) {
+    uint4 i = slotsOf(w, bundle, 0);
+    uint4 j = slotsOf(w, bundle, 1);
+    global const float4 *base = baseOf(w, bundle);
+    global float4 *contact = stateOf(w, bundle);
+    Halves di = takeHalves(w->motion, i, XY);
+    Halves dj = takeHalves(w->motion, j, XY);
+    Halves moved = halvesMinus(&dj, &di);
+    float4 nx = contact[0], ny = contact[1], s;
+    measure4(base[0], base[1], firstOf(&moved), secondOf(&moved), base[2], &nx, &ny, &s);
+    contact[0] = nx;
+    contact[1] = ny;
+    contact[2] = s;
+}
+
+// The relaxing pass over a bundle that has been measured again; sums up for what follows.
+INLINE void relaxBundle(const World *w, int bundle, bool last) {
+    uint4 i = slotsOf(w, bundle, 0);
+    uint4 j = slotsOf(w, bundle, 1);
+    global const float4 *masses = massesOf(w, bundle);
+    global float4 *contact = stateOf(w, bundle);
+    Halves vi = takeHalves(w->motion, i, ZW);
+    Halves vj = takeHalves(w->motion, j, ZW);
+    Halves relative = halvesMinus(&vj, &vi);
+    float4 nx = contact[0], ny = contact[1], wi = masses[0], wj = masses[1];
+    float4 vn = along4(nx, ny, firstOf(&relative), secondOf(&relative));
+    Found4 found = foundBundle(w, bundle, someLoaded(w, i, j));
+    Ready4 ready;
+    makeReadyToRelax4(&w->k, &found, masses[3], &ready);
+    Visited4 visited;
+    visit4(&ready, vn, true, &visited);
+    float4 next = visited.normalImpulse;
+    apply(w, i, j, &vi, &vj, nx, ny, wi, wj, visited.impulse, visited.leaves);
+    contact[3] = next;
+    if (last) {
+        int4 pressing = visited.solved && next > 0.0f;
+        storeImpulseOfLane(w, 4 * bundle, i.x, j.x, next.x, pressing.x);
+        storeImpulseOfLane(w, 4 * bundle + 1, i.y, j.y, next.y, pressing.y);
+        storeImpulseOfLane(w, 4 * bundle + 2, i.z, j.z, next.z, pressing.z);
+        storeImpulseOfLane(w, 4 * bundle + 3, i.w, j.w, next.w, pressing.w);
+        return;
+    }
+    float4 zero = (float4)(0.0f);
+    int4 carrying = visited.solved && carries4(next, vn + visited.impulse * (wi + wj), ready.restingLimit);
+    float4 gathered = carrying ? next : zero;
+    addToLoads(w, i, j, nx * gathered, ny * gathered, zero, carrying ? (float4)(1.0f) : zero);
+}
+
+void solveRow(const World *shared, int row) {
+    World w = *shared;
+    int end = w.groupStart[2 * row + 1];
+    for (int bundle = w.groupStart[2 * row]; bundle < end; bundle++) solveBundle(&w, bundle);
+}
+
+#define MEASURED_AHEAD 32 // bundles
+
+void relaxRow(const World *shared, int row, bool last) {
+    World w = *shared;
+    int end = w.groupStart[2 * row + 1];
+    for (int from = w.groupStart[2 * row]; from < end; from += MEASURED_AHEAD) {
+        int to = min(end, from + MEASURED_AHEAD);
+        for (int bundle = from; bundle < to; bundle++) measureBundle(&w, bundle);
+        for (int bundle = from; bundle < to; bundle++) relaxBundle(&w, bundle, last);
+    }
+}

@@ -1,0 +1,137 @@
+// uses: world/shared/Real.cl*LANES world/stages/World.cl
+// The physics of a contact, of two circles or of a circle and a wall. It is measured, made ready, which is everything that does
+// not depend on velocities, and then visited, without branches. Schedules load, call and store.
+
+// The square of the normal speed beyond which a contact bounces. radii: their sum.
+REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
+    REAL creep = lengthRate * ((1.0f - restitution) * radii);
+    return gravityRate * radii + creep * creep;
+}
+
+REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {
+    return NAME(bounceThreshold)(radii, restitution, k->thresholdRate, k->restRate);
+}
+
+REAL NAME(pushSpeed)(REAL radii, float perLength, float perRoot) {
+    return NAME(greatest)(perLength * radii, perRoot * sqrt(radii));
+}
+
+// The greatest speed at which an overlap is pushed out.
+REAL NAME(maxPushSpeed)(const StepConstants *k, REAL radii) {
+    return NAME(pushSpeed)(radii, k->pushPerLength, k->pushPerRoot);
+}
+
+REAL NAME(effectiveMass)(REAL invMassA, REAL invMassB) { return 1.0f / (invMassA + invMassB); }
+
+// What an impulse along a normal adds to the velocity of a circle, for one component of both.
+REAL NAME(velocityChange)(REAL normal, REAL invMass, REAL impulse) { return normal * (invMass * impulse); }
+
+// Measures a contact: sets its separation, and its normal if there is a direction; returns whether there is. baseX, baseY:
+// difference of the bases; movedX, movedY: of the displacements.
+INLINE MASK NAME(measure)(REAL baseX, REAL baseY, REAL movedX, REAL movedY, REAL radii, REAL *normalX, REAL *normalY,
+                          REAL *separation) {
+    REAL dx = baseX + movedX;
+    REAL dy = baseY + movedY;
+    REAL distance = NAME(norm)(dx, dy);
+    MASK apart = distance > COINCIDENT * radii;
+    *separation = distance - radii;
+    *normalX = apart ? dx / distance : *normalX;
+    *normalY = apart ? dy / distance : *normalY;
+    return apart;
+}
+
+// The square of the normal speed up to which a contact carries without an impulse, or -1.
+REAL NAME(restingLimit)(REAL separation, REAL threshold) { return separation < 0.0f ? threshold : (REAL)(-1.0f); }
+
+// Whether a contact carries its circles: it presses, or rests.
+MASK NAME(carries)(REAL normalImpulse, REAL vn, REAL restingLimit) {
+    return normalImpulse > 0.0f || vn * vn <= restingLimit;
+}
+
+// The target speed of a bounce, or 0. vn: the normal speed before any impulse.
+REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL threshold) {
+    MASK bounces = vn < 0.0f && vn * vn > threshold && separation + vn * h < 0.0f;
+    return bounces ? -restitution * vn : (REAL)(0.0f);
+}
+
+// A contact as a pass finds it.
+typedef struct {
+    REAL separation, restitution;
+    REAL threshold; // see restitutionThreshold
+    REAL mass;      // effective
+    REAL normalImpulse;
+    MASK loaded; // whether one of its circles is
+} NAME(Found);
+
+// A contact made ready to be visited.
+typedef struct {
+    REAL mass, normalImpulse;
+    REAL scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
+    REAL flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
+    REAL gain;              // of the normal speed at a free bounce
+    REAL meeting;           // they bounce freely if the sum of this and the normal speed is negative
+    REAL bounce;            // target speed of a bounce
+    REAL restingLimit;      // in the relaxing pass; see carries
+    MASK still;             // in the relaxing pass: left alone at any speed
+} NAME(Ready);
+
+// A contact that has been visited.
+typedef struct {
+    REAL impulse;       // to apply
+    REAL normalImpulse; // accumulated
+    MASK leaves;        // nothing to apply: the signs of zeros stay
+    MASK solved;        // neither left alone nor bounced freely
+} NAME(Visited);
+
+// Makes a contact ready for the biased pass. before: normal speed before any impulse.
+INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, const NAME(Found) *f, REAL maxPushSpeed,
+                                   REAL before, NAME(Ready) *c) {
+    REAL bounce = NAME(bounceSpeed)(f->restitution, before, f->separation, k->h, f->threshold);
+    bounce = f->restitution > 0.0f && f->loaded ? bounce : (REAL)(0.0f);
+    REAL speculative = f->separation * k->inverseH;
+    REAL push = softness.massScale * NAME(greatest)(softness.biasRate * f->separation, -maxPushSpeed);
+    MASK rigid = bounce > 0.0f || f->separation > 0.0f;
+    c->mass = f->mass;
+    c->normalImpulse = f->normalImpulse;
+    c->scale = rigid ? (REAL)(1.0f) : (REAL)(softness.massScale);
+    c->bias = bounce > 0.0f ? -bounce : f->separation > 0.0f ? speculative : push;
+    c->less = rigid ? (REAL)(0.0f) : softness.impulseScale * f->normalImpulse;
+    c->flight = f->restitution > 0.0f && !f->loaded && f->normalImpulse == 0.0f ? f->threshold : (REAL)(INFINITY);
+    c->gain = -(1.0f + f->restitution);
+    c->meeting = speculative;
+    c->bounce = bounce;
+    c->restingLimit = (REAL)(-1.0f);
+    c->still = (MASK)(0);
+}
+
+// Makes a contact that has been measured again ready for the relaxing pass, which takes the push-out speed away. bounce: its
+// target speed from the biased pass.
+INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f, REAL bounce, NAME(Ready) *c) {
+    MASK idle = f->normalImpulse == 0.0f && bounce == 0.0f;
+    c->mass = f->mass;
+    c->normalImpulse = f->normalImpulse;
+    c->scale = (REAL)(1.0f);
+    c->bias = bounce > 0.0f ? -bounce : f->separation > 0.0f ? f->separation * k->inverseH : (REAL)(0.0f);
+    c->less = (REAL)(0.0f);
+    c->flight = idle && f->restitution > 0.0f && !f->loaded ? f->threshold : (REAL)(INFINITY);
+    c->gain = -(1.0f + f->restitution);
+    c->meeting = (REAL)(-INFINITY);
+    c->bounce = bounce;
+    c->restingLimit = NAME(restingLimit)(f->separation, f->threshold);
+    c->still = idle && f->separation > 0.0f;
+}
+
+// Visits a contact. vn: its normal speed; relaxing: in the relaxing pass, where the impulse of a bounce is not kept.
+INLINE void NAME(visit)(const NAME(Ready) *c, REAL vn, bool relaxing, NAME(Visited) *v) {
+    MASK flies = vn * vn > c->flight;
+    MASK leaves = c->still || (flies && vn > 0.0f);
+    MASK bounces = flies && !leaves && c->meeting + vn < 0.0f;
+    MASK solved = !leaves && !bounces;
+    REAL next = NAME(greatest)((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, (REAL)(0.0f));
+    REAL pressed = solved ? next - c->normalImpulse : (REAL)(0.0f);
+    v->impulse = bounces ? c->gain * vn * c->mass : pressed;
+    if (relaxing) next = c->bounce > 0.0f ? (REAL)(0.0f) : next;
+    v->normalImpulse = solved ? next : c->normalImpulse;
+    v->leaves = leaves;
+    v->solved = solved;
+}

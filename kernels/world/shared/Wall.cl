@@ -1,0 +1,85 @@
+// uses: world/shared/CircleMath.cl world/shared/Contact.cl world/stages/World.cl
+// The walls: a circle and the nearer wall of an axis are a contact with an effective mass of 1, so its impulses are speeds. A
+// circle keeps the impulses of its walls, positive for a lower wall, negative for an upper one.
+
+float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
+
+float wallGap(float base, float displacement, float r, float side, float min, float max) {
+    return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
+}
+
+float leftBehind(float gap, float vn, float gain, float dt, float r) {
+    return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
+}
+
+float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
+
+float within(float base, float displacement, float low, float high) {
+    float x = base + displacement;
+    return x < low ? low - base : x > high ? high - base : displacement;
+}
+
+// A circle and the nearer wall of an axis, as a pass finds them.
+Found foundWall(const StepConstants *k, float x, float dx, float r, float e, bool loaded, float min, float max, float stored,
+                float *side) {
+    *side = wallSide(x, min, max);
+    Found f;
+    f.separation = wallGap(x, dx, r, *side, min, max);
+    f.restitution = e;
+    f.threshold = restitutionThreshold(k, 2.0f * r, e);
+    f.mass = 1.0f;
+    f.normalImpulse = wallImpulse(stored, *side);
+    f.loaded = loaded;
+    return f;
+}
+
+// The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
+// contacts; stored: the wall's impulse. Returns the new velocity along the axis.
+float solveWall(const StepConstants *k, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
+                float max, float *stored, float *bounce) {
+    float side;
+    Found f = foundWall(k, x, *dx, r, e, loaded, min, max, *stored, &side);
+    Ready c;
+    makeReadyToSolve(k, wallSoftness(k), &f, maxPushSpeed(k, 2.0f * r), side * before, &c);
+    v += side * f.normalImpulse;
+    float vn = side * v;
+    Visited visited;
+    visit(&c, vn, false, &visited);
+    if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
+    *stored = side * visited.normalImpulse;
+    *bounce = c.bounce;
+    return v + side * visited.impulse;
+}
+
+// The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.
+float relaxWall(const StepConstants *k, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
+                float max, float *stored) {
+    float side;
+    Found f = foundWall(k, x, dx, r, e, loaded, min, max, *stored, &side);
+    Ready c;
+    makeReadyToRelax(k, &f, bounce, &c);
+    Visited visited;
+    visit(&c, side * v, true, &visited);
+    // After a bounce +0 at either wall: the signs of zeros are part of the state.
+    if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
+    return visited.leaves ? v : v + side * visited.impulse;
+}
+
+// The wall impulses of a circle that no wall pushes, down to the signs of zeros. They are the same for the whole step.
+float2 noWalls(const StepConstants *k, float4 c) {
+    return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
+}
+
+// Whether solveWall changes no more than the sign of a zero of a circle that has no impulse of walls.
+INLINE bool wallIsFar(const StepConstants *k, float x, float dx, float before, float v, float r, float min, float max) {
+    float side = wallSide(x, min, max);
+    float gap = wallGap(x, dx, r, side, min, max);
+    return (gap > 0.0f) & (gap * k->inverseH + side * v >= 0.0f) & (gap + side * before * k->h >= 0.0f);
+}
+
+// Whether relaxWall, at both walls, changes nothing of a circle that has no impulse of walls and bounces off none. m: its motion.
+INLINE bool wallsAreApart(const StepConstants *k, float4 c, float4 m) {
+    float gapX = wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
+    float gapY = wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);
+    return (gapX > 0.0f) & (gapY > 0.0f);
+}

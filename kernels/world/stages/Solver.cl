@@ -1,0 +1,148 @@
+// uses: world/shared/Motion.cl world/stages/Contacts.cl
+// Stage Solver: moves the circles through the sub-steps of a step, and writes them home. The contacts are visited with one launch
+// per colour; the Java class JvmSolver does the same.
+
+// Index space: a working slot a work-item.
+kernel void solver_accelerate(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float4 l = load[slot];
+    float2 before, bounce;
+    bool loaded;
+    integrateVelocities(&w, circle[slot], &m, &t, l, &before, &bounce, &loaded);
+    motion[slot] = m;
+    traits[slot] = t;
+    wallBounce[slot] = bounce;
+    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+}
+
+// A contact as a pass finds it. b: base; q: masses; n: contact; loads: whether its circles are loaded, added up.
+Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
+    Found f;
+    f.separation = n.z;
+    f.restitution = b.w;
+    f.threshold = restitutionThreshold(&w->k, b.z, b.w);
+    f.mass = effectiveMass(q.x, q.y);
+    f.normalImpulse = n.w;
+    f.loaded = loads > 0.0f;
+    return f;
+}
+
+// Visits a contact, and applies the impulse. pr: slots; mi, mj: motion of its circles. Returns the normal speed afterwards.
+float visitPair(const World *w, uint2 pr, float4 n, float4 q, float4 mi, float4 mj, const Ready *c, bool relaxing,
+                Visited *visited) {
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    visit(c, vn, relaxing, visited);
+    float impulse = visited->impulse;
+    if (!visited->leaves) {
+        mi.z -= velocityChange(n.x, q.x, impulse);
+        mi.w -= velocityChange(n.y, q.x, impulse);
+        mj.z += velocityChange(n.x, q.y, impulse);
+        mj.w += velocityChange(n.y, q.y, impulse);
+        w->motion[pr.x] = mi;
+        w->motion[pr.y] = mj;
+    }
+    return vn + impulse * (q.x + q.y);
+}
+
+// The biased pass over one contact.
+void solveContact(const World *w, int c) {
+    uint2 pr = w->pair[c];
+    float4 q = w->masses[c];
+    float4 n = w->contact[c];
+    float4 li = w->load[pr.x];
+    float4 lj = w->load[pr.y];
+    Found found = foundContact(w, w->base[c], q, n, li.z + lj.z);
+    Ready ready;
+    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, q.z, along(n.x, n.y, lj.x - li.x, lj.y - li.y), &ready);
+    Visited visited;
+    visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
+    w->masses[c].w = ready.bounce;
+    w->contact[c].w = visited.normalImpulse;
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void solver_push(WORLD_PARAMETERS, int level, int colour) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) solveContact(&w, c);
+}
+
+// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
+// impulses in traits t.
+void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+    bool fixed = t->x == 0.0f;
+    *m = integratePositions(w, slot, c, *m, fixed);
+    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
+}
+
+// Index space: a working slot a work-item.
+kernel void solver_move(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float loaded = load[slot].z;
+    moveCircle(&w, slot, circle[slot], &m, &t, wallBounce[slot], loaded > 0.0f);
+    motion[slot] = m;
+    traits[slot] = t;
+    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    memory[slot] = NONE;
+}
+
+// Stores a contact's impulse for the step to come.
+void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
+    w->old[c] = (int4)((int) w->key[c], as_int(normalImpulse), w->memory[pr.x], 0);
+    w->memory[pr.x] = c;
+}
+
+// Measures a contact again, makes the relaxing pass over it, and sums up for what follows.
+void relaxContact(const World *w, int c, bool last) {
+    uint2 pr = w->pair[c];
+    float4 b = w->base[c];
+    float4 q = w->masses[c];
+    float4 n = w->contact[c];
+    float4 mi = w->motion[pr.x];
+    float4 mj = w->motion[pr.y];
+    measureContact(b, mi, mj, &n);
+    Found found = foundContact(w, b, q, n, w->load[pr.x].z + w->load[pr.y].z);
+    Ready ready;
+    makeReadyToRelax(&w->k, &found, q.w, &ready);
+    Visited visited;
+    float vn = visitPair(w, pr, n, q, mi, mj, &ready, true, &visited);
+    float next = visited.normalImpulse;
+    w->contact[c] = (float4)(n.x, n.y, n.z, next);
+    if (!visited.solved) return;
+    if (last) {
+        if (next > 0.0f) storeImpulse(w, c, pr, next);
+    } else if (carries(next, vn, ready.restingLimit)) {
+        gatherLoad(w, pr, n.x, n.y, next, true);
+    }
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void solver_relax(WORLD_PARAMETERS, int level, int colour, int last) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
+}
+
+// Index space: a working slot a work-item.
+kernel void solver_finish(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    finalizePositions(&w, slot, circle[slot], motion[slot], traits[slot]);
+    homeMemory[slot] = memory[slot];
+    if (slot == 0) status[STEPS_DONE]++;
+}
