@@ -136,20 +136,20 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
     Four mi = take(w->motion, i);
     Four mj = take(w->motion, j);
     float4 zero = (float4)(0.0f);
-    float4 sum = real ? ci.z + cj.z : zero;
-    float4 ex = real ? cj.x - ci.x : (float4)(UNUSED_LANES);
-    float4 ey = real ? cj.y - ci.y : zero;
-    float4 e = real ? greatest4(ti.y, tj.y) : zero;
-    float4 wi = real ? ti.x : zero;
-    float4 wj = real ? tj.x : zero;
+    float4 sum = choose4(real, ci.z + cj.z, zero);
+    float4 ex = choose4(real, cj.x - ci.x, (float4)(UNUSED_LANES));
+    float4 ey = choose4(real, cj.y - ci.y, zero);
+    float4 e = choose4(real, greatest4(ti.y, tj.y), zero);
+    float4 wi = choose4(real, ti.x, zero);
+    float4 wj = choose4(real, tj.x, zero);
     float4 threshold = restitutionThreshold4(&w->k, sum, e);
     float4 nx = zero, ny = zero, s;
     int4 apart = measure4(ex, ey, mj.x - mi.x, mj.y - mi.y, sum, &nx, &ny, &s);
     if (!all(apart)) {
         float2 normal[4];
         for (int l = 0; l < 4; l++) normal[l] = partingNormal(l < used ? ids[l] : 0);
-        nx = apart ? nx : (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x);
-        ny = apart ? ny : (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y);
+        nx = choose4(apart, nx, (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x));
+        ny = choose4(apart, ny, (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y));
     }
     float4 normalImpulse = zero;
     normalImpulse.x = recall(w, i.x, j.x, ids[0]);
@@ -167,14 +167,14 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
     masses[0] = wi;
     masses[1] = wj;
     masses[2] = maxPushSpeed4(&w->k, sum);
-    masses[3] = real && carries4(normalImpulse, vn, restingLimit4(s, threshold)) ? (float4)(1.0f) : zero;
+    masses[3] = choose4(real && carries4(normalImpulse, vn, restingLimit4(s, threshold)), (float4)(1.0f), zero);
     global float4 *contact = stateOf(w, bundle);
     contact[0] = nx;
     contact[1] = ny;
     contact[2] = s;
     contact[3] = normalImpulse;
     global float4 *shape = shapeOf(w, bundle);
-    shape[0] = real ? effectiveMass4(wi, wj) : zero;
+    shape[0] = choose4(real, effectiveMass4(wi, wj), zero);
     shape[1] = threshold;
     vstore4(i, 0, pairOf(w, bundle));
     vstore4(j, 1, pairOf(w, bundle));
@@ -187,7 +187,7 @@ INLINE bool gatherBundle(const World *w, int bundle) {
     float4 normalImpulse = contact[3], one = (float4)(1.0f);
     int4 used = shapeOf(w, bundle)[0] > 0.0f;
     float4 most = addToLoads(w, slotsOf(w, bundle, 0), slotsOf(w, bundle, 1), contact[0] * normalImpulse,
-                             contact[1] * normalImpulse, used ? one : (float4)(0.0f), massesOf(w, bundle)[3]);
+                             contact[1] * normalImpulse, choose4(used, one, (float4)(0.0f)), massesOf(w, bundle)[3]);
     return most.z > (float) CROWD;
 }
 

@@ -48,18 +48,19 @@ void integratePositionsOfRow(const World *shared, int row, bool first) {
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
         float4 c = w->circle[slot];
+        float4 m = w->motion[slot];
         float4 t = w->traits[slot];
         float2 bounce = w->wallBounce[slot];
         float loaded = w->load[slot].z;
-        bool fixed = t.x == 0.0f;
-        float4 m = integratePositions(w, slot, c, w->motion[slot], fixed);
-        bool apart = wallsAreApart(&w->k, c, m);
-        bool clear = apart & (t.z == 0.0f) & (t.w == 0.0f) & (bounce.x == 0.0f) & (bounce.y == 0.0f);
-        if (!fixed & !clear) {
-            relaxAtWalls(shared, c, &m, &t, bounce, loaded > 0.0f);
+        float4 moved;
+        bool clear = moveOffWalls(w, slot, c, m, &moved);
+        if (clear & (t.x != 0.0f) & (t.z == 0.0f) & (t.w == 0.0f) & (bounce.x == 0.0f) & (bounce.y == 0.0f)) {
+            w->motion[slot] = moved;
+        } else {
+            moveCircle(shared, slot, c, &m, &t, bounce, loaded > 0.0f);
+            w->motion[slot] = m;
             w->traits[slot] = t;
         }
-        w->motion[slot] = m;
         w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
         if (first) w->memory[slot] = NONE;
     }

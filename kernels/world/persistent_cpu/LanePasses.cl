@@ -6,8 +6,8 @@
 INLINE void apply(const World *w, uint4 i, uint4 j, const Halves *vi, const Halves *vj, float4 nx, float4 ny, float4 wi,
                   float4 wj, float4 p, int4 leaves) {
     float4 none = (float4)(0.0f);
-    Halves taken = halvesOf(leaves ? none : velocityChange4(nx, wi, p), leaves ? none : velocityChange4(ny, wi, p));
-    Halves given = halvesOf(leaves ? -none : velocityChange4(nx, wj, p), leaves ? -none : velocityChange4(ny, wj, p));
+    Halves taken = halvesOf(choose4(leaves, none, velocityChange4(nx, wi, p)), choose4(leaves, none, velocityChange4(ny, wi, p)));
+    Halves given = halvesOf(choose4(leaves, -none, velocityChange4(nx, wj, p)), choose4(leaves, -none, velocityChange4(ny, wj, p)));
     Halves lower = halvesMinus(vi, &taken);
     Halves higher = halvesPlus(vj, &given);
     giveHalves(w->motion, i, j, &lower, &higher, ZW);
@@ -92,9 +92,14 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
     Halves relative = halvesMinus(&vj, &vi);
     float4 nx = contact[0], ny = contact[1], wi = masses[0], wj = masses[1];
     float4 vn = along4(nx, ny, firstOf(&relative), secondOf(&relative));
-    Found4 found = foundBundle(w, bundle, someLoaded(w, i, j));
+    Found4 found = foundBundle(w, bundle, (int4)(0));
     Ready4 ready;
     makeReadyToRelax4(&w->k, &found, masses[3], &ready);
+    // Hardly any contact flies free: whether its circles are loaded is read only if one may.
+    if (any(vn * vn > ready.flight && !ready.still)) {
+        found.loaded = someLoaded(w, i, j);
+        makeReadyToRelax4(&w->k, &found, masses[3], &ready);
+    }
     Visited4 visited;
     visit4(&ready, vn, true, &visited);
     float4 next = visited.normalImpulse;
@@ -110,8 +115,8 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
     }
     float4 zero = (float4)(0.0f);
     int4 carrying = visited.solved && carries4(next, vn + visited.impulse * (wi + wj), ready.restingLimit);
-    float4 gathered = carrying ? next : zero;
-    addToLoads(w, i, j, nx * gathered, ny * gathered, zero, carrying ? (float4)(1.0f) : zero);
+    float4 gathered = choose4(carrying, next, zero);
+    addToLoads(w, i, j, nx * gathered, ny * gathered, zero, choose4(carrying, (float4)(1.0f), zero));
 }
 
 void solveRow(const World *shared, int row) {

@@ -35,13 +35,15 @@ INLINE MASK NAME(measure)(REAL baseX, REAL baseY, REAL movedX, REAL movedY, REAL
     REAL distance = NAME(norm)(dx, dy);
     MASK apart = distance > COINCIDENT * radii;
     *separation = distance - radii;
-    *normalX = apart ? dx / distance : *normalX;
-    *normalY = apart ? dy / distance : *normalY;
+    *normalX = NAME(choose)(apart, dx / distance, *normalX);
+    *normalY = NAME(choose)(apart, dy / distance, *normalY);
     return apart;
 }
 
 // The square of the normal speed up to which a contact carries without an impulse, or -1.
-REAL NAME(restingLimit)(REAL separation, REAL threshold) { return separation < 0.0f ? threshold : (REAL)(-1.0f); }
+REAL NAME(restingLimit)(REAL separation, REAL threshold) {
+    return NAME(choose)(separation < 0.0f, threshold, (REAL)(-1.0f));
+}
 
 // Whether a contact carries its circles: it presses, or rests.
 MASK NAME(carries)(REAL normalImpulse, REAL vn, REAL restingLimit) {
@@ -51,7 +53,7 @@ MASK NAME(carries)(REAL normalImpulse, REAL vn, REAL restingLimit) {
 // The target speed of a bounce, or 0. vn: the normal speed before any impulse.
 REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL threshold) {
     MASK bounces = vn < 0.0f && vn * vn > threshold && separation + vn * h < 0.0f;
-    return bounces ? -restitution * vn : (REAL)(0.0f);
+    return NAME(choose)(bounces, -restitution * vn, (REAL)(0.0f));
 }
 
 // A contact as a pass finds it.
@@ -69,7 +71,7 @@ typedef struct {
     REAL scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
     REAL flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
     REAL gain;              // of the normal speed at a free bounce
-    REAL meeting;           // they bounce freely if the sum of this and the normal speed is negative
+    REAL meeting;           // in the biased pass: they bounce freely if the sum of this and the normal speed is negative
     REAL bounce;            // target speed of a bounce
     REAL restingLimit;      // in the relaxing pass; see carries
     MASK still;             // in the relaxing pass: left alone at any speed
@@ -77,9 +79,9 @@ typedef struct {
 
 // A contact that has been visited.
 typedef struct {
-    REAL impulse;       // to apply
+    REAL impulse;       // to apply, unless it leaves
     REAL normalImpulse; // accumulated
-    MASK leaves;        // nothing to apply: the signs of zeros stay
+    MASK leaves;
     MASK solved;        // neither left alone nor bounced freely
 } NAME(Visited);
 
@@ -87,16 +89,16 @@ typedef struct {
 INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, const NAME(Found) *f, REAL maxPushSpeed,
                                    REAL before, NAME(Ready) *c) {
     REAL bounce = NAME(bounceSpeed)(f->restitution, before, f->separation, k->h, f->threshold);
-    bounce = f->restitution > 0.0f && f->loaded ? bounce : (REAL)(0.0f);
+    bounce = NAME(choose)(f->restitution > 0.0f && f->loaded, bounce, (REAL)(0.0f));
     REAL speculative = f->separation * k->inverseH;
     REAL push = softness.massScale * NAME(greatest)(softness.biasRate * f->separation, -maxPushSpeed);
     MASK rigid = bounce > 0.0f || f->separation > 0.0f;
     c->mass = f->mass;
     c->normalImpulse = f->normalImpulse;
-    c->scale = rigid ? (REAL)(1.0f) : (REAL)(softness.massScale);
-    c->bias = bounce > 0.0f ? -bounce : f->separation > 0.0f ? speculative : push;
-    c->less = rigid ? (REAL)(0.0f) : softness.impulseScale * f->normalImpulse;
-    c->flight = f->restitution > 0.0f && !f->loaded && f->normalImpulse == 0.0f ? f->threshold : (REAL)(INFINITY);
+    c->scale = NAME(choose)(rigid, (REAL)(1.0f), (REAL)(softness.massScale));
+    c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, speculative, push));
+    c->less = NAME(choose)(rigid, (REAL)(0.0f), softness.impulseScale * f->normalImpulse);
+    c->flight = NAME(choose)(f->restitution > 0.0f && !f->loaded && f->normalImpulse == 0.0f, f->threshold, (REAL)(INFINITY));
     c->gain = -(1.0f + f->restitution);
     c->meeting = speculative;
     c->bounce = bounce;
@@ -111,11 +113,11 @@ INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f,
     c->mass = f->mass;
     c->normalImpulse = f->normalImpulse;
     c->scale = (REAL)(1.0f);
-    c->bias = bounce > 0.0f ? -bounce : f->separation > 0.0f ? f->separation * k->inverseH : (REAL)(0.0f);
+    c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, f->separation * k->inverseH, (REAL)(0.0f)));
     c->less = (REAL)(0.0f);
-    c->flight = idle && f->restitution > 0.0f && !f->loaded ? f->threshold : (REAL)(INFINITY);
+    c->flight = NAME(choose)(idle && f->restitution > 0.0f && !f->loaded, f->threshold, (REAL)(INFINITY));
     c->gain = -(1.0f + f->restitution);
-    c->meeting = (REAL)(-INFINITY);
+    c->meeting = (REAL)(0.0f);
     c->bounce = bounce;
     c->restingLimit = NAME(restingLimit)(f->separation, f->threshold);
     c->still = idle && f->separation > 0.0f;
@@ -125,13 +127,13 @@ INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f,
 INLINE void NAME(visit)(const NAME(Ready) *c, REAL vn, bool relaxing, NAME(Visited) *v) {
     MASK flies = vn * vn > c->flight;
     MASK leaves = c->still || (flies && vn > 0.0f);
-    MASK bounces = flies && !leaves && c->meeting + vn < 0.0f;
-    MASK solved = !leaves && !bounces;
+    MASK bounces = flies; // unless it leaves
+    if (!relaxing) bounces = flies && c->meeting + vn < 0.0f;
+    MASK solved = !(leaves || bounces);
     REAL next = NAME(greatest)((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, (REAL)(0.0f));
-    REAL pressed = solved ? next - c->normalImpulse : (REAL)(0.0f);
-    v->impulse = bounces ? c->gain * vn * c->mass : pressed;
-    if (relaxing) next = c->bounce > 0.0f ? (REAL)(0.0f) : next;
-    v->normalImpulse = solved ? next : c->normalImpulse;
+    v->impulse = NAME(choose)(bounces, c->gain * vn * c->mass, next - c->normalImpulse);
+    if (relaxing) next = NAME(choose)(c->bounce > 0.0f, (REAL)(0.0f), next);
+    v->normalImpulse = NAME(choose)(solved, next, c->normalImpulse);
     v->leaves = leaves;
     v->solved = solved;
 }

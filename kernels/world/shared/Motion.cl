@@ -2,6 +2,11 @@
 // The motion of a circle through a sub-step, walls included: velocities, then, after the biased pass over the contacts,
 // positions; and its state at the end of the step.
 
+// The velocity before any impulse. m: motion.
+float2 beforeImpulses(const StepConstants *k, float4 m) {
+    return (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
+}
+
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls, for one circle: changes motion m and
 // the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
 // before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
@@ -14,16 +19,14 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
         *loaded = false;
         return;
     }
-    float vx = m->z + k->gravityStepX;
-    float vy = m->w + k->gravityStepY;
-    *before = (float2)(vx, vy);
+    *before = beforeImpulses(k, *m);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
     float nextX, nextY;
     // A loop over the axes: half the instructions to fetch.
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
         bool y = axis != 0;
-        float v = y ? vy : vx;
+        float v = y ? before->y : before->x;
         float wall = y ? t->w : t->z;
         float target;
         float dx = y ? m->y : m->x;
@@ -49,7 +52,7 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
 // wall may have to be visited. m: its motion; impulses: their sum.
 INLINE bool integrateOffWalls(const StepConstants *k, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
                               float2 *v) {
-    *before = (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
+    *before = beforeImpulses(k, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
     // Adding zeros, as the visits would: the signs of zeros are part of the state.
     *v = next + noWalls(k, c);
@@ -58,11 +61,13 @@ INLINE bool integrateOffWalls(const StepConstants *k, float4 c, float4 m, float 
     return (invMass != 0.0f) & farX & farY;
 }
 
+// How far a circle may leave the free part of its path.
+INLINE float allowanceOf(const World *w, int slot, float r) { return w->k.sweeping ? w->leash[slot].z : LEASH * r; }
+
 // Keeps a circle's displacement on its leash: no farther from the free part of its path than it is allowed.
 INLINE float2 onLeash(const World *w, int slot, float r, float dx, float dy) {
-    float allowance = LEASH * r;
+    float allowance = allowanceOf(w, slot, r);
     float square = dx * dx + dy * dy;
-    if (w->k.sweeping) allowance = w->leash[slot].z;
     if (!(square > 0.0f) || !(square > allowance * allowance)) return (float2)(dx, dy);
     float4 leash = w->leash[slot];
     float share = nearest(dx, dy, leash.x, leash.y);
@@ -74,12 +79,20 @@ INLINE float2 onLeash(const World *w, int slot, float r, float dx, float dy) {
     return (float2)(share * leash.x + keep * offX, share * leash.y + keep * offY);
 }
 
+// Moves a circle that nothing is in the way of. m: its motion; returns what that becomes.
+INLINE float4 movedFreely(const StepConstants *k, float4 m) {
+    float vx = limitSpeed(m.z);
+    float vy = limitSpeed(m.w);
+    return (float4)(m.x + vx * k->h, m.y + vy * k->h, vx, vy);
+}
+
 // Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
 INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool fixed) {
     const StepConstants *k = &w->k;
-    float vx = limitSpeed(m.z);
-    float vy = limitSpeed(m.w);
-    float2 d = (float2)(m.x + vx * k->h, m.y + vy * k->h);
+    float4 free = movedFreely(k, m);
+    float2 d = free.xy;
+    float vx = free.z;
+    float vy = free.w;
     if (!fixed) d = onLeash(w, slot, c.z, d.x, d.y);
     float edge = fixed ? 0.0f : c.z;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
@@ -110,6 +123,26 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
             t->z = wall;
         }
     }
+}
+
+// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
+// impulses in traits t.
+void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
+    bool fixed = t->x == 0.0f;
+    *m = integratePositions(w, slot, c, *m, fixed);
+    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
+}
+
+// moveCircle for a circle that has no impulse of walls and bounces off none, as long as it stays on its leash and away from the
+// walls: returns false if it may not.
+INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *moved) {
+    const StepConstants *k = &w->k;
+    *moved = movedFreely(k, m);
+    float allowance = allowanceOf(w, slot, c.z);
+    float x = c.x + moved->x;
+    float y = c.y + moved->y;
+    return (x >= k->minX + c.z) & (x <= k->maxX - c.z) & (y >= k->minY + c.z) & (y <= k->maxY - c.z) &
+           (moved->x * moved->x + moved->y * moved->y <= allowance * allowance) & wallsAreApart(k, c, *moved);
 }
 
 // Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.

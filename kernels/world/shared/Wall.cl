@@ -48,7 +48,7 @@ float solveWall(const StepConstants *k, float x, float *dx, float before, float 
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
     *bounce = c.bounce;
-    return v + side * visited.impulse;
+    return visited.leaves ? v : v + side * visited.impulse;
 }
 
 // The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.

@@ -74,14 +74,6 @@ kernel void solver_push(WORLD_PARAMETERS, int level, int colour) {
     for (int c = groupStart[group]; c < to; c++) solveContact(&w, c);
 }
 
-// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
-// impulses in traits t.
-void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    bool fixed = t->x == 0.0f;
-    *m = integratePositions(w, slot, c, *m, fixed);
-    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
-}
-
 // Index space: a working slot a work-item.
 kernel void solver_move(WORLD_PARAMETERS) {
     World w = WORLD;

@@ -3,8 +3,6 @@ package io.github.circles2d.world.device.plan;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.WorldSource;
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
