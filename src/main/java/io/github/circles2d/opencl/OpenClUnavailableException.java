@@ -8,6 +8,7 @@ package io.github.circles2d.opencl;
 public final class OpenClUnavailableException extends OpenClException {
     private static final long serialVersionUID = 1L;
 
+    /** Whether no driver is installed. */
     private final boolean driverMissing;
 
     /**
