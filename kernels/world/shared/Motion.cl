@@ -21,31 +21,25 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
     }
     *before = beforeImpulses(k, *m);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
-    float nextX, nextY;
-    // A loop over the axes: half the instructions to fetch.
+    // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
+    // fewer work-groups at once, although few circles are at walls.
+    float x[2] = {c.x, c.y};
+    float dx[2] = {m->x, m->y};
+    float v[2] = {before->x, before->y};
+    float next[2] = {afterImpulse(v[0], t->x, l.x), afterImpulse(v[1], t->x, l.y)};
+    float wall[2] = {t->z, t->w};
+    float target[2];
+    float low[2] = {k->minX, k->minY};
+    float high[2] = {k->maxX, k->maxY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        bool y = axis != 0;
-        float v = y ? before->y : before->x;
-        float wall = y ? t->w : t->z;
-        float target;
-        float dx = y ? m->y : m->x;
-        float next = solveWall(k, y ? c.y : c.x, &dx, v, afterImpulse(v, t->x, y ? l.y : l.x), c.z, t->y, *loaded,
-                               y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall, &target);
-        if (y) {
-            nextY = next;
-            m->y = dx;
-            t->w = wall;
-            bounce->y = target;
-        } else {
-            nextX = next;
-            m->x = dx;
-            t->z = wall;
-            bounce->x = target;
-        }
+        next[axis] = solveWall(k, x[axis], &dx[axis], v[axis], next[axis], c.z, t->y, *loaded, low[axis], high[axis],
+                               &wall[axis], &target[axis]);
     }
-    m->z = nextX;
-    m->w = nextY;
+    *bounce = (float2)(target[0], target[1]);
+    *m = (float4)(dx[0], dx[1], next[0], next[1]);
+    t->z = wall[0];
+    t->w = wall[1];
 }
 
 // integrateVelocities for a circle that no wall pushes, as long as none begins to: gives the velocities, and returns false if a
@@ -109,20 +103,22 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
 // traits t.
 void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
     const StepConstants *k = &w->k;
+    float x[2] = {c.x, c.y};
+    float dx[2] = {m->x, m->y};
+    float v[2] = {m->z, m->w};
+    float wall[2] = {t->z, t->w};
+    float target[2] = {bounce.x, bounce.y};
+    float low[2] = {k->minX, k->minY};
+    float high[2] = {k->maxX, k->maxY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        bool y = axis != 0;
-        float wall = y ? t->w : t->z;
-        float next = relaxWall(k, y ? c.y : c.x, y ? m->y : m->x, y ? m->w : m->z, c.z, t->y, loaded,
-                                 y ? bounce.y : bounce.x, y ? k->minY : k->minX, y ? k->maxY : k->maxX, &wall);
-        if (y) {
-            m->w = next;
-            t->w = wall;
-        } else {
-            m->z = next;
-            t->z = wall;
-        }
+        v[axis] = relaxWall(k, x[axis], dx[axis], v[axis], c.z, t->y, loaded, target[axis], low[axis], high[axis],
+                            &wall[axis]);
     }
+    m->z = v[0];
+    m->w = v[1];
+    t->z = wall[0];
+    t->w = wall[1];
 }
 
 // Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
