@@ -104,6 +104,7 @@ class DocumentationTest {
                 "docs/benchmarks.md",
                 "docs/determinism.md",
                 "docs/glossary.md",
+                "docs/how-to-extend.md",
                 "docs/notes.md"
             })
     void everyLinkToAFileLeadsToOne(String document) throws IOException {
