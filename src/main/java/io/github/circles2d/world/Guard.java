@@ -4,8 +4,8 @@ import java.util.ConcurrentModificationException;
 import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 
 /**
- * Who may use a simulation: one thread at a time, until it is closed or its state is lost. A call begins with {@link #enter},
- * lets {@link #failed} take note of what it throws, and ends by setting {@link #user} to null.
+ * Lets one thread at a time use a simulation, until it is closed or its state is lost. A call begins with {@link #enter}, reports
+ * what it throws to {@link #failed}, and ends by setting {@link #user} to null.
  */
 final class Guard {
     private static final AtomicReferenceFieldUpdater<Guard, Thread> USER =

@@ -3,7 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.model.CircleRow;
 
-/** What single reads are answered from: the last bulk read-back, for as long as it holds. */
+/** The last bulk read-back, which answers reads of single values until the state changes. */
 final class LastReading {
     private final Pipeline pipeline;
     private final HandleTable handles;

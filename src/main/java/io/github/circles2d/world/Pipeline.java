@@ -11,8 +11,8 @@ import java.nio.FloatBuffer;
 import java.util.Map;
 
 /**
- * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. Arguments have been
- * checked; one thread at a time calls.
+ * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. {@link Simulation} has
+ * checked the arguments, and lets one thread in at a time.
  */
 public interface Pipeline extends AutoCloseable {
     /**

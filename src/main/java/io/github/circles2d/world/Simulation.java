@@ -18,8 +18,8 @@ import java.util.Collections;
 import java.util.Objects;
 
 /**
- * Drives a {@link Pipeline}: it checks what is asked for, gathers changes, makes steps, reads, and takes snapshots. It is the
- * inside of {@code World}, whose documentation says what each call does and throws.
+ * Drives a {@link Pipeline}: it checks arguments, collects changes, makes steps, reads, and takes snapshots. It is the inside of
+ * {@code World}, whose documentation says what each call does and throws.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */

@@ -3,10 +3,10 @@ package io.github.circles2d.world.circles;
 import java.util.Arrays;
 
 /**
- * What the caller asked for since the last step or read, in call order: one record of {@link #STRIDE} ints each, floats as
- * their bits. A pipeline applies the records of one circle in order; those of different circles do not meet.
+ * The changes since the last step or read, in call order: one record of {@link #STRIDE} ints each, floats as their bits. A pipeline
+ * applies the records of one circle in order; records of different circles are independent.
  *
- * <p>The constants are the one table of a record: operations, fields, and its length.
+ * <p>The constants are the one table of a record: operations, fields, and length.
  */
 public final class Commands {
     // ---- operations

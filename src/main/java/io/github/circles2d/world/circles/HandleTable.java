@@ -6,9 +6,9 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
 
 /**
- * Which circles there are. A handle is (generation &lt;&lt; 32 | id); ids are small, and the lowest free one is given to the
- * next circle; the generation tells it from those that had the id before. What of a circle changes by calls alone, the
- * radius and the restitution, is known here without asking a pipeline.
+ * Which circles there are. A handle is ((generation + 1) &lt;&lt; 32 | id). The next circle gets the lowest free id; the generation
+ * tells it from circles that had the id before. The table also knows what only calls change, the radius and the restitution, so
+ * that nobody has to ask a pipeline.
  */
 public final class HandleTable {
     /** The base-two logarithm of the ids in a word of {@link #live}. */

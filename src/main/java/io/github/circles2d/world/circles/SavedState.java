@@ -4,12 +4,12 @@ import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**
- * A whole state in plain arrays, by id: what a snapshot is written from and read into, and what a pipeline takes over. It
- * knows nothing of slots, so every pipeline saves the same state in the same way.
+ * A whole state in plain arrays, by id. Snapshots are written from it and read into it, and a pipeline saves and loads it. It has no
+ * slots, so every pipeline saves the same state in the same way.
  *
- * <p>Three parts, each filled and read by who owns it: the world's parameters; the ids in use and their generations
- * ({@link HandleTable}); the circles and the remembered impulses ({@code Pipeline}). Arrays may be longer than what they hold, and
- * are reused.
+ * <p>It has three parts, and the owner of each fills and reads it: the world's parameters; the ids in use and their generations
+ * ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Arrays are reused, and may be longer than their
+ * contents.
  */
 public final class SavedState {
     /** What the world has besides circles. */

@@ -14,16 +14,16 @@ import java.nio.ByteOrder;
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
  *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int 0; long check
- * free id    byte flags; varint generation where it is not 0
- * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; where the flags say so: varint generation,
+ * free id    byte flags; varint generation if it is not 0
+ * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; if the flags say so: varint generation,
  *            float restitution (else the world's), wall impulse x, wall impulse y; number of impulses in the flags, or 7 and
  *            a varint of those above 7; for each impulse, as the circle of lower id: varint of the higher id minus the one
  *            before (its own id at first), float impulse
  * </pre>
  *
- * <p>A circle takes 33 bytes and 6 to 9 an impulse, so at most 64 where each has the two contacts or so of a settled pile.
- * Reading checks every value as {@link Limits} does, so that no bytes at all lead to a state that calls could not lead to in
- * kind: finite, within the bounds, every impulse between two circles that are there.
+ * <p>A circle takes 33 bytes and an impulse 6 to 9, so a circle of a settled pile, with about two contacts, takes at most 64.
+ * Reading checks every value as {@link Limits} does. So every state that is read is one that calls could have led to: it is finite
+ * and within the bounds, and every impulse belongs to two circles that exist.
  */
 public final class SnapshotCodec {
     private static final int MAGIC = 0x57324443; // "CD2W" in the bytes of a file

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.circles;
 
 /**
- * The 64-bit hash of a state: the sum of one mixed number a circle and one a remembered impulse. A sum of integers does not
- * depend on its order, so every back end can form it in parallel, and it sees ids, never slots.
+ * The 64-bit hash of a state: the sum of one mixed number per circle and one per entry of the impulse cache. A sum of integers does
+ * not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
  * x and y; an impulse with the lower id, the higher id and itself. All floats enter as their bits.

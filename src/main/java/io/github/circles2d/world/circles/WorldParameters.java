@@ -9,7 +9,7 @@ import io.github.circles2d.world.model.Bounds;
  * @param gravityX gravity
  * @param gravityY gravity
  * @param restitution what new circles get
- * @param subSteps sub-steps a step
+ * @param subSteps sub-steps per step
  * @param previousTimeStep length of the last step, seconds; 0 before the first
  */
 public record WorldParameters(

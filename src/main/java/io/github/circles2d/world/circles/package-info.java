@@ -1,2 +1,2 @@
-/** What World knows of its circles besides their motion: handles, waiting changes, saved states and their bytes, the hash. Not part of the public API. */
+/** Handles, waiting changes, saved states and their bytes, and the hash: all that World knows of circles besides their motion. Not part of the public API. */
 package io.github.circles2d.world.circles;

@@ -26,10 +26,10 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The World engine on an OpenCL device. Steps are enqueued and not waited for; the next call that needs their result looks
- * at their status first. They are enqueued for the case that is common: there is room for the contacts, no circle is fast,
- * none stands in a crowd. A step that meets another case is refused: it changes nothing, nor do those behind it. The host then
- * enlarges the buffers, or enqueues the missing steps with what the case needs.
+ * The World engine on an OpenCL device. It enqueues steps and does not wait for them; the next call that needs their result looks
+ * at their status first. Steps are enqueued for the common case: there is room for the contacts, no circle is fast, and no circle
+ * stands in a crowd. A step that meets another case is refused: it changes nothing, and neither do the steps behind it. The host
+ * then enlarges the arrays, or enqueues the missing steps with what the case needs.
  */
 public final class DevicePipeline implements Pipeline {
     /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */

@@ -9,7 +9,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
-/** A copy of a device's state on the host, for what is needed seldom: the hash and snapshots. */
+/** A copy of a device's state on the host, for the hash and for snapshots, which are seldom needed. */
 final class StateTransfer {
     /** Floats of a circle in each of circle, motion and traits. */
     private static final int FLOATS = 4;

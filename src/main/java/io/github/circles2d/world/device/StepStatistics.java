@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.plan.Plan;
 import java.nio.IntBuffer;
 
-/** Counts what the last step did, when asked: from the grid and the contact list that it has left behind. */
+/** Counts on request what the last step did, from the grid and the contact list that it left. */
 final class StepStatistics {
     private final StageKernels kernels;
     private final DeviceArrays arrays;

@@ -4,8 +4,8 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Which rows of cells each worker takes: of each level, a band from an even row to an even row, of about the same weight as the
- * others. The weight of a row is the number of its circles and, where they are known, of its contacts.
+ * Which rows of cells each worker takes: of each level, a band from an even row to an even row. All bands have about the same
+ * weight. The weight of a row is the number of its circles and, if they are known, of its contacts.
  */
 final class Bands {
     private final Grid grid;

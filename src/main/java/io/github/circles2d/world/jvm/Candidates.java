@@ -11,8 +11,8 @@ import io.github.circles2d.world.model.PairRule;
 import java.util.Arrays;
 
 /**
- * How many pairs each circle is in, of its own level and of coarser ones, and what follows from it: in a crowd, only a share of
- * the pairs is kept.
+ * Counts the candidate pairs of each circle, in its own level and in coarser ones. In a crowd, the count decides which pairs are
+ * kept.
  */
 final class Candidates {
     private final State state;

@@ -28,7 +28,7 @@ import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
-/** The circles' part of stage Solver: gravity, walls, motion. The formulas of the walls are in {@link Constraints}. */
+/** The circles' part of stage Solver: gravity, walls, motion. {@link Constraints} has the formulas of walls. */
 final class CirclePasses {
     /** Effective mass of a wall's constraint. */
     private static final float WALL_MASS = 1f;

@@ -32,8 +32,7 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 
 /**
- * The contacts' part of stage Solver: what a pass does to a range of contacts, one after the other. The formulas are in
- * {@link Constraints}.
+ * The contacts' part of stage Solver: the passes over a range of contacts, one after the other. {@link Constraints} has the formulas.
  */
 final class ContactPasses {
     /** Contacts that the relaxing pass works on at a time. */

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.jvm;
 
-/** Where the numbers of a contact lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. */
+/** The table of a contact: where its numbers lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. */
 final class ContactRow {
     /** Floats per contact. */
     static final int STRIDE = 14;

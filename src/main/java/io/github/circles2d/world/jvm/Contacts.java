@@ -22,16 +22,15 @@ import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 
 /**
- * Stage Contacts: lists the pairs of circles that may meet within the step, so that every sum can follow one order: by level of
- * the larger circle, colour, group, lower id, higher id.
+ * Stage Contacts: lists the pairs of circles that may meet within the step, in the order of every sum: level of the larger circle,
+ * colour, group, lower id, higher id.
  *
  * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
- * contact's level. It touches circles of the 2 x 2 cells from there on, so groups whose columns and rows have the same
- * parities share no circle: such a colour can be solved in parallel, a group at a time, with no further colouring.
+ * contact's level. A group touches circles of the 2 x 2 cells that begin there. So groups whose columns and rows have the same
+ * parities, which are its colour, share no circle and can be solved in parallel.
  *
- * <p>In memory, contacts lie in rows of groups, as the circles that they touch lie in rows of cells: within a row first the
- * groups of even columns, then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd
- * rows 2 and 3.
+ * <p>In memory, contacts lie in rows of groups, as the circles lie in rows of cells. A row has the groups of even columns first,
+ * then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd rows 2 and 3.
  */
 public final class Contacts {
     /** Pairs a circle for which a list has room, before it is given up. */

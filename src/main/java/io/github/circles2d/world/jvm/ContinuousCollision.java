@@ -18,15 +18,15 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
 /**
- * Stage Sweep: keeps fast circles from passing through others. A circle is fast where its path in this step is longer than
- * its radius. Two circles that are not near enough to be listed as a contact, but would touch on their straight paths, stop
- * where they touch, those of them that are fast; in the next step they are a contact. Where they are a contact already, the
- * path of a fast one ends where they touch. Every circle is then on a leash around its path: what a
- * collision makes of its motion may lead it away from there by no more than half its radius before it is looked at again.
+ * Continuous collision (stage Sweep): keeps fast circles from passing through others. A circle is fast if its path in this step is
+ * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
+ * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
+ * ends where they touch. The motion clamp (leash) then holds every circle: a collision may lead it away from its path by at most
+ * half its radius in this step.
  *
- * <p>The pair is found by its faster circle, in the cells around its path; only pairs count that move against each other by
- * more than half the sum of their radii, so that blocks of cells whose circles all move much like this one are passed over.
- * No speed is changed: energy and momentum do not see this stage, a circle that is stopped loses time, at most a step.
+ * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
+ * half the sum of their radii, so a circle skips blocks of cells whose circles all move much like itself. No speed changes, so
+ * energy and momentum stay; a circle that is stopped loses time, at most one step.
  */
 public final class ContinuousCollision {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);

@@ -4,8 +4,8 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
 
 /**
- * The pairs that one worker found, in the order of the contacts to be; and a place at the end of the list where the pairs of a
- * few groups gather until their order is known.
+ * The pairs that one worker found, in the order of their contacts. The pairs of a few groups wait in other arrays until their order
+ * is known.
  */
 final class FoundPairs {
     /** Groups whose contacts are laid out together. */

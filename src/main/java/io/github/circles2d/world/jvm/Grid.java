@@ -10,7 +10,8 @@ import java.util.Arrays;
 
 /**
  * Stage Grid: sorts the circles by (level, bucket), and by id within a bucket, so that a bucket's circles have consecutive
- * slots. A counting sort: count, sum up, scatter, then order each bucket, which undoes whatever order the threads met in.
+ * slots. It is a counting sort: count, sum up, scatter, then sort each bucket by id, so that the order of the threads does not
+ * show.
  */
 public final class Grid {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);

@@ -5,9 +5,9 @@ import io.github.circles2d.world.circles.StateHash;
 import java.util.Arrays;
 
 /**
- * The impulses that the contacts of a step ended with, for the step after it to start from. They are kept by the contacts'
- * numbers in that step, in a chain for each circle of lower id, which begins at {@link State#memory}; circles of higher id
- * are named by their ids, so slots may change in between.
+ * The normal impulses at the end of a step, from which the next step warm-starts. They have the numbers that the contacts had in
+ * that step. Each circle of lower id has a chain of them, which begins at {@link State#memory}. An entry names the circle of higher
+ * id by its id, so slots may change in between.
  */
 final class ImpulseCache {
     private final State state;

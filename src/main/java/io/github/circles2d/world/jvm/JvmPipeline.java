@@ -11,7 +11,7 @@ import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
 import java.util.Map;
 
-/** The World engine in plain Java: the oracle that every other pipeline is compared with. */
+/** The World engine in plain Java. Tests compare every other pipeline with it. */
 public final class JvmPipeline implements Pipeline {
     /** Circles that a thread has at least: with fewer, waiting for each other costs more than it saves. */
     public static final int LEAST_SHARE = 512;

@@ -12,8 +12,8 @@ import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
- * Finds the pairs of circles of different levels whose reaches meet: each circle looks in the 3 x 3 cells around it of every
- * coarser level. A counting sort puts them in the order of their groups.
+ * Finds the pairs of circles of different levels whose speculative distances meet. Each circle looks in 3 x 3 cells of every
+ * coarser level, and a counting sort puts the pairs in the order of their groups.
  */
 final class MixedPairs {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);

@@ -8,8 +8,8 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
 
 /**
- * Finds the pairs of circles of one level whose reaches meet, group by group: in the 2 x 2 cells of a group, those pairs whose
- * lesser column and lesser row are the group's. So each pair is found once, and where its contact belongs.
+ * Finds the pairs of circles of one level whose speculative distances meet. Each group finds, in its 2 x 2 cells, the pairs whose
+ * lesser column and lesser row are its own, so each pair is found once, in the group of its contact.
  */
 public final class Pairs {
     /** Circles that are tested against another in one go. */

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm;
 import io.github.circles2d.world.circles.HandleTable;
 import java.nio.FloatBuffer;
 
-/** Positions that callers look into. */
+/** Positions that callers read in place. */
 public final class Positions {
     private FloatBuffer floats = FloatBuffer.allocate(0);
     private FloatBuffer view = floats.asReadOnlyBuffer();

@@ -5,20 +5,20 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 
 /**
- * Stage Solver: moves the circles through one step of a number of sub-steps.
+ * Stage Solver: moves the circles through the sub-steps of one step.
  *
- * <p>Soft contacts with warm starting, one biased and one relaxing pass over the contacts a sub-step (after E. Catto,
- * "Solver2D", 2024), with restitution inside the sub-step. See the package's documentation for the order. What is done to the
- * contacts is in {@link ContactPasses}, what is done to the circles in {@link CirclePasses}; here is who does it when.
+ * <p>Contacts are soft, with warm starting and restitution; each sub-step has a biased and a relaxing pass over them (after
+ * E. Catto, "Solver2D", 2024). The package's documentation has the order. {@link ContactPasses} treats contacts, {@link CirclePasses}
+ * treats circles, and this class says which worker does so when.
  *
- * <p>The groups of a row touch circles of that row of cells and of the next. So the even rows may run at the same time, and
- * then the odd ones; and an odd row may run as soon as the two even ones beside it have. Within a row, contacts run as they are
- * laid out: groups of even columns before those of odd ones.
+ * <p>The groups of a row touch circles of that row of cells and of the next one. So all even rows may run at the same time, and
+ * then all odd ones; an odd row may run as soon as the two even rows beside it have. Within a row, contacts run as they lie in
+ * memory: groups of even columns before groups of odd ones.
  *
- * <p>Where all circles are of one level, this goes for whole sub-steps too: what a row needs is what the rows beside it have come
- * to. So each worker sweeps over its band of rows, and takes all passes of a sub-step or of several along, each some rows behind
- * the one before: the rows are still in the processor's cache, and workers wait for each other twice a sweep. What a sweep
- * cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge outwards.
+ * <p>If all circles are of one level, this holds for whole sub-steps too: a row needs only the rows beside it. So each worker sweeps
+ * over its band of rows and takes all passes of one or more sub-steps along, each some rows behind the one before. The rows are
+ * then still in the processor's cache, and workers wait for each other twice per sweep. At the edges of its band a sweep lacks rows of
+ * the next band; a second sweep completes them, from the edge outwards.
  */
 public final class Solver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm;
 import java.util.LinkedHashMap;
 import java.util.Map;
 
-/** How long each stage took so far, on the caller's thread, waiting for the others included. */
+/** The time that each stage took so far on the caller's thread, with its waits for other workers. */
 final class StageTimes {
     private final boolean measures;
     private final String[] names;

@@ -24,9 +24,9 @@ import java.util.Arrays;
 /**
  * The circles on the JVM: dense slots 0 to n - 1, in the cell order of the last grid, in flat arrays.
  *
- * <p>A position is a base that stays for a step and a displacement since: what a step adds to a coordinate is far smaller
- * than the coordinate, and would drown in its rounding where millions of circles share an arena. At the end of a step the
- * base takes the sum, and the displacement what the sum lost.
+ * <p>A position is a base, which stays for a step, and the displacement since. A step adds far less to a coordinate than the
+ * coordinate itself, and rounding would lose it if millions of circles share an arena. At the end of a step the base becomes the
+ * sum, and the displacement becomes what the sum lost.
  */
 public final class State {
     /** Number of circles. */

@@ -2,7 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
 
-/** Turns counts into starts, each worker a part: the running sum, each element without itself. */
+/** Turns counts into starts by an exclusive running sum; each worker takes a part. */
 public final class Sums {
     /** Longs from the total of one worker to that of the next, so that they lie in different cache lines. */
     private static final int APART = 16;

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * Choices between floats without a branch, for loops in which a branch would be taken or not as if by chance: a wrong guess of
- * the processor costs more than both sides. They give the bits of the plain form for every number that a state can hold.
+ * Choices between floats without a branch, for loops in which the processor cannot predict a branch: a wrong guess costs more than
+ * both sides. They give the bits of the plain form for every number that a state can hold.
  */
 public final class Branchless {
     private static final int SIGN = 0x80000000;

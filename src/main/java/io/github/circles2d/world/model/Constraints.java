@@ -6,8 +6,8 @@ package io.github.circles2d.world.model;
  *
  * <p>The units are those of {@link CircleMath}. The normal impulse is accumulated and never negative. The bounce speed is the
  * speed at which the surfaces part after a bounce; 0 if there is none. Thresholds are squares of speeds. The separation is never
- * -0. Functions of type int return all bits set for yes, and no bit for no: which constraints press is as good as random, so
- * there is no branch but on what is rare ({@link Branchless}).
+ * -0. Functions of type int return all bits for yes and no bit for no. Which constraints press is as good as random, so the
+ * functions branch only on what is rare ({@link Branchless}).
  */
 public final class Constraints {
     /** Solve the constraint. */

@@ -1,17 +1,17 @@
 package io.github.circles2d.world.model;
 
 /**
- * The shape of the grids: one a level of radii, each on a torus. A level is a size class, a factor of two, or two of them where
- * the smaller does not outnumber the larger by far: fewer levels are fewer stages, but many small circles in a grid made for
- * a few large ones would be many neighbours. Decided on the host from the bounds, the greatest radius
- * and the number of circles of each level; the same for every back end.
+ * The shape of the grids: one per level of radii, each on a torus. A level is a size class, which spans a factor of two, or two of
+ * them if the smaller does not outnumber the larger by far. Fewer levels mean fewer stages, but many small circles in a grid for a
+ * few large ones would have many neighbours. The host decides from the bounds, the greatest radius and the number of circles of
+ * each size class; the shape is the same for every back end.
  *
  * <p>A level's torus has W columns and H rows of buckets. The cell (cx, cy) lies in column cx mod W and row cy mod H: far cells
  * may share a bucket, which costs time and nothing else, because the distance of two circles decides. So memory is bounded by the
  * number of circles, however small they are and however large the arena is: rounded up to powers of two, W and H are at
  * least 4, no more than the arena needs, and their product is at most twice the number of circles.
  *
- * <p>W (or H) is this power of two where the arena has at most four times as many columns (or rows): then few cells share a
+ * <p>W (or H) is this power of two if the arena has at most four times as many columns (or rows): then few cells share a
  * bucket. In a wider arena it is twice a prime, and another prime for rows than for columns. With powers of two, a square
  * lattice of circles that are 128 cells apart would lie in a few buckets. With two primes, a square lattice does only if its
  * spacing is a multiple of both primes; if it is a multiple of one, the other prime is the least number of buckets in use.

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * What a world takes. Within these limits no sequence of calls can make a state that is not finite. Every check throws an
- * {@link IllegalArgumentException} that names the value and what is allowed.
+ * The values that a world takes. Within these limits no sequence of calls can make a state that is not finite. Every check throws
+ * an {@link IllegalArgumentException} that names the value and what is allowed.
  */
 public final class Limits {
     /** Greatest magnitude of a coordinate. */

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Which pairs of circles may meet within a step. */
+/** The rule for which pairs of circles may meet within a step. */
 public final class PairRule {
     private PairRule() {}
 

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * The numbers that a step needs, computed once on the host, in float, and handed to every back end: devices never compute
- * them again, so they cannot differ.
+ * The numbers that a step needs. The host computes them once, in float, and every back end gets the bits: no device computes them
+ * again, so they cannot differ.
  */
 public final class StepConstants {
     /** Length of the step, seconds. */

@@ -10,7 +10,7 @@ import java.util.EnumMap;
 import java.util.Map;
 import java.util.function.ToLongFunction;
 
-/** The state and the working memory of a World on a device. It grows by half at least; what must outlive a step stays. */
+/** The state and the working memory of a World on a device. It grows by at least half, and keeps the elements that must outlive a step. */
 public final class DeviceArrays {
     /** log2 of the columns, and of the rows, of a block of cells. */
     static final int BLOCK_LOG = 2;

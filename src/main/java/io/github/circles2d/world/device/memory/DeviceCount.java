@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-/** Counts that kernels of a stage take as arguments behind the arrays. */
+/** Counts that the kernels of a stage take as arguments, after the arrays. */
 enum DeviceCount {
     SLOTS("slots", "slots at home, empty ones included"),
     CIRCLES("circles", "circles: working slots"),

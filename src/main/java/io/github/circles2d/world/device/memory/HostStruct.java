@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A struct of the kernels that the host fills. A row per field gives the struct's text and packs the values, in one order.
+ * A struct of the kernels that the host fills. It has one row per field; the rows give the text of the struct and pack the values.
  *
- * @param <T> where the values come from
+ * @param <T> the source of the values
  */
 final class HostStruct<T> {
     /** Packs the values of a field. */

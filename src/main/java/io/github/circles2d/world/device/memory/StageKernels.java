@@ -8,7 +8,7 @@ import io.github.circles2d.opencl.Session;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The compiled stages, and the one argument list that all their kernels share. */
+/** The compiled stages, and the argument list that all their kernels share. */
 public final class StageKernels {
     /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
     public static final int USUAL_GROUPS = Integer.MAX_VALUE;

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-/** Ints by which kernels tell the host, and each other, how a step went; kernels know them by the same names. */
+/** Ints by which kernels tell the host and each other how a step went. Kernels use the same names. */
 public enum StatusWord {
     OUT_OF_ROOM(
             0, "set by a step that lacks room for its contacts or copies of them, or found no way to go on with them"),

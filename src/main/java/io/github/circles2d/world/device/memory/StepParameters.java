@@ -6,7 +6,7 @@ import io.github.circles2d.world.model.StepConstants;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
-/** Packs the constants of a step and the shape of the grids as structs of the kernels, and sends what changed. */
+/** Packs the constants of a step and the shape of the grids as structs of the kernels, and sends them if they changed. */
 public final class StepParameters {
     static final HostStruct<StepConstants> CONSTANTS = new HostStruct<StepConstants>("StepConstants")
             .field("float", "dt", (k, to) -> to.put(k.dt), "length of the step, seconds")

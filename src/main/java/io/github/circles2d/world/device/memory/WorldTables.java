@@ -3,8 +3,8 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.world.circles.Commands;
 
 /**
- * The part of the kernels that the tables of the host give: status words, structs that the host fills, the argument list of
- * the stages' kernels and the struct World that they pack it into, and the numbers of records.
+ * The text that the tables of the host give to the kernels: status words, structs that the host fills, the argument list of the
+ * stages' kernels, the struct World that they pack it into, and the numbers of records.
  */
 final class WorldTables {
     /** The name of the text in messages of a compiler. */

@@ -10,8 +10,8 @@ import java.util.function.Function;
 import java.util.function.Predicate;
 
 /**
- * Which plans a device follows. The first row that takes a device is its own. Of the plans of a row, the first that suits a step
- * makes it; the last suits all.
+ * The table of the plans that a device follows. A device has the first row that takes it. The first plan of the row that suits a
+ * step makes it; the last plan suits all steps.
  */
 public enum Plans {
     PERSISTENT_CPU(

@@ -8,7 +8,7 @@ import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
 
-/** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of steps with a launch per stage. */
+/** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of a step that has one launch per stage. */
 public final class Stages {
     private final Device device;
     private final StageKernels kernels;

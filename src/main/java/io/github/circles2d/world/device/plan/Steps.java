@@ -3,11 +3,11 @@ package io.github.circles2d.world.device.plan;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Steps to be enqueued.
+ * Steps to enqueue.
  *
  * @param count how many
  * @param levels shape of the grids
- * @param slots slots at home before the first; circles before those behind it
+ * @param slots slots at home before the first step; later steps have as many as circles
  * @param circles circles
  * @param subSteps sub-steps of a step
  * @param warmScale what impulses of the step before the first are multiplied by

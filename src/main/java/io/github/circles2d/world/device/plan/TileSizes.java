@@ -5,8 +5,8 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Chooses the size of a tile: as large as gives the device enough tiles to work on at once, but so that the circles around
- * none of them exceed {@link TileRecord#CIRCLES}, which a step finds out.
+ * Chooses the size of a tile: the largest that leaves enough tiles for the device to work on at once, and no region with more
+ * circles than {@link TileRecord#CIRCLES}. A step finds out whether a region has more.
  */
 final class TileSizes {
     /** A size of a tile, log2 of its columns and rows of cells. */

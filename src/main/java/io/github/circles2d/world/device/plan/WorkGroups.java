@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.plan;
 
-/** The work-groups of a launch of {@link PersistentCpu}: how many there are at most, and how long they wait for each other. */
+/** How many work-groups a launch of {@link PersistentCpu} has at most, and how long they wait for each other. */
 public class WorkGroups {
     /** How often a work-group looks for the others before it calls the launch off: about a second. */
     private static final int PATIENCE = 1 << 23;

@@ -6,11 +6,11 @@ import java.util.concurrent.atomic.AtomicIntegerArray;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The sleeping and waking side of a {@link Team}: its threads, and a barrier for them. Who waits looks again and again, then
- * goes on doing so while it offers the processor to others, then sleeps. Stages are short: to sleep at each barrier would
- * cost more than they do. But where other programs, or more threads than processors, want to run, looking for long keeps
- * those from their work that are waited for: twenty times as many looks made steps of 5,000 circles on two busy processors
- * take twice as long.
+ * The threads of a {@link Team}: how they sleep and wake, and their barrier. A thread that waits first looks again and again, then
+ * offers the processor to others between two looks, then sleeps. Stages are short, and sleeping at each barrier would cost more
+ * than they do. But if other programs, or more threads than processors, want to run, a thread that looks for long takes the
+ * processor from the thread that it waits for. With twenty times as many looks, steps of 5,000 circles took twice as long on two
+ * busy processors.
  */
 final class Crew {
     /** Ends the threads of teams that nobody refers to any more. */

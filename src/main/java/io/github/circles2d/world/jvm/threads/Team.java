@@ -6,11 +6,11 @@ import java.lang.ref.Cleaner;
  * The threads of a step. All of them run the same method on their shares of the work, and wait for each other at
  * {@link #sync}; the caller's thread is worker 0. Between two runs the others sleep. Nothing here is allocated in a run.
  *
- * <p>Shares are ranges of items, so which worker does what depends on their number alone; the stages see to it that results
- * do not depend even on that.
+ * <p>Shares are ranges of items, so the number of workers alone decides which worker does what. The results of the stages do not
+ * depend even on that number.
  *
- * <p>The threads know only the {@link Crew}, not this object, so a team that nobody refers to any more is noticed, and its
- * threads end.
+ * <p>The threads know only the {@link Crew}, not this object. So the garbage collector can find a team that nobody refers to any
+ * more, and its threads end.
  */
 public final class Team implements AutoCloseable {
     /** What all workers run. */
