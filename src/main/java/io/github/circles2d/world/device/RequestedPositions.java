@@ -12,8 +12,8 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 
 /**
- * Positions that come to the host while the next steps run; {@code kernels/world/stages/Readback.cl}. They are laid out behind the
- * pending steps, of which nobody knows yet whether they are refused; the number of steps made comes with them and tells.
+ * Positions that come to the host while the next steps run; {@code kernels/world/stages/Readback.cl}. A kernel lays
+ * them out behind the pending steps, which may still be refused; the number of steps made comes with them and shows it.
  */
 final class RequestedPositions {
     /** Bytes of the number of steps made, and of what keeps the positions behind it aligned. */

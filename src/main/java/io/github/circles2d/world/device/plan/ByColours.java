@@ -7,8 +7,8 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.List;
 
 /**
- * A launch per stage, and per colour of contacts: takes any world, and suits devices to which launches are cheap;
- * {@code kernels/world/stages/Solver.cl}. The same as {@code world.jvm.Solver}.
+ * One launch per stage, and per colour of contacts. It takes any world, and suits devices with cheap launches;
+ * {@code kernels/world/stages/Solver.cl}. {@code world.jvm.Solver} does the same.
  */
 public final class ByColours implements Plan {
     private static final int COLOURS = 4;

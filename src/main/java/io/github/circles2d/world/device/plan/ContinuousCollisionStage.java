@@ -6,8 +6,8 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Stage Sweep on a device; {@code kernels/world/stages/Sweep.cl}. The same as {@code world.jvm.ContinuousCollision}; the leashes are laid by
- * the kernel of stage Contacts that looks for pairs.
+ * Continuous collision (stage Sweep) on a device; {@code kernels/world/stages/Sweep.cl}. {@code world.jvm.ContinuousCollision} does the
+ * same. The kernel of stage Contacts that looks for pairs sets the motion clamps.
  */
 final class ContinuousCollisionStage {
     private final Kernel summarize;

@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
-/** Stage Grid on a device; {@code kernels/world/stages/Grid.cl}. The same as {@code world.jvm.Grid}. */
+/** Stage Grid on a device; {@code kernels/world/stages/Grid.cl}. {@code world.jvm.Grid} does the same. */
 final class GridStage {
     private final DeviceArrays arrays;
     private final Scan scan;

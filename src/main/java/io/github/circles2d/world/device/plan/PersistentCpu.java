@@ -7,9 +7,9 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import java.util.List;
 
 /**
- * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/persistent_cpu/Lanes.cl}. The launch has
- * as many work-groups of one work-item as the processor has threads, which wait for each other within it. Should they turn
- * out not to run at once, the launch says so and changes nothing; from then on there is one work-group alone.
+ * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/persistent_cpu/Lanes.cl}. The
+ * launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If they do not run at
+ * the same time, the launch says so and changes nothing; later launches have one work-group.
  */
 public final class PersistentCpu implements Plan {
     /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */

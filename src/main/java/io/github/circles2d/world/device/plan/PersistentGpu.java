@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/Resident.cl}. A launch costs
- * the host several microseconds, a barrier over resident work-groups one or two; a large world has other costs, and is better
- * off with launches.
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/Resident.cl}. A
+ * launch costs the host several microseconds, and a barrier over resident work-groups costs one or two. In a large world each
+ * work-group has several tiles, and barriers cost more than launches.
  */
 public final class PersistentGpu implements Plan {
     /** Worlds of more circles use a launch a pass: with several tiles a work-group the barriers cost more than launches. */

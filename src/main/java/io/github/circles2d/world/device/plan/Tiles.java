@@ -9,8 +9,8 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import java.util.List;
 
 /**
- * A launch per stage, and per pass over all contacts instead of per colour, if all circles are of one level;
- * {@code kernels/world/tiles/Tiles.cl} tells how.
+ * One launch per stage, and per pass over all contacts instead of per colour, if all circles are of one level;
+ * {@code kernels/world/tiles/Tiles.cl} says how.
  */
 public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
