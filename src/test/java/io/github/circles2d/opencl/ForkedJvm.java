@@ -9,11 +9,16 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Runs a main class of the library or its tests in a JVM of its own, for what a test cannot change in this one. */
 public final class ForkedJvm {
+    /** Minutes. The longest program takes five on a busy machine. */
+    private static final int LIMIT = 20;
+
     private final List<String> options = new ArrayList<>();
     private final Map<String, String> environment = new HashMap<>();
     private List<String> launcher = List.of();
@@ -75,10 +80,11 @@ public final class ForkedJvm {
         return this;
     }
 
-    /** Runs the class with this JVM's class path and waits for its end. */
+    /** Runs the class with this JVM's class path and waits for its end, which comes by force after {@link #LIMIT} minutes. */
     public Result run(Class<?> mainClass, String... arguments) {
         try {
             Process process = start(mainClass, arguments);
+            CompletableFuture.delayedExecutor(LIMIT, TimeUnit.MINUTES).execute(process::destroyForcibly);
             String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             return new Result(process.waitFor(), output);
         } catch (IOException e) {
