@@ -1,7 +1,15 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.lang.invoke.MethodHandles;
@@ -102,8 +110,8 @@ public final class Grid {
         float[] circle = state.circle;
         boolean shared = team.size() > 1;
         for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            int bucket = bucket(circle[s], circle[s + 1], levels.level(circle[s + 2]));
+            int s = CircleRow.of(slot);
+            int bucket = bucket(circle[s + X], circle[s + Y], levels.level(circle[s + RADIUS]));
             bucketBefore[slot] = bucket;
             rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
@@ -167,11 +175,11 @@ public final class Grid {
         float[] plan = state.plan;
         boolean some = false;
         for (int slot = from; slot < to; slot++) {
-            int s = 4 * slot;
-            float r = circle[s + 2];
-            boolean fixed = state.traits[s] == 0f;
-            float px = CircleMath.plan(motion[s + 2], constants.dt, fixed ? 0f : constants.fallX);
-            float py = CircleMath.plan(motion[s + 3], constants.dt, fixed ? 0f : constants.fallY);
+            int s = CircleRow.of(slot);
+            float r = circle[s + RADIUS];
+            boolean fixed = state.traits[s + INVERSE_MASS] == 0f;
+            float px = CircleMath.plan(motion[s + VX], constants.dt, fixed ? 0f : constants.fallX);
+            float py = CircleMath.plan(motion[s + VY], constants.dt, fixed ? 0f : constants.fallY);
             plan[2 * slot] = px;
             plan[2 * slot + 1] = py;
             level[slot] = (byte) levels.level(r);

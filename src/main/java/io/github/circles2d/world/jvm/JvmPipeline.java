@@ -1,11 +1,15 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
@@ -151,7 +155,7 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                System.arraycopy(state.circle, 4 * state.slotOf[id], to, 4 * k++, 4);
+                System.arraycopy(state.circle, CircleRow.of(state.slotOf[id]), to, CircleRow.of(k++), CircleRow.STRIDE);
             }
         }
     }
@@ -185,9 +189,9 @@ public final class JvmPipeline implements Pipeline {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                int s = 4 * state.slotOf[id];
-                to[2 * k] = state.motion[s + 2];
-                to[2 * k + 1] = state.motion[s + 3];
+                int s = CircleRow.of(state.slotOf[id]);
+                to[2 * k] = state.motion[s + VX];
+                to[2 * k + 1] = state.motion[s + VY];
                 k++;
             }
         }

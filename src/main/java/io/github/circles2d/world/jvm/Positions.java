@@ -1,6 +1,10 @@
 package io.github.circles2d.world.jvm;
 
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
 import java.nio.FloatBuffer;
 
 /** Positions that callers read in place. */
@@ -18,9 +22,9 @@ public final class Positions {
         int k = 0;
         for (int id = 0; id < roster.end(); id++) {
             if (roster.lives(id)) {
-                int s = 4 * state.slotOf[id];
-                floats.put(k++, state.circle[s]);
-                floats.put(k++, state.circle[s + 1]);
+                int s = CircleRow.of(state.slotOf[id]);
+                floats.put(k++, state.circle[s + X]);
+                floats.put(k++, state.circle[s + Y]);
             }
         }
         view.clear().limit(k);

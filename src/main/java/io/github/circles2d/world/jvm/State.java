@@ -127,10 +127,10 @@ public final class State {
         int most = n;
         int ids = 0;
         for (int k = 0; k < commands.count() * Commands.STRIDE; k += Commands.STRIDE) {
-            if (records[k] == Commands.ADD) {
+            if (records[k + Commands.OPCODE] == Commands.ADD) {
                 most = Math.max(most, ++circles);
-                ids = Math.max(ids, records[k + 1] + 1);
-            } else if (records[k] == Commands.REMOVE) {
+                ids = Math.max(ids, records[k + Commands.ID] + 1);
+            } else if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 circles--;
             }
         }
@@ -143,20 +143,20 @@ public final class State {
         int[] records = commands.records();
         for (int c = 0; c < commands.count(); c++) {
             int k = c * Commands.STRIDE;
-            int circleId = records[k + 1];
-            if (records[k] == Commands.ADD) {
+            int circleId = records[k + Commands.ID];
+            if (records[k + Commands.OPCODE] == Commands.ADD) {
                 add(circleId, records, k);
                 continue;
             }
             int slot = slotOf[circleId];
-            if (records[k] == Commands.REMOVE) {
+            if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 remove(slot);
                 continue;
             }
-            float a = Float.intBitsToFloat(records[k + 2]);
-            float b = Float.intBitsToFloat(records[k + 3]);
+            float a = Float.intBitsToFloat(records[k + Commands.FIRST]);
+            float b = Float.intBitsToFloat(records[k + Commands.SECOND]);
             int s = CircleRow.of(slot);
-            switch (records[k]) {
+            switch (records[k + Commands.OPCODE]) {
                 case Commands.POSITION -> {
                     circle[s + X] = a;
                     circle[s + Y] = b;
@@ -182,7 +182,7 @@ public final class State {
                     motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
-                default -> throw new AssertionError("unknown operation " + records[k]);
+                default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
         }
     }
@@ -190,16 +190,16 @@ public final class State {
     private void add(int circleId, int[] records, int k) {
         int slot = n++;
         int s = CircleRow.of(slot);
-        circle[s + X] = Float.intBitsToFloat(records[k + 2]);
-        circle[s + Y] = Float.intBitsToFloat(records[k + 3]);
-        circle[s + RADIUS] = Float.intBitsToFloat(records[k + 4]);
-        circle[s + MASS] = Float.intBitsToFloat(records[k + 5]);
+        circle[s + X] = Float.intBitsToFloat(records[k + Commands.ADD_X]);
+        circle[s + Y] = Float.intBitsToFloat(records[k + Commands.ADD_Y]);
+        circle[s + RADIUS] = Float.intBitsToFloat(records[k + Commands.ADD_RADIUS]);
+        circle[s + MASS] = Float.intBitsToFloat(records[k + Commands.ADD_MASS]);
         motion[s + DX] = 0;
         motion[s + DY] = 0;
-        motion[s + VX] = Float.intBitsToFloat(records[k + 7]);
-        motion[s + VY] = Float.intBitsToFloat(records[k + 8]);
+        motion[s + VX] = Float.intBitsToFloat(records[k + Commands.ADD_VX]);
+        motion[s + VY] = Float.intBitsToFloat(records[k + Commands.ADD_VY]);
         traits[s + INVERSE_MASS] = CircleMath.inverseMass(circle[s + MASS]);
-        traits[s + RESTITUTION] = Float.intBitsToFloat(records[k + 6]);
+        traits[s + RESTITUTION] = Float.intBitsToFloat(records[k + Commands.ADD_RESTITUTION]);
         id[slot] = circleId;
         slotOf[circleId] = slot;
         forget(slot);
