@@ -1,7 +1,7 @@
 // uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LanePasses.cl
 // Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
 // device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved in bundles of
-// four (LaneContacts.cl). The Java classes JvmContacts and JvmSolver explain rows, bands and sweeps; it is the same here.
+// four (LaneContacts.cl). The Java classes Contacts and Solver explain rows, bands and sweeps; it is the same here.
 
 bool isIn(int row, int low, int high) { return low <= row && row < high; }
 

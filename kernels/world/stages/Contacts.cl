@@ -1,6 +1,6 @@
 // uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/Sweep.cl
 // Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
-// level of the larger circle, colour, group, lower id, higher id. The Java class JvmContacts explains groups and colours.
+// level of the larger circle, colour, group, lower id, higher id. The Java class world.jvm.Contacts explains groups and colours.
 
 // What a circle looks with.
 typedef struct {

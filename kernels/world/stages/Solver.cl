@@ -1,6 +1,6 @@
 // uses: world/shared/Motion.cl world/stages/Contacts.cl
 // Stage Solver: moves the circles through the sub-steps of a step, and writes them home. The contacts are visited with one launch
-// per colour; the Java class JvmSolver does the same.
+// per colour; the Java class world.jvm.Solver does the same.
 
 // Index space: a working slot a work-item.
 kernel void solver_accelerate(WORLD_PARAMETERS) {

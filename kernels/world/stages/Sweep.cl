@@ -1,6 +1,6 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Stage Sweep: keeps fast circles from passing through others. The Java class JvmSweep explains what is looked for; it is
-// the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
+// Stage Sweep: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
+// it is the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
 
 // From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.

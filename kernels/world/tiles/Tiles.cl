@@ -24,7 +24,7 @@
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
 #define HALO_COLUMNS 3
 #define HALO_ROWS 1
-#define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class ClTiles
+#define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class TileSizes
 #define TILE_CELLS ((32 + 2 * HALO_COLUMNS) * TILE_ROWS)
 
 // As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered

@@ -6,7 +6,6 @@ package io.github.circles2d.world.model;
  */
 public final class Branchless {
     private static final int SIGN = 0x80000000;
-    private static final int ONE = 0x3F800000;
 
     private Branchless() {}
 
@@ -35,10 +34,5 @@ public final class Branchless {
     public static float choose(int mask, float a, float b) {
         int other = Float.floatToRawIntBits(b);
         return Float.intBitsToFloat(other ^ ((Float.floatToRawIntBits(a) ^ other) & mask));
-    }
-
-    /** -1 where a is negative, else 1; a must not be -0. */
-    static float signOf(float a) {
-        return Float.intBitsToFloat(ONE | Float.floatToRawIntBits(a) & SIGN);
     }
 }
