@@ -75,26 +75,36 @@ class WorldAllocationTest {
         sink = value;
     }
 
-    /** Bytes that all threads but those of the test's runner allocate in some runs, without those for measuring. */
+    /**
+     * Bytes that the threads which live throughout, but those of the test's runner, allocate in some runs, without those for
+     * measuring.
+     */
     private static long allocatedBy(Runnable action, int runs) {
         long[] ids = Thread.getAllStackTraces().keySet().stream()
                 .filter(thread -> !thread.getName().startsWith("surefire"))
                 .mapToLong(Thread::getId)
                 .toArray();
-        measure(ids);
-        long start = measure(ids);
-        long before = measure(ids);
+        long[] start = new long[ids.length];
+        long[] before = new long[ids.length];
+        long[] after = new long[ids.length];
+        measure(ids, after);
+        measure(ids, start);
+        measure(ids, before);
         for (int k = 0; k < runs; k++) {
             action.run();
         }
-        return measure(ids) - before - (before - start);
-    }
-
-    private static long measure(long[] ids) {
+        measure(ids, after);
         long sum = 0;
-        for (long id : ids) {
-            sum += Math.max(0, THREADS.getThreadAllocatedBytes(id));
+        for (int k = 0; k < ids.length; k++) {
+            boolean lives = after[k] >= 0; // -1 of a thread that has ended
+            sum += lives ? after[k] - before[k] - (before[k] - start[k]) : 0;
         }
         return sum;
+    }
+
+    private static void measure(long[] ids, long[] bytes) {
+        for (int k = 0; k < ids.length; k++) {
+            bytes[k] = THREADS.getThreadAllocatedBytes(ids[k]);
+        }
     }
 }
