@@ -1,4 +1,5 @@
-// uses: world/shared/PairRule.cl*4 world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
+// uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
 // Finds the contacts of a row of groups and lays them out in bundles. A group finds the pairs whose lesser column and lesser
 // row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of the same
 // parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn. The more groups are
@@ -64,7 +65,7 @@ INLINE void gatherHits(const World *w, Search *f, int hits) {
     for (int k = 0; k < hits; k++) {
         int slot = (int) (f->hit[k] >> 32);
         int other = (int) f->hit[k];
-        if (!mayCollide(w->traits[slot].x, w->traits[other].x)) continue;
+        if (!mayMeet(w, slot, w->traits[slot].x, other, w->traits[other].x)) continue;
         int id = w->id[slot];
         int otherId = w->id[other];
         // Exchanged where the other has the lower id; no branch, which would be taken as if by chance.

@@ -5,13 +5,12 @@
 // Index space: a record a work-item. Cost: the records of one circle.
 // links: for each record, the next of the same circle or -1, and (slot of a new circle) * 2, plus 1 where it is its
 // circle's first.
-kernel void commands_apply(global const int *records, global const int2 *links, int count, global float4 *homeCircle,
-                           global float4 *homeMotion, global float4 *homeTraits, global int *homeId,
-                           global int *homeMemory, global int *slotOf) {
+kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count) {
     int r = (int) get_global_id(0);
     if (r >= count || (links[r].y & 1) == 0) return;
-    int id = records[r * COMMAND_STRIDE + COMMAND_ID];
-    int slot = slotOf[id];
+    int circleId = records[r * COMMAND_STRIDE + COMMAND_ID];
+    int slot = slotOf[circleId];
+    CircleFields initial = INITIAL_FIELDS;
     for (; r >= 0; r = links[r].x) {
         global const int *record = records + r * COMMAND_STRIDE;
         float a = as_float(record[COMMAND_FIRST]);
@@ -24,13 +23,14 @@ kernel void commands_apply(global const int *records, global const int2 *links, 
             homeMotion[slot] = (float4)(0.0f, 0.0f, as_float(record[COMMAND_ADD_VX]), as_float(record[COMMAND_ADD_VY]));
             homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
                                         as_float(record[COMMAND_ADD_RESTITUTION]), 0.0f, 0.0f);
-            homeId[slot] = id;
+            homeId[slot] = circleId;
             homeMemory[slot] = FRESH;
-            slotOf[id] = slot;
+            slotOf[circleId] = slot;
+            fields[circleId] = initial;
             break;
         case COMMAND_REMOVE:
             homeId[slot] = NONE;
-            slotOf[id] = NONE;
+            slotOf[circleId] = NONE;
             break;
         case COMMAND_POSITION:
             homeCircle[slot].x = a;
@@ -61,6 +61,9 @@ kernel void commands_apply(global const int *records, global const int2 *links, 
         case COMMAND_IMPULSE:
             homeMotion[slot].z = afterImpulse(homeMotion[slot].z, homeTraits[slot].x, a);
             homeMotion[slot].w = afterImpulse(homeMotion[slot].w, homeTraits[slot].x, b);
+            break;
+        case COMMAND_FIELD:
+            ((global int *) (fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }
     }

@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/Sweep.cl
+// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/PairFilter.cl world/stages/Sweep.cl
 // Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
 // level of the larger circle, colour, group, lower id, higher id. The Java class world.jvm.Contacts explains groups and colours.
 
@@ -113,7 +113,7 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
         if (!isNear(o.x - s->x, o.y - s->y, s->reach + o.z)) continue;
-        if (!mayCollide(s->inverseMass, o.w)) continue;
+        if (!mayMeet(w, s->slot, s->inverseMass, other, o.w)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
         if (k < FINDINGS) {
@@ -167,7 +167,8 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        sum += isNear(o.x - s->x, o.y - s->y, s->reach + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
+        sum += isNear(o.x - s->x, o.y - s->y, s->reach + o.z) && other != s->slot &&
+               mayMeet(w, s->slot, s->inverseMass, other, o.w);
     }
     return sum;
 }

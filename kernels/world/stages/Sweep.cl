@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/stages/World.cl
+// uses: world/shared/PairRule.cl world/stages/PairFilter.cl
 // Stage Sweep: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
 // it is the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
@@ -57,6 +57,7 @@ void meet(const World *w, const Runner *s, int other) {
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
     if (!mayPass(ux, uy, s->r, c.z)) return;
+    if (!mayMeet(w, s->slot, w->traits[s->slot].x, other, w->traits[other].x)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
     if (isNear(dx, dy, s->reach + w->sight[other].z)) {

@@ -5,6 +5,7 @@ import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
@@ -120,7 +121,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
-        return simulation.add(x, y, radius, mass, vx, vy);
+        return simulation.circles().add(x, y, radius, mass, vx, vy);
     }
 
     /**
@@ -145,7 +146,7 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, long[] handles) {
-        simulation.addAll(circles, velocities, handles);
+        simulation.circles().addAll(circles, velocities, handles);
     }
 
     /**
@@ -155,7 +156,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public void remove(long handle) {
-        simulation.remove(handle);
+        simulation.circles().remove(handle);
     }
 
     /**
@@ -165,7 +166,7 @@ public final class World implements AutoCloseable {
      * @return false where it is stale or never was a handle
      */
     public boolean contains(long handle) {
-        return simulation.contains(handle);
+        return simulation.circles().contains(handle);
     }
 
     /**
@@ -174,7 +175,7 @@ public final class World implements AutoCloseable {
      * @return at least 0
      */
     public int size() {
-        return simulation.size();
+        return simulation.circles().size();
     }
 
     /**
@@ -186,7 +187,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
-        simulation.set(Commands.POSITION, handle, x, y);
+        simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -199,7 +200,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
-        simulation.set(Commands.VELOCITY, handle, vx, vy);
+        simulation.circles().set(Commands.VELOCITY, handle, vx, vy);
     }
 
     /**
@@ -210,7 +211,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
-        simulation.set(Commands.RADIUS, handle, radius, 0);
+        simulation.circles().set(Commands.RADIUS, handle, radius, 0);
     }
 
     /**
@@ -221,7 +222,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
-        simulation.set(Commands.MASS, handle, mass, 0);
+        simulation.circles().set(Commands.MASS, handle, mass, 0);
     }
 
     /**
@@ -232,7 +233,19 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
-        simulation.set(Commands.RESTITUTION, handle, restitution, 0);
+        simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
+    }
+
+    /**
+     * Gives a circle a number, by which the caller knows it again. It is 0 at first. It changes no step, but it is in snapshots, and
+     * in the hash if it is not 0.
+     *
+     * @param handle the circle
+     * @param tag any number
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public void setTag(long handle, long tag) {
+        simulation.circles().set(CircleField.TAG, handle, tag);
     }
 
     /**
@@ -244,7 +257,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
-        simulation.set(Commands.IMPULSE, handle, x, y);
+        simulation.circles().set(Commands.IMPULSE, handle, x, y);
     }
 
     // ---- the world
@@ -385,7 +398,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void read(float[] circles) {
-        simulation.read(circles);
+        simulation.readings().read(circles);
     }
 
     /**
@@ -395,7 +408,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
-        simulation.read(circles);
+        simulation.readings().read(circles);
     }
 
     /**
@@ -406,7 +419,7 @@ public final class World implements AutoCloseable {
      *     method overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
-        return simulation.positions();
+        return simulation.readings().positions();
     }
 
     /**
@@ -423,7 +436,7 @@ public final class World implements AutoCloseable {
      * their ids. A request that has not been taken is replaced by the next.
      */
     public void requestPositions() {
-        simulation.requestPositions();
+        simulation.readings().requestPositions();
     }
 
     /**
@@ -436,7 +449,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
-        return simulation.takePositions();
+        return simulation.readings().takePositions();
     }
 
     /**
@@ -446,7 +459,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void readVelocities(float[] velocities) {
-        simulation.readVelocities(velocities);
+        simulation.readings().readVelocities(velocities);
     }
 
     /**
@@ -456,7 +469,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
-        simulation.readVelocities(velocities);
+        simulation.readings().readVelocities(velocities);
     }
 
     /**
@@ -466,7 +479,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the array is too short
      */
     public void readHandles(long[] handles) {
-        simulation.readHandles(handles);
+        simulation.readings().readHandles(handles);
     }
 
     /**
@@ -476,7 +489,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
-        simulation.readHandles(handles);
+        simulation.readings().readHandles(handles);
     }
 
     /**
@@ -488,7 +501,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float x(long handle) {
-        return simulation.circle(handle, CircleRow.X);
+        return simulation.readings().circle(handle, CircleRow.X);
     }
 
     /**
@@ -499,7 +512,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float y(long handle) {
-        return simulation.circle(handle, CircleRow.Y);
+        return simulation.readings().circle(handle, CircleRow.Y);
     }
 
     /**
@@ -510,7 +523,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float radius(long handle) {
-        return simulation.circle(handle, CircleRow.RADIUS);
+        return simulation.readings().circle(handle, CircleRow.RADIUS);
     }
 
     /**
@@ -521,7 +534,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float mass(long handle) {
-        return simulation.circle(handle, CircleRow.MASS);
+        return simulation.readings().circle(handle, CircleRow.MASS);
     }
 
     /**
@@ -532,7 +545,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float vx(long handle) {
-        return simulation.vx(handle);
+        return simulation.readings().vx(handle);
     }
 
     /**
@@ -543,7 +556,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float vy(long handle) {
-        return simulation.vy(handle);
+        return simulation.readings().vy(handle);
     }
 
     /**
@@ -554,11 +567,22 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale
      */
     public float restitution(long handle) {
-        return simulation.restitution(handle);
+        return simulation.circles().restitution(handle);
     }
 
     /**
-     * A hash of the state: of every circle, and of the impulses that the next step starts from. Equal states have equal
+     * The number that the caller has given a circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the number set last, or 0
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public long tag(long handle) {
+        return simulation.circles().get(CircleField.TAG, handle);
+    }
+
+    /**
+     * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
      * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
      * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
@@ -598,7 +622,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where it is more than one buffer holds
      */
     public int snapshotBytes() {
-        return simulation.snapshotBytes();
+        return simulation.snapshots().bytes();
     }
 
     /**
@@ -611,7 +635,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalStateException where the snapshot is more than one buffer holds
      */
     public void snapshot(ByteBuffer to) {
-        simulation.snapshot(to);
+        simulation.snapshots().write(to);
     }
 
     /**
@@ -623,7 +647,7 @@ public final class World implements AutoCloseable {
      *     before
      */
     public void restore(ByteBuffer from) {
-        simulation.restore(from);
+        simulation.snapshots().restore(from);
     }
 
     /**

@@ -87,7 +87,10 @@ class WorldSnapshotTest {
             case 2 -> world.add(scene.minX() + 0.4f * (scene.maxX() - scene.minX()), world.y(some), scene.radius(0), 2);
             case 3 -> world.setVelocity(some, 0.1f, 0.2f);
             case 4 -> world.setMass(some, Float.POSITIVE_INFINITY);
-            case 5 -> world.setRestitution(some, 0.25f);
+            case 5 -> {
+                world.setRestitution(some, 0.25f);
+                world.setTag(some, -(long) step << 33);
+            }
             default -> world.setGravity(0.01f * step, -0.02f);
         }
     }
@@ -139,6 +142,29 @@ class WorldSnapshotTest {
     }
 
     @Test
+    void keepsTagsAndTakesNoBytesForCirclesWithoutOne() {
+        try (World world = settled();
+                World restored = WorldScenes.jvm().build()) {
+            int untagged = world.snapshotBytes();
+            long[] handles = new long[world.size()];
+            world.readHandles(handles);
+            for (int k = 0; k < handles.length; k += 3) {
+                world.setTag(handles[k], Long.MIN_VALUE + k);
+            }
+            assertThat(world.snapshotBytes()).isGreaterThan(untagged);
+            restored.restore(snapshot(world));
+            for (int k = 0; k < handles.length; k++) {
+                assertThat(restored.tag(handles[k])).isEqualTo(k % 3 == 0 ? Long.MIN_VALUE + k : 0);
+                world.setTag(handles[k], 0);
+            }
+            assertThat(world.snapshotBytes()).isEqualTo(untagged);
+            restored.restore(snapshot(world));
+            assertThat(restored.tag(handles[0])).isZero();
+            assertThat(restored.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
     void goesIntoAndOutOfTheMiddleOfAnyBuffer() {
         try (World world = settled();
                 World restored = WorldScenes.jvm().build()) {
@@ -183,6 +209,7 @@ class WorldSnapshotTest {
     void withAnyBitTurnedIsRefusedAndChangesNothing() {
         try (World world = settled();
                 World other = unsettled()) {
+            world.setTag(handle(world, 3), 1234567890123L);
             ByteBuffer good = snapshot(world);
             long hash = other.hash();
             for (int bit = 0; bit < 8 * good.limit(); bit++) {
@@ -201,6 +228,7 @@ class WorldSnapshotTest {
     void cutOffAnywhereOrForeignIsRefused() {
         try (World world = settled();
                 World other = unsettled()) {
+            world.setTag(handle(world, 3), 1234567890123L);
             ByteBuffer good = snapshot(world);
             long hash = other.hash();
             for (int length = 0; length < good.limit(); length++) {

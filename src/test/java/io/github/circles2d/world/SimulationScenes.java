@@ -20,10 +20,9 @@ public final class SimulationScenes {
                 subSteps,
                 0);
         Simulation simulation = new Simulation(pipeline, parameters);
-        SceneLoader.circles(
-                scene,
-                simulation::add,
-                (handle, restitution) -> simulation.set(Commands.RESTITUTION, handle, restitution, 0));
+        SceneLoader.circles(scene, simulation.circles()::add, (handle, restitution) -> simulation
+                .circles()
+                .set(Commands.RESTITUTION, handle, restitution, 0));
         return simulation;
     }
 }

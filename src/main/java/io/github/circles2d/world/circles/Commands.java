@@ -12,7 +12,7 @@ public final class Commands {
     // ---- operations
     // --------------------------------------------------------------------------------------------------
 
-    /** A new circle: x, y, radius, mass, restitution, vx, vy. */
+    /** A new circle: x, y, radius, mass, restitution, vx, vy; its fields have their initial values. */
     public static final int ADD = 1;
 
     /** A circle goes. */
@@ -35,6 +35,9 @@ public final class Commands {
 
     /** An impulse: x, y. */
     public static final int IMPULSE = 8;
+
+    /** New value of a field that steps read: its place in {@link CircleField#OF_STEPS}, the value. */
+    public static final int FIELD = 9;
 
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
@@ -201,6 +204,19 @@ public final class Commands {
         int k = record(operation, id);
         records[k + FIRST] = Float.floatToRawIntBits(a);
         records[k + SECOND] = Float.floatToRawIntBits(b);
+    }
+
+    /**
+     * Records a new value of a field.
+     *
+     * @param field a field that steps read
+     * @param id the circle's id
+     * @param value the value
+     */
+    public void setField(CircleField field, int id, int value) {
+        int k = record(FIELD, id);
+        records[k + FIRST] = CircleField.OF_STEPS.indexOf(field);
+        records[k + SECOND] = value;
     }
 
     private int record(int operation, int id) {

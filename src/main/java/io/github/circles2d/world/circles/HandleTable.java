@@ -7,8 +7,8 @@ import java.util.Arrays;
 
 /**
  * Which circles there are. A handle is ((generation + 1) &lt;&lt; 32 | id). The next circle gets the lowest free id; the generation
- * tells it from circles that had the id before. The table also knows what only calls change, the radius and the restitution, so
- * that nobody has to ask a pipeline.
+ * tells it from circles that had the id before. The table also knows what only calls change, the radius, the restitution and
+ * the fields of {@link CircleField}, so that nobody has to ask a pipeline.
  */
 public final class HandleTable {
     /** The base-two logarithm of the ids in a word of {@link #live}. */
@@ -35,6 +35,7 @@ public final class HandleTable {
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private float[] restitution = new float[64];
+    private final CircleFields fields = new CircleFields(CircleField.ALL);
     private int size;
 
     /** No id below this one is free. */
@@ -161,6 +162,7 @@ public final class HandleTable {
      */
     public void makeRoom(SavedState from) {
         ensureIds(from.ids);
+        fields.makeRoom(from.fields);
     }
 
     /** Makes room for ids. The length of the array that grows last tells whether there is room. */
@@ -205,6 +207,7 @@ public final class HandleTable {
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
         leave(radius[id]);
+        fields.clear(id);
     }
 
     /**
@@ -237,6 +240,15 @@ public final class HandleTable {
      */
     public float restitution(int id) {
         return restitution[id];
+    }
+
+    /**
+     * The fields of the circles, by id.
+     *
+     * @return the values as of the last call
+     */
+    public CircleFields fields() {
+        return fields;
     }
 
     private int firstFree() {
@@ -304,14 +316,15 @@ public final class HandleTable {
     }
 
     /**
-     * Saves which ids are in use, and their generations.
+     * Saves which ids are in use, their generations, and the fields of circles.
      *
-     * @param into takes ids and generations
+     * @param into takes ids, generations and fields
      */
     public void save(SavedState into) {
         into.setIds(end);
         into.setCircles(size);
         System.arraycopy(generation, 0, into.generation, 0, end);
+        into.fields.copy(fields);
         int k = 0;
         for (int id = 0; id < end; id++) {
             if (lives(id)) {
@@ -321,7 +334,7 @@ public final class HandleTable {
     }
 
     /**
-     * Takes over the ids, generations, radii and restitutions of a saved state instead of its own.
+     * Takes over the ids, generations, radii, restitutions and fields of a saved state instead of its own.
      *
      * @param from the state, for which room has been made; not kept
      */
@@ -329,6 +342,7 @@ public final class HandleTable {
         Arrays.fill(live, 0);
         Arrays.fill(generation, 0);
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
+        fields.copy(from.fields);
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
             live[word(id)] |= bit(id);

@@ -7,8 +7,8 @@ import java.util.Arrays;
  * A whole state in plain arrays, by id. Snapshots are written from it and read into it, and a pipeline saves and loads it. It has no
  * slots, so every pipeline saves the same state in the same way.
  *
- * <p>It has three parts, and the owner of each fills and reads it: the world's parameters; the ids in use and their generations
- * ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Arrays are reused, and may be longer than their
+ * <p>It has three parts, and the owner of each fills and reads it: the world's parameters; the ids in use, their generations and the
+ * fields of {@link CircleField} ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Arrays are reused, and may be longer than their
  * contents.
  */
 public final class SavedState {
@@ -20,6 +20,9 @@ public final class SavedState {
 
     /** By id: how many circles had it before. */
     int[] generation = new int[0];
+
+    /** By id: the fields that only calls change. */
+    public final CircleFields fields = new CircleFields(CircleField.ALL);
 
     /** Number of circles. */
     public int circles;

@@ -8,12 +8,13 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Snapshots as bytes, little-endian: a header, then a record of every id in use so far, in ascending order. Equal states have
- * equal bytes, whatever they were computed on.
+ * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, and the fields of
+ * circles that are not the initial ones ({@link FieldSections}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
- *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int 0; long check
+ *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int number of sections
+ *            of fields, 0 in snapshots of versions without fields; long check
  * free id    byte flags; varint generation if it is not 0
  * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; if the flags say so: varint generation,
  *            float restitution (else the world's), wall impulse x, wall impulse y; number of impulses in the flags, or 7 and
@@ -52,11 +53,6 @@ public final class SnapshotCodec {
     private static final int LEAST_CIRCLE = 1 + 2 * CircleRow.STRIDE * Float.BYTES;
     private static final int LEAST_IMPULSE = 1 + Float.BYTES;
 
-    // A varint takes the low bits of a number first, with a bit in each byte that says whether another follows.
-    private static final int VARINT_BITS = 7;
-    private static final int VARINT_MORE = 1 << VARINT_BITS;
-    private static final int VARINT_MASK = VARINT_MORE - 1;
-
     private SnapshotCodec() {}
 
     // ---- writing
@@ -70,11 +66,11 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses;
+        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
-            sum += 1 + (s.generation[id] == 0 ? 0 : varintBytes(s.generation[id]));
+            sum += 1 + (s.generation[id] == 0 ? 0 : Varint.bytes(s.generation[id]));
             if (circle < s.circles && s.id[circle] == id) {
                 int flags = flags(s, circle);
                 sum += LEAST_CIRCLE
@@ -83,10 +79,10 @@ public final class SnapshotCodec {
                 int from = impulse;
                 int previous = id;
                 for (; impulse < s.impulses && s.lo[impulse] == id; impulse++) {
-                    sum += varintBytes(s.hi[impulse] - previous);
+                    sum += Varint.bytes(s.hi[impulse] - previous);
                     previous = s.hi[impulse];
                 }
-                sum += impulse - from < MANY ? 0 : varintBytes(impulse - from - MANY);
+                sum += impulse - from < MANY ? 0 : Varint.bytes(impulse - from - MANY);
                 circle++;
             }
         }
@@ -114,14 +110,15 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().minX()).putFloat(p.bounds().minY());
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
-        out.putInt(p.subSteps()).putFloat(p.previousTimeStep()).putInt(0).putLong(0);
+        out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
+        out.putInt(FieldSections.count(s)).putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
             if (circle == s.circles || s.id[circle] != id) {
                 out.put((byte) (s.generation[id] == 0 ? 0 : HAS_GENERATION));
                 if (s.generation[id] != 0) {
-                    putVarint(out, s.generation[id]);
+                    Varint.put(out, s.generation[id]);
                 }
                 continue;
             }
@@ -132,6 +129,7 @@ public final class SnapshotCodec {
             writeCircle(s, circle++, impulse, end, out);
             impulse = end;
         }
+        FieldSections.write(s, out);
         int length = out.position();
         out.putInt(LENGTH_AT, length);
         out.putLong(CHECK_AT, check(out, length));
@@ -164,7 +162,7 @@ public final class SnapshotCodec {
             out.putFloat(s.motion[row + k]);
         }
         if ((flags & HAS_GENERATION) != 0) {
-            putVarint(out, s.generation[id]);
+            Varint.put(out, s.generation[id]);
         }
         if ((flags & HAS_RESTITUTION) != 0) {
             out.putFloat(s.traits[row + CircleRow.RESTITUTION]);
@@ -176,28 +174,14 @@ public final class SnapshotCodec {
             out.putFloat(s.traits[row + CircleRow.WALL_Y]);
         }
         if (end - from >= MANY) {
-            putVarint(out, end - from - MANY);
+            Varint.put(out, end - from - MANY);
         }
         int previous = id;
         for (int k = from; k < end; k++) {
-            putVarint(out, s.hi[k] - previous);
+            Varint.put(out, s.hi[k] - previous);
             previous = s.hi[k];
             out.putFloat(s.lambda[k]);
         }
-    }
-
-    private static int varintBytes(int value) {
-        int bits = Integer.SIZE - Integer.numberOfLeadingZeros(value | 1);
-        return (bits + VARINT_BITS - 1) / VARINT_BITS;
-    }
-
-    private static void putVarint(ByteBuffer out, int value) {
-        int rest = value;
-        while ((rest & ~VARINT_MASK) != 0) {
-            out.put((byte) (rest | VARINT_MORE));
-            rest >>>= VARINT_BITS;
-        }
-        out.put((byte) rest);
     }
 
     /** Mixes all bytes but those of the check itself. */
@@ -241,6 +225,7 @@ public final class SnapshotCodec {
                         && ids + (LEAST_CIRCLE - 1L) * circles + (long) LEAST_IMPULSE * impulses <= length - HEADER,
                 "it cannot hold " + circles + " circles, " + ids + " ids and " + impulses + " impulses");
         s.setParameters(readParameters(in));
+        int sections = in.getInt();
         s.setIds(ids);
         s.setCircles(circles);
         s.ensureImpulses(impulses);
@@ -250,9 +235,9 @@ public final class SnapshotCodec {
         for (int id = 0; id < ids; id++) {
             circle = readRecord(in, s, id, circle, circles, impulses);
         }
-        require(
-                circle == circles && s.impulses == impulses && in.position() == length,
-                "its records do not fit its header");
+        require(circle == circles, "its records do not fit its header");
+        FieldSections.read(in, s, sections);
+        require(s.impulses == impulses && in.position() == length, "its records do not fit its header");
         checkPairs(s);
         return length;
     }
@@ -282,7 +267,6 @@ public final class SnapshotCodec {
         if (step != 0) {
             Limits.within("the time step", step, Limits.LEAST_STEP, Limits.GREATEST_STEP);
         }
-        require(in.getInt() == 0, "its header ends otherwise than this version's");
         return new WorldParameters(bounds, gravityX, gravityY, restitution, subSteps, step);
     }
 
@@ -315,11 +299,11 @@ public final class SnapshotCodec {
     }
 
     private static void readImpulses(ByteBuffer in, SavedState s, int id, int inFlags, int impulses) {
-        long count = inFlags < MANY ? inFlags : MANY + (Integer.toUnsignedLong(getVarint(in)));
+        long count = inFlags < MANY ? inFlags : MANY + (Integer.toUnsignedLong(Varint.get(in)));
         require(count <= impulses - s.impulses, "there are more impulses than it says");
         long hi = id;
         for (long k = 0; k < count; k++) {
-            long more = Integer.toUnsignedLong(getVarint(in));
+            long more = Integer.toUnsignedLong(Varint.get(in));
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
             float lambda = getFloat(in);
@@ -370,7 +354,7 @@ public final class SnapshotCodec {
         if ((flags & HAS_GENERATION) == 0) {
             return 0;
         }
-        int generation = getVarint(in);
+        int generation = Varint.get(in);
         require(generation != 0 && generation != HandleTable.LAST_GENERATION + 1, "a generation is out of range");
         return generation;
     }
@@ -385,20 +369,7 @@ public final class SnapshotCodec {
         return in.getFloat();
     }
 
-    private static int getVarint(ByteBuffer in) {
-        int value = 0;
-        for (int shift = 0; shift < Integer.SIZE; shift += VARINT_BITS) {
-            int b = getByte(in);
-            value |= (b & VARINT_MASK) << shift;
-            if (b < VARINT_MORE) {
-                require(b >>> Math.min(Integer.SIZE - shift, VARINT_BITS) == 0, "a number is too long");
-                return value;
-            }
-        }
-        throw new IllegalArgumentException("this is no snapshot of a world: a number is too long");
-    }
-
-    private static void require(boolean holds, String message) {
+    static void require(boolean holds, String message) {
         if (!holds) {
             throw new IllegalArgumentException("this is no snapshot of a world: " + message);
         }

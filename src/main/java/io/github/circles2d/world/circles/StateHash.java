@@ -1,15 +1,18 @@
 package io.github.circles2d.world.circles;
 
 /**
- * The 64-bit hash of a state: the sum of one mixed number per circle and one per entry of the impulse cache. A sum of integers does
+ * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, and one per field of a
+ * circle ({@link CircleField}) that has not its initial value. A sum of integers does
  * not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
- * x and y; an impulse with the lower id, the higher id and itself. All floats enter as their bits.
+ * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
+ * and the lower and the upper half of its value. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -20,6 +23,12 @@ public final class StateHash {
 
     public static long impulse() {
         return IMPULSE;
+    }
+
+    /** The number of a field's value. */
+    static long field(int number, int id, long value) {
+        long h = absorb(absorb(FIELD, number), id);
+        return absorb(absorb(h, (int) value), (int) (value >> Integer.SIZE));
     }
 
     public static long absorb(long hash, int word) {

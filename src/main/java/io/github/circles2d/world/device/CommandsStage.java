@@ -27,6 +27,7 @@ final class CommandsStage {
 
     private final Session session;
     private final DeviceArrays arrays;
+    private final StageKernels kernels;
     private final Kernel apply;
     private final Kernel confine;
     private DeviceBuffer records;
@@ -53,7 +54,8 @@ final class CommandsStage {
     CommandsStage(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
         this.arrays = arrays;
-        apply = kernels.plain("commands_apply");
+        this.kernels = kernels;
+        apply = kernels.staged("commands_apply");
         confine = kernels.plain("commands_confine");
         records = session.allocate("commands", RECORD_BYTES * LEAST_CAPACITY);
         links = session.allocate("command links", LINK_BYTES * LEAST_CAPACITY);
@@ -93,22 +95,18 @@ final class CommandsStage {
     /**
      * Applies commands in call order. New circles take slots that are known to be free, then those from {@code slots} on.
      *
+     * @param circles number of circles afterwards
      * @return slots at home afterwards
      */
-    int apply(Commands commands, int slots) {
+    int apply(Commands commands, int slots, int circles) {
         int count = commands.count();
         int nextSlot = link(commands, slots);
+        kernels.bind(arrays, nextSlot, circles);
         records.write(0, IntBuffer.wrap(commands.records(), 0, Commands.STRIDE * count));
         links.write(0, IntBuffer.wrap(link, 0, LINK_STRIDE * count));
-        apply.arg(0, records)
-                .arg(1, links)
-                .arg(2, count)
-                .arg(3, arrays.get(DeviceArray.HOME_CIRCLE))
-                .arg(4, arrays.get(DeviceArray.HOME_MOTION))
-                .arg(5, arrays.get(DeviceArray.HOME_TRAITS))
-                .arg(6, arrays.get(DeviceArray.HOME_ID))
-                .arg(7, arrays.get(DeviceArray.HOME_MEMORY))
-                .arg(8, arrays.get(DeviceArray.SLOT_OF))
+        apply.arg(StageKernels.own(0), records)
+                .arg(StageKernels.own(1), links)
+                .arg(StageKernels.own(2), count)
                 .run(count);
         return nextSlot;
     }

@@ -143,7 +143,7 @@ public final class DevicePipeline implements Pipeline {
             int operation = changes.operation(r);
             circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
-        slots = commands.apply(changes, slots);
+        slots = commands.apply(changes, slots, circles);
     }
 
     @Override

@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.FieldsStruct;
 import io.github.circles2d.world.device.memory.RememberedContact;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -22,11 +23,13 @@ final class StateTransfer {
         private final int[] slotOf;
         private final int[] memory;
         private final int[] old;
+        private final int[] fields;
 
         Links(SavedState from, DeviceArrays arrays) {
             slotOf = new int[arrays.idCapacity()];
             memory = new int[from.circles];
             old = new int[RememberedContact.STRIDE * from.impulses];
+            fields = FieldsStruct.room(from.ids);
         }
     }
 
@@ -149,5 +152,7 @@ final class StateTransfer {
         arrays.get(DeviceArray.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
         arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
         arrays.get(DeviceArray.OLD).write(0, IntBuffer.wrap(old));
+        FieldsStruct.pack(from.fields, links.fields);
+        arrays.get(DeviceArray.FIELDS).write(0, IntBuffer.wrap(links.fields));
     }
 }

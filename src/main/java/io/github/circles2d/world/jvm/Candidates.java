@@ -1,6 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
@@ -56,13 +55,9 @@ final class Candidates {
         return thinned;
     }
 
-    private boolean isStatic(int slot) {
-        return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
-    }
-
-    /** Whether a pair of circles that are near to each other is listed: not where both are fixed, and maybe not in a crowd. */
+    /** Whether a pair of circles that are near to each other is listed: not if they may not meet, and maybe not in a crowd. */
     boolean keeps(int slot, int other) {
-        if (isStatic(slot) && isStatic(other)) {
+        if (!PairFilter.mayMeet(state, slot, other)) {
             return false;
         }
         if (!thinned) {
@@ -122,13 +117,12 @@ final class Candidates {
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
         float own = reach[slot];
-        boolean fixed = isStatic(slot);
         int sum = 0;
         for (int other = from; other < to; other++) {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
             int near = PairRule.isNear(dx, dy, own, reach[other]);
-            if (near != 0 && other != slot && !(fixed && isStatic(other))) {
+            if (near != 0 && other != slot && PairFilter.mayMeet(state, slot, other)) {
                 sum++;
             }
         }

@@ -225,7 +225,7 @@ public final class ContinuousCollision {
         float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
         float dx = circle[o + X] - circle[s + X];
         float dy = circle[o + Y] - circle[s + Y];
-        if (!CircleMath.mayPass(ux, uy, r, ro)) {
+        if (!CircleMath.mayPass(ux, uy, r, ro) || !PairFilter.mayMeet(state, slot, other)) {
             return;
         }
         if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0) {

@@ -209,8 +209,7 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void makeRoom(SavedState from) {
-        state.ensure(from.circles);
-        state.ensureIds(from.ids);
+        state.makeRoom(from);
         contacts.memory().ensure(from.impulses);
     }
 

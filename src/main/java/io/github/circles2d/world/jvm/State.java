@@ -13,6 +13,8 @@ import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
@@ -71,6 +73,9 @@ public final class State {
     /** By id: the slot, or -1. */
     int[] slotOf = new int[0];
 
+    /** By id: the fields that steps read. */
+    final CircleFields fields = new CircleFields(CircleField.OF_STEPS);
+
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
     private float[] traitsSpare = new float[0];
@@ -81,7 +86,7 @@ public final class State {
     /** Memory of the arrays. */
     long bytes() {
         // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
-        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length + fields.bytes();
     }
 
     int capacity() {
@@ -132,10 +137,23 @@ public final class State {
                 ids = Math.max(ids, records[k + Commands.ID] + 1);
             } else if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 circles--;
+            } else if (records[k + Commands.OPCODE] == Commands.FIELD) {
+                fields.ensure(field(records, k), records[k + Commands.ID] + 1);
             }
         }
         ensure(most);
         ensureIds(ids);
+    }
+
+    private static CircleField field(int[] records, int k) {
+        return CircleField.OF_STEPS.get(records[k + Commands.FIRST]);
+    }
+
+    /** Makes room for a saved state. */
+    void makeRoom(SavedState from) {
+        ensure(from.circles);
+        ensureIds(from.ids);
+        fields.makeRoom(from.fields);
     }
 
     /** Applies what the caller asked for, for which there is room. */
@@ -182,6 +200,7 @@ public final class State {
                     motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
+                case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
         }
@@ -202,6 +221,7 @@ public final class State {
         traits[s + RESTITUTION] = Float.intBitsToFloat(records[k + Commands.ADD_RESTITUTION]);
         id[slot] = circleId;
         slotOf[circleId] = slot;
+        fields.clear(circleId);
         forget(slot);
     }
 
@@ -224,6 +244,11 @@ public final class State {
             fresh[slot] = fresh[last];
             slotOf[id[slot]] = slot;
         }
+    }
+
+    /** Whether a circle has an infinite mass. */
+    boolean isStatic(int slot) {
+        return traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
     }
 
     /** How near to a wall the centre of the circle of a row may be. */
@@ -264,6 +289,7 @@ public final class State {
         System.arraycopy(from.id, 0, id, 0, n);
         Arrays.fill(memory, 0, n, -1);
         Arrays.fill(fresh, 0, n, false);
+        fields.copy(from.fields);
         Arrays.fill(slotOf, -1);
         for (int slot = 0; slot < n; slot++) {
             slotOf[id[slot]] = slot;

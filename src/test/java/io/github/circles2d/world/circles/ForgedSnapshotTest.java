@@ -43,6 +43,8 @@ class ForgedSnapshotTest {
             for (int i = 0; i < 12; i++) {
                 world.add(10 + 3 * i, 1 + i % 3, 2, i % 5 == 0 ? Float.POSITIVE_INFINITY : 1 + i, 3 * i, -i);
             }
+            world.setTag(world.add(70, 20, 1, 1), -5);
+            world.setTag(world.add(75, 20, 1, 1), Long.MAX_VALUE);
             world.remove(world.add(50, 20, 1, 1));
             world.step(1 / 60f, 30);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);

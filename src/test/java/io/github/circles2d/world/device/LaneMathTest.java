@@ -29,7 +29,6 @@ class LaneMathTest {
         "return NAME(norm)(A, B);",
         "return NAME(along)(A, B, C, D);",
         "return NAME(isNear)(A, B, C) ? (REAL)(1.0f) : (REAL)(0.0f);",
-        "return NAME(mayCollide)(A, B) ? (REAL)(1.0f) : (REAL)(0.0f);",
         "return NAME(restitutionThreshold)(k, A, B);",
         "return NAME(maxPushSpeed)(k, fabs(A));",
         "return NAME(effectiveMass)(A, B);",

@@ -52,7 +52,7 @@ final class Twins implements AutoCloseable {
                 .map(pipeline -> SimulationScenes.simulation(scene, subSteps, pipeline))
                 .toArray(Simulation[]::new));
         twins.handles = new long[scene.size()];
-        twins.simulations[0].readHandles(twins.handles);
+        twins.simulations[0].readings().readHandles(twins.handles);
         return twins;
     }
 
@@ -82,15 +82,15 @@ final class Twins implements AutoCloseable {
     }
 
     void assertSameReadings() {
-        int n = simulations[0].size();
+        int n = simulations[0].circles().size();
         float[][] circles = new float[simulations.length][4 * n];
         float[][] velocities = new float[simulations.length][2 * n];
         for (int k = 0; k < simulations.length; k++) {
-            simulations[k].read(circles[k]);
-            simulations[k].readVelocities(velocities[k]);
+            simulations[k].readings().read(circles[k]);
+            simulations[k].readings().readVelocities(velocities[k]);
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
-            assertPositions(simulations[k].positions(), circles[0]);
+            assertPositions(simulations[k].readings().positions(), circles[0]);
         }
         requestPositions();
         assertSameRequestedPositions();
@@ -98,18 +98,18 @@ final class Twins implements AutoCloseable {
 
     /** Asks every pipeline for the positions as they are now. */
     void requestPositions() {
-        requested = new float[4 * simulations[0].size()];
+        requested = new float[4 * simulations[0].circles().size()];
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
-        simulations[0].read(requested);
+        simulations[0].readings().read(requested);
         for (Simulation simulation : simulations) {
-            simulation.requestPositions();
+            simulation.readings().requestPositions();
         }
     }
 
     /** Takes the positions from every pipeline: those of the request. */
     void assertSameRequestedPositions() {
         for (Simulation simulation : simulations) {
-            assertPositions(simulation.takePositions(), requested);
+            assertPositions(simulation.readings().takePositions(), requested);
         }
     }
 
@@ -138,13 +138,13 @@ final class Twins implements AutoCloseable {
             assertThat(saved[k]).isEqualTo(saved[0]);
         }
         for (int k = 0; k < simulations.length; k++) {
-            simulations[k].restore(saved[(k + 1) % simulations.length].duplicate());
+            simulations[k].snapshots().restore(saved[(k + 1) % simulations.length].duplicate());
         }
     }
 
     private static ByteBuffer snapshot(Simulation simulation) {
-        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshotBytes());
-        simulation.snapshot(snapshot);
+        ByteBuffer snapshot = ByteBuffer.allocate(simulation.snapshots().bytes());
+        simulation.snapshots().write(snapshot);
         return snapshot.flip();
     }
 
@@ -158,27 +158,27 @@ final class Twins implements AutoCloseable {
                     p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
             ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
             SnapshotCodec.write(state, changed);
-            simulation.restore(changed.flip());
+            simulation.snapshots().restore(changed.flip());
         }
     }
 
     /** Adds a circle. */
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {
         for (Simulation simulation : simulations) {
-            long handle = simulation.add(x, y, r, mass, vx, vy);
+            long handle = simulation.circles().add(x, y, r, mass, vx, vy);
             int id = (int) handle;
             if (id >= handles.length) {
                 handles = Arrays.copyOf(handles, id + 1);
             }
             handles[id] = handle;
-            simulation.set(Commands.RESTITUTION, handle, restitution, 0);
+            simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
         }
     }
 
     /** Changes the circle that had an id last. */
     void set(int operation, int id, float a, float b) {
         for (Simulation simulation : simulations) {
-            simulation.set(operation, handles[id], a, b);
+            simulation.circles().set(operation, handles[id], a, b);
         }
     }
 
@@ -188,7 +188,7 @@ final class Twins implements AutoCloseable {
         int id = random.nextInt(handles.length);
         if (lives(id)) {
             for (Simulation simulation : simulations) {
-                simulation.remove(handles[id]);
+                simulation.circles().remove(handles[id]);
             }
         }
         float r = scene.radius(random.nextInt(scene.size()));
@@ -216,7 +216,7 @@ final class Twins implements AutoCloseable {
     }
 
     private boolean lives(int id) {
-        return simulations[0].contains(handles[id]);
+        return simulations[0].circles().contains(handles[id]);
     }
 
     private static float between(SplittableRandom random, float low, float high) {

@@ -50,7 +50,7 @@ class JvmPipelineTest {
             for (int step = 0; step < STEPS; step++) {
                 if (step % 3 == 1) {
                     long[] handles = world.handles();
-                    world.simulation.remove(handles[random.nextInt(handles.length)]);
+                    world.simulation.circles().remove(handles[random.nextInt(handles.length)]);
                 } else if (step % 3 == 2) {
                     world.add(
                             scene.minX() + (scene.maxX() - scene.minX()) * random.nextFloat(),
@@ -62,7 +62,7 @@ class JvmPipelineTest {
                             0);
                 }
                 if (shuffled) {
-                    world.permute(permutation(world.simulation.size(), order));
+                    world.permute(permutation(world.simulation.circles().size(), order));
                 }
                 world.step(1);
                 hashes[step] = world.simulation.hash();

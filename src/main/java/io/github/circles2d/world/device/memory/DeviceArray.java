@@ -24,6 +24,7 @@ public enum DeviceArray {
             Index.HOME_SLOT,
             "first remembered contact as the lower id; NONE; FRESH: its id's memories are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
+    FIELDS(FieldsStruct.NAME, "fields", Index.ID, "the fields that only calls change"),
 
     // Stage Grid.
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
@@ -197,6 +198,7 @@ public enum DeviceArray {
             case "int", "uint", "float" -> 4;
             case "int2", "uint2", "float2", "ulong" -> 8;
             case "int4", "float4" -> 16;
+            case FieldsStruct.NAME -> FieldsStruct.BYTES;
             default -> throw new IllegalStateException(type + " has no size here");
         };
     }

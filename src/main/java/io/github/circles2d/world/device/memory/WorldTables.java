@@ -22,12 +22,13 @@ final class WorldTables {
         define(text, "NONE", "(" + RememberedContact.NONE + ")", "no slot, no id, no contact");
         define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "a memory that is not its circle's own");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
+        text.append(FieldsStruct.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
 
     private static void commands(StringBuilder text) {
         define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next eight");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next nine");
         define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
         define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
         define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
@@ -36,6 +37,7 @@ final class WorldTables {
         define(text, "COMMAND_MASS", Commands.MASS, "mass");
         define(text, "COMMAND_RESTITUTION", Commands.RESTITUTION, "restitution");
         define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
+        define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, the value");
         define(text, "COMMAND_ID", Commands.ID, "the circle's");
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
         define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");

@@ -1,0 +1,273 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Limits;
+import java.util.Objects;
+
+/**
+ * The calls on circles: they come, go and change. A change waits as a record in {@link Commands} until the next step or read; what
+ * only calls change is in {@link HandleTable} at once. A call checks its arguments and makes room before it changes the state.
+ */
+public final class Circles {
+    private final Simulation simulation;
+    private final Guard guard;
+    private final HandleTable handles;
+    private final Commands commands;
+    private final LastReading last;
+
+    Circles(Simulation simulation) {
+        this.simulation = simulation;
+        guard = simulation.guard;
+        handles = simulation.handles;
+        commands = simulation.commands;
+        last = simulation.last;
+    }
+
+    /** Adds a circle, with the world's restitution, and returns its handle. */
+    public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        guard.enter();
+        try {
+            checkRoom(1);
+            check(x, y, radius, mass, vx, vy);
+            simulation.expect(1);
+            handles.ensure(1);
+            commands.prepare(0, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+            simulation.changed();
+            guard.changing = true;
+            long handle = admit();
+            guard.changing = false;
+            return handle;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Adds circles, four elements each, with velocities, or at rest if there are none; the handles are optional, too. */
+    public void addAll(float[] circles, float[] velocities, long[] to) {
+        guard.enter();
+        try {
+            Objects.requireNonNull(circles, "circles");
+            int n = circles.length / CircleRow.STRIDE;
+            checkLengths(n, circles, velocities, to);
+            checkRoom(n);
+            simulation.expect(n);
+            handles.ensure(n);
+            for (int i = 0; i < n; i++) {
+                prepare(i, circles, velocities);
+            }
+            simulation.changed();
+            guard.changing = true;
+            for (int i = 0; i < n; i++) {
+                long handle = admit();
+                if (to != null) {
+                    to[i] = handle;
+                }
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private static void checkLengths(int n, float[] circles, float[] velocities, long[] to) {
+        if (circles.length % CircleRow.STRIDE != 0) {
+            throw new IllegalArgumentException(
+                    "circles has " + circles.length + " elements, but must have four a circle");
+        }
+        if (velocities != null && velocities.length != 2 * n) {
+            throw new IllegalArgumentException(
+                    "velocities has " + velocities.length + " elements, but must have two for each of " + n);
+        }
+        if (to != null && to.length < n) {
+            throw new IllegalArgumentException(
+                    "handles has " + to.length + " elements, but there are " + n + " circles");
+        }
+    }
+
+    /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
+    private void prepare(int i, float[] circles, float[] velocities) {
+        float x = circles[CircleRow.STRIDE * i + CircleRow.X];
+        float y = circles[CircleRow.STRIDE * i + CircleRow.Y];
+        float radius = circles[CircleRow.STRIDE * i + CircleRow.RADIUS];
+        float mass = circles[CircleRow.STRIDE * i + CircleRow.MASS];
+        float vx = velocities == null ? 0 : velocities[2 * i];
+        float vy = velocities == null ? 0 : velocities[2 * i + 1];
+        try {
+            check(x, y, radius, mass, vx, vy);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+        }
+        commands.prepare(i, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+    }
+
+    private void checkRoom(int more) {
+        if (more > Limits.CIRCLES - handles.size()) {
+            throw new IllegalArgumentException(
+                    "a world has at most " + Limits.CIRCLES + " circles, not " + ((long) handles.size() + more));
+        }
+    }
+
+    private void check(float x, float y, float radius, float mass, float vx, float vy) {
+        Limits.position(x, y, simulation.bounds);
+        Limits.radius(radius, simulation.bounds);
+        Limits.mass(mass);
+        Limits.velocity(vx, vy);
+    }
+
+    /** Gives the first circle that is prepared its id, and returns its handle. */
+    private long admit() {
+        int id = handles.add(commands.preparedRadius());
+        handles.setRestitution(id, simulation.defaultRestitution);
+        commands.admit(id);
+        return handles.handle(id);
+    }
+
+    /** Removes a circle. */
+    public void remove(long handle) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            simulation.expect(1);
+            simulation.changed();
+            guard.changing = true;
+            handles.remove(id);
+            commands.remove(id);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Whether a handle is that of a circle. */
+    public boolean contains(long handle) {
+        guard.enter();
+        try {
+            return handles.find(handle) >= 0;
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The number of circles. */
+    public int size() {
+        guard.enter();
+        try {
+            return handles.size();
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /**
+     * Changes a circle.
+     *
+     * @param operation an operation of {@link Commands} that changes a circle
+     * @param handle the circle
+     * @param a first value of the operation
+     * @param b second value; of no meaning if the operation has one
+     */
+    public void set(int operation, long handle, float a, float b) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            checkValues(operation, a, b);
+            simulation.expect(1);
+            if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+                last.forgetVelocities();
+            } else if (operation != Commands.RESTITUTION) {
+                last.forgetCircles();
+            }
+            simulation.snapshots().forget();
+            guard.changing = true;
+            commands.set(operation, id, a, b);
+            if (operation == Commands.RADIUS) {
+                handles.setRadius(id, a);
+            } else if (operation == Commands.RESTITUTION) {
+                handles.setRestitution(id, a);
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /**
+     * Changes a field of a circle.
+     *
+     * @param field what changes
+     * @param handle the circle
+     * @param value the new value
+     */
+    public void set(CircleField field, long handle, long value) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            field.check(value);
+            simulation.expect(1);
+            handles.fields().ensure(field, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            handles.fields().set(field, id, value);
+            if (field.isOfSteps()) {
+                commands.setField(field, id, (int) value);
+            }
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** A field of a circle. */
+    public long get(CircleField field, long handle) {
+        guard.enter();
+        try {
+            return handles.fields().get(field, find(handle));
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private void checkValues(int operation, float a, float b) {
+        switch (operation) {
+            case Commands.POSITION -> Limits.position(a, b, simulation.bounds);
+            case Commands.VELOCITY -> Limits.velocity(a, b);
+            case Commands.RADIUS -> Limits.radius(a, simulation.bounds);
+            case Commands.MASS -> Limits.mass(a);
+            case Commands.RESTITUTION -> Limits.restitution(a);
+            case Commands.IMPULSE -> Limits.impulse(a, b);
+            default -> throw new IllegalArgumentException("operation " + operation + " changes no circle");
+        }
+    }
+
+    int find(long handle) {
+        int id = handles.find(handle);
+        if (id < 0) {
+            throw new IllegalArgumentException(
+                    "no circle has the handle " + handle + ": it was removed, or is none of this world's");
+        }
+        return id;
+    }
+
+    /** The restitution of one circle. */
+    public float restitution(long handle) {
+        guard.enter();
+        try {
+            return handles.restitution(find(handle));
+        } finally {
+            guard.user = null;
+        }
+    }
+}

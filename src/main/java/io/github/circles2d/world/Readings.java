@@ -1,0 +1,214 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
+import java.nio.Buffer;
+import java.nio.FloatBuffer;
+import java.nio.LongBuffer;
+
+/** Reads of all circles, in the order of the ids, and of single numbers, which come from the last read of all. */
+public final class Readings {
+    private final Simulation simulation;
+    private final Guard guard;
+    private final HandleTable handles;
+    private final Pipeline pipeline;
+    private final LastReading last;
+
+    /** Whether positions have been requested since the last were taken. */
+    private boolean positionsRequested;
+
+    Readings(Simulation simulation) {
+        this.simulation = simulation;
+        guard = simulation.guard;
+        handles = simulation.handles;
+        pipeline = simulation.pipeline;
+        last = simulation.last;
+    }
+
+    /** Reads x, y, radius and mass of every circle, in the order of the ids. */
+    public void read(float[] circles) {
+        guard.enter();
+        try {
+            requireRoom("circles", circles.length, (long) CircleRow.STRIDE * handles.size());
+            simulation.settle();
+            pipeline.readCircles(handles, circles);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads x, y, radius and mass of every circle, in the order of the ids. */
+    public void read(FloatBuffer circles) {
+        guard.enter();
+        try {
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
+            circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads x and y of every circle, in the order of the ids, into memory of the pipeline. */
+    public FloatBuffer positions() {
+        guard.enter();
+        try {
+            simulation.settle();
+            return pipeline.positions(handles);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Asks for x and y of every circle as they are now, without waiting for them. */
+    public void requestPositions() {
+        guard.enter();
+        try {
+            positionsRequested = false;
+            simulation.applyCommands();
+            pipeline.requestPositions(handles);
+            positionsRequested = true;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Gives the positions that were requested last. */
+    public FloatBuffer takePositions() {
+        guard.enter();
+        try {
+            if (!positionsRequested) {
+                throw new IllegalStateException("no positions have been requested since the last were taken:"
+                        + " call requestPositions before each takePositions");
+            }
+            positionsRequested = false;
+            if (!pipeline.positionsArrived()) {
+                simulation.finishSteps();
+            }
+            return pipeline.takePositions();
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads the velocity of every circle, in the order of the ids. */
+    public void readVelocities(float[] velocities) {
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities.length, 2L * handles.size());
+            simulation.settle();
+            pipeline.readVelocities(handles, velocities);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads the velocity of every circle, in the order of the ids. */
+    public void readVelocities(FloatBuffer velocities) {
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities, 2L * handles.size());
+            velocities.put(last.velocities(), 0, 2 * handles.size());
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads the handle of every circle, in the order of the ids. */
+    public void readHandles(long[] to) {
+        guard.enter();
+        try {
+            requireRoom("handles", to.length, handles.size());
+            int k = 0;
+            for (int id = 0; id < handles.end(); id++) {
+                if (handles.lives(id)) {
+                    to[k++] = handles.handle(id);
+                }
+            }
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads the handle of every circle, in the order of the ids. */
+    public void readHandles(LongBuffer to) {
+        guard.enter();
+        try {
+            requireRoom("handles", to, handles.size());
+            for (int id = 0; id < handles.end(); id++) {
+                if (handles.lives(id)) {
+                    to.put(handles.handle(id));
+                }
+            }
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /**
+     * Reads one number of one circle, from the last bulk read if it still holds.
+     *
+     * @param handle the circle
+     * @param field {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS}
+     * @return the number
+     */
+    public float circle(long handle, int field) {
+        guard.enter();
+        try {
+            int place = handles.place(simulation.circles().find(handle));
+            return last.circles()[CircleRow.STRIDE * place + field];
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The velocity of one circle along x, from the last bulk read if it still holds. */
+    public float vx(long handle) {
+        return velocity(handle, 0);
+    }
+
+    /** The velocity of one circle along y, from the last bulk read if it still holds. */
+    public float vy(long handle) {
+        return velocity(handle, 1);
+    }
+
+    private float velocity(long handle, int component) {
+        guard.enter();
+        try {
+            int place = handles.place(simulation.circles().find(handle));
+            return last.velocities()[2 * place + component];
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private static void requireRoom(String what, Buffer buffer, long needs) {
+        if (buffer.isReadOnly()) {
+            throw new IllegalArgumentException(what + " is a read-only buffer");
+        }
+        requireRoom(what, buffer.remaining(), needs);
+    }
+
+    private static void requireRoom(String what, long has, long needs) {
+        if (has < needs) {
+            throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
+        }
+    }
+}

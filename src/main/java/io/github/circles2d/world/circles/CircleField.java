@@ -1,0 +1,87 @@
+package io.github.circles2d.world.circles;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The table of the fields that only calls change, one row each. From a row follow the field's memory and its part of the hash
+ * ({@link CircleFields}), of snapshots ({@link FieldSections}) and, if steps read it, of the kernels' struct {@code CircleFields}.
+ *
+ * <p>A value is a whole number; a float is meant by its bits. Every new circle has the initial value. A field whose range fits
+ * into an int takes one word of memory for a circle, else two. Steps can read fields of one word.
+ */
+public enum CircleField {
+    /** A number that the caller gives a circle. */
+    TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
+
+    /** All fields. */
+    static final List<CircleField> ALL = List.of(values());
+
+    /** The fields that steps read; their places in this list number them in commands and in the kernels' struct. */
+    public static final List<CircleField> OF_STEPS =
+            Arrays.stream(values()).filter(f -> f.ofSteps).toList();
+
+    private final int number;
+    private final String label;
+    private final long initial;
+    private final long least;
+    private final long greatest;
+    private final boolean ofSteps;
+
+    /**
+     * A row.
+     *
+     * @param number what snapshots and the hash know the field by: greater than those of the rows before, and never changed
+     * @param label the name in messages and in kernels
+     * @param initial the value of a new circle
+     * @param least the least value that is allowed
+     * @param greatest the greatest value that is allowed
+     * @param ofSteps whether steps read the field; then all pipelines have its values
+     */
+    CircleField(int number, String label, long initial, long least, long greatest, boolean ofSteps) {
+        this.number = number;
+        this.label = label;
+        this.initial = initial;
+        this.least = least;
+        this.greatest = greatest;
+        this.ofSteps = ofSteps;
+    }
+
+    /** What snapshots and the hash know the field by. */
+    int number() {
+        return number;
+    }
+
+    /** The name in messages and in kernels. */
+    public String label() {
+        return label;
+    }
+
+    /** The value of a new circle. */
+    public long initial() {
+        return initial;
+    }
+
+    /** Whether steps read the field. */
+    public boolean isOfSteps() {
+        return ofSteps;
+    }
+
+    /** Ints that a value takes. */
+    int words() {
+        return least >= Integer.MIN_VALUE && greatest <= Integer.MAX_VALUE ? 1 : 2;
+    }
+
+    /**
+     * Checks a value.
+     *
+     * @param value what a call or a snapshot gives
+     * @throws IllegalArgumentException if it is out of range
+     */
+    public void check(long value) {
+        if (value < least || value > greatest) {
+            throw new IllegalArgumentException(
+                    "the " + label + " is " + value + ", but must be from " + least + " to " + greatest);
+        }
+    }
+}
