@@ -57,7 +57,10 @@ class WorldBackendTest {
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
                 World jvm = World.builder().backend(Backend.JVM).build();
                 World back = World.builder().backend(backend).build()) {
+            long[] handles = new long[scene.size()];
+            world.readHandles(handles);
             for (int frame = 0; frame < 30; frame++) {
+                world.setTag(handles[frame], -frame);
                 world.step(scene.timeStep());
                 ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
                 world.snapshot(bytes);

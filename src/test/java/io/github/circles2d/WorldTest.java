@@ -62,6 +62,8 @@ class WorldTest {
                 refused(() -> world.x(handle));
                 refused(() -> world.vy(handle));
                 refused(() -> world.restitution(handle));
+                refused(() -> world.setTag(handle, 1));
+                refused(() -> world.tag(handle));
             }
             assertThat(world.hash()).isEqualTo(hash);
         }
@@ -210,6 +212,52 @@ class WorldTest {
             world.defaultRestitution(),
             world.subSteps()
         };
+    }
+
+    @Test
+    void aCircleKeepsItsTagUntilItIsRemoved() {
+        try (World world = builder().build()) {
+            long[] handles = new long[300];
+            for (int i = 0; i < handles.length; i++) {
+                handles[i] = world.add(5, 5, 0.1f, 1);
+                assertThat(world.tag(handles[i])).isZero();
+            }
+            long untagged = world.hash();
+            world.setTag(handles[7], Long.MIN_VALUE);
+            world.setTag(handles[299], 0xFFFFFFFFL);
+            long tagged = world.hash();
+            assertThat(tagged).isNotEqualTo(untagged);
+            long added = world.add(5, 5, 0.1f, 1);
+            assertThat(world.tag(added)).isZero();
+            world.setTag(added, -1);
+            world.remove(added);
+            assertThat(world.hash()).isEqualTo(tagged);
+            world.step(0.01f);
+            assertThat(world.tag(handles[7])).isEqualTo(Long.MIN_VALUE);
+            assertThat(world.tag(handles[299])).isEqualTo(0xFFFFFFFFL);
+            world.remove(handles[7]);
+            long again = world.add(5, 5, 0.1f, 1);
+            assertThat((int) again).isEqualTo((int) handles[7]);
+            assertThat(world.tag(again)).isZero();
+        }
+    }
+
+    @Test
+    void noStepAsksForATag() {
+        try (World world = builder().build();
+                World tagged = builder().build()) {
+            for (World each : new World[] {world, tagged}) {
+                each.add(5, 5, 0.5f, 1);
+                each.add(5.2f, 5, 0.5f, 1);
+            }
+            tagged.setTag(handles(tagged)[1], 77);
+            for (World each : new World[] {world, tagged}) {
+                each.step(0.01f, 20);
+            }
+            assertThat(tagged.hash()).isNotEqualTo(world.hash());
+            tagged.setTag(handles(tagged)[1], 0);
+            assertThat(tagged.hash()).isEqualTo(world.hash());
+        }
     }
 
     @Test
@@ -425,6 +473,8 @@ class WorldTest {
         closed.accept(() -> world.x(a));
         closed.accept(world::hash);
         closed.accept(() -> world.restitution(a));
+        closed.accept(() -> world.setTag(a, 1));
+        closed.accept(() -> world.tag(a));
         for (Runnable read : List.<Runnable>of(
                 world::minX,
                 world::minY,

@@ -83,6 +83,7 @@ final class FieldSections {
     /** Reads sections behind the records of the ids, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.copy(new CircleFields(CircleField.ALL));
+        SnapshotCodec.require(sections >= 0, "it cannot have " + sections + " sections");
         int before = 0;
         for (int k = 0; k < sections; k++) {
             SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
