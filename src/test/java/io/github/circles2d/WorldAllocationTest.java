@@ -37,6 +37,7 @@ class WorldAllocationTest {
                 world.readHandles(handles);
                 world.setVelocity(handles[7], 0.01f, 0);
                 world.applyImpulse(handles[8], 0.01f, 0);
+                world.setTag(handles[9], world.tag(handles[9]) + 1);
                 world.step(scene.timeStep());
                 world.step(scene.timeStep(), 2);
                 world.read(circles);

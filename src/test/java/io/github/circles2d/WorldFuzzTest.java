@@ -163,7 +163,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(19)) {
+            switch (random.nextInt(20)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -176,6 +176,7 @@ class WorldFuzzTest {
                 case 12 -> setWorld();
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
+                case 19 -> setTag();
                 default -> step();
             }
         }
@@ -264,6 +265,16 @@ class WorldFuzzTest {
             float e = value(0, 1);
             last = "setRestitution " + e;
             ask(unknown(handle) || !(e >= 0 && e <= 1), () -> world.setRestitution(handle, e));
+        }
+
+        private void setTag() {
+            long handle = handle();
+            long tag = random.nextLong() >> random.nextInt(64);
+            last = "setTag " + tag;
+            ask(unknown(handle), () -> {
+                world.setTag(handle, tag);
+                assertThat(world.tag(handle)).isEqualTo(tag);
+            });
         }
 
         private void impulse() {

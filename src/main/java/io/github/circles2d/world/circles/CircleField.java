@@ -62,6 +62,16 @@ public enum CircleField {
         return initial;
     }
 
+    /** The least value that is allowed. */
+    public long least() {
+        return least;
+    }
+
+    /** The greatest value that is allowed. */
+    public long greatest() {
+        return greatest;
+    }
+
     /** Whether steps read the field. */
     public boolean isOfSteps() {
         return ofSteps;

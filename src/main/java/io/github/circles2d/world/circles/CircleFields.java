@@ -8,7 +8,8 @@ import java.util.List;
  * circle has got another value than the initial one.
  */
 public final class CircleFields {
-    private final List<CircleField> fields;
+    /** No list, whose iterators would be garbage of each call. */
+    private final CircleField[] fields;
 
     /** By field: the values by id. What is behind the end has the initial value. */
     private final int[][] words = new int[CircleField.ALL.size()][0];
@@ -19,7 +20,7 @@ public final class CircleFields {
      * @param fields the fields whose values are held here
      */
     public CircleFields(List<CircleField> fields) {
-        this.fields = fields;
+        this.fields = fields.toArray(CircleField[]::new);
     }
 
     /**

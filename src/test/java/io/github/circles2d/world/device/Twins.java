@@ -7,6 +7,7 @@ import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
@@ -211,6 +212,17 @@ final class Twins implements AutoCloseable {
                     set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
                 case Commands.RADIUS -> set(operation, id, r, 0);
                 default -> set(operation, id, between(random, 0.1f, 1), 0);
+            }
+        }
+        for (CircleField field : CircleField.values()) {
+            id = random.nextInt(handles.length);
+            long range = field.greatest() - field.least() + 1;
+            long bits = random.nextLong();
+            if (lives(id)) {
+                for (Simulation simulation : simulations) {
+                    long value = range == 0 ? bits : field.least() + Long.remainderUnsigned(bits, range);
+                    simulation.circles().set(field, handles[id], value);
+                }
             }
         }
     }
