@@ -215,14 +215,18 @@ final class Twins implements AutoCloseable {
             }
         }
         for (CircleField field : CircleField.values()) {
-            id = random.nextInt(handles.length);
-            long range = field.greatest() - field.least() + 1;
-            long bits = random.nextLong();
-            if (lives(id)) {
-                for (Simulation simulation : simulations) {
-                    long value = range == 0 ? bits : field.least() + Long.remainderUnsigned(bits, range);
-                    simulation.circles().set(field, handles[id], value);
-                }
+            for (int k = 0; k < 20; k++) {
+                setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+            }
+        }
+    }
+
+    /** Gives the circle that had an id last the allowed value that is nearest to a number. */
+    private void setField(CircleField field, int id, long number) {
+        if (lives(id)) {
+            long value = Math.max(field.least(), Math.min(number, field.greatest()));
+            for (Simulation simulation : simulations) {
+                simulation.circles().set(field, handles[id], value);
             }
         }
     }
