@@ -1,6 +1,6 @@
-// uses: world/stages/Grid.cl world/stages/Sweep.cl
+// uses: world/stages/Grid.cl world/stages/ContinuousCollision.cl
 // uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
-// Stages Grid and Sweep by a few work-groups that meet: what Grid.cl and Sweep.cl do to a bucket or a circle, each work-group
+// Stages Grid and ContinuousCollision by a few work-groups that meet: what Grid.cl and ContinuousCollision.cl do to a bucket or a circle, each work-group
 // for its part of all; and the bands of rows into which the circles are divided from there on.
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
@@ -135,7 +135,7 @@ Band sortCircles(World *w, const Crew *crew) {
     return band;
 }
 
-// Stage Sweep, where some circle is fast.
+// Stage ContinuousCollision, where some circle is fast.
 void sweepCircles(World *w, const Crew *crew) {
     w->k.sweeping = w->status[FAST];
     if (!w->k.sweeping) return;

@@ -88,7 +88,7 @@ typedef union {
 // Work-items that look for the neighbours of one circle.
 #define SEEKERS 8
 
-// Stages Grid, Sweep where some circle is fast, and Contacts.
+// Stages Grid, ContinuousCollision where some circle is fast, and Contacts.
 void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];

@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/Sweep.cl
+// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/ContinuousCollision.cl
 // Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
 // level of the larger circle, colour, group, lower id, higher id. The Java class world.jvm.Contacts explains groups and colours.
 
@@ -197,7 +197,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
 }
 
 // Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Lays the
-// leashes of a step with the stage Sweep. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// leashes of a step with the stage ContinuousCollision. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;

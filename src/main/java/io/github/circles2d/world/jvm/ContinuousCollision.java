@@ -18,7 +18,7 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
 /**
- * Continuous collision (stage Sweep): keeps fast circles from passing through others. A circle is fast if its path in this step is
+ * Continuous collision: keeps fast circles from passing through others. A circle is fast if its path in this step is
  * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
  * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
  * ends where they touch. The motion clamp (leash) then holds every circle: a collision may lead it away from its path by at most

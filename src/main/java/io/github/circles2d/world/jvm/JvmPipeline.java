@@ -59,7 +59,7 @@ public final class JvmPipeline implements Pipeline {
     public JvmPipeline(int threads, int leastShare, int capacity, boolean profiling) {
         team = new Team(threads);
         this.leastShare = leastShare;
-        times = new StageTimes(profiling, "Grid", "Sweep", "Contacts", "Solver");
+        times = new StageTimes(profiling, "Grid", "ContinuousCollision", "Contacts", "Solver");
         grid = new Grid(state, levels, team);
         contacts = new Contacts(state, grid, levels, team);
         sweep = new ContinuousCollision(state, grid, levels, team);

@@ -118,7 +118,7 @@ class WorldOclgrindTest {
                         "grid_gather",
                         "solver_push",
                         "solver_pushTile",
-                        "sweep_look",
+                        "continuousCollision_look",
                         "resident_steps",
                         "lanes_steps");
         return kernels;

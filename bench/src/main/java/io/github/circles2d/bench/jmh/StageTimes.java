@@ -53,7 +53,7 @@ public class StageTimes {
             case "Scan":
                 scanMicros += micros;
                 break;
-            case "Sweep":
+            case "ContinuousCollision":
                 sweepMicros += micros;
                 break;
             case "Contacts":

@@ -49,7 +49,7 @@ public enum DeviceArray {
                     + " loaded, loaded in the sub-step to come; while contacts are filled, z: candidates so far"),
     WALL_BOUNCE("float2", "wallBounce", Index.SLOT, "target speed of a bounce off a wall x, y"),
 
-    // Stage Sweep.
+    // Stage ContinuousCollision.
     LEASH(
             "float4",
             "leash",

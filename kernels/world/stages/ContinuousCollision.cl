@@ -1,5 +1,5 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Stage Sweep: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
+// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
 // it is the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
 // laid it.
 
@@ -37,7 +37,7 @@ void summarize(const World *w, int block) {
 }
 
 // Index space: a block a work-item. Cost: its circles.
-kernel void sweep_summarize(WORLD_PARAMETERS) {
+kernel void continuousCollision_summarize(WORLD_PARAMETERS) {
     World w = WORLD;
     int block = (int) get_global_id(0);
     if (block < levels->first[LEVELS] >> (2 * BLOCK_LOG) && !refused(&w)) summarize(&w, block);
@@ -136,7 +136,7 @@ void lookAhead(const World *w, int slot) {
 
 // Fast circles look for others that they would touch, no faster than themselves. Index space: a working slot a work-item.
 // Cost: the cells around its path, for a fast circle.
-kernel void sweep_look(WORLD_PARAMETERS) {
+kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot);
