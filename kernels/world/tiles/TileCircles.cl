@@ -1,8 +1,8 @@
 // uses: world/shared/Motion.cl
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
-// work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
-// drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
-// start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
+// work-group whose tile it is in. The same as integrateVelocities and integratePositions of Solver.cl. What neighbours read of
+// it is drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
+// After the start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
 
 // A work-item takes several circles, or contacts, at a time: what it reads of all of them is on its way before it needs the
 // first. How many, up to MOST_TOGETHER, is a matter of registers, and was tried out; compilers know the number everywhere.
@@ -77,7 +77,7 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
         storeWalls(w, slot, walls, t.zw);
         atWall = hasWalls(w, c, t.zw);
     }
-    w->pushedMotion[slot] = m;
-    w->pushedBurden[slot] = burden;
+    w->solvedMotion[slot] = m;
+    w->solvedBurden[slot] = burden;
     return atWall;
 }

@@ -116,8 +116,8 @@ class WorldOclgrindTest {
                 .contains(
                         "scan_starts",
                         "grid_gather",
-                        "solver_push",
-                        "solver_pushTile",
+                        "solver_solve",
+                        "solver_solveTile",
                         "continuousCollision_look",
                         "resident_steps",
                         "lanes_steps");

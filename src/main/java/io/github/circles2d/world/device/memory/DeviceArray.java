@@ -72,9 +72,9 @@ public enum DeviceArray {
             "drive",
             Index.TILED_SLOT,
             "as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl"),
-    PUSHED_MOTION("float4", "pushedMotion", Index.TILED_SLOT, "between the passes"),
+    SOLVED_MOTION("float4", "solvedMotion", Index.TILED_SLOT, "between the passes"),
     BURDEN("float", "burden", Index.TILED_SLOT, "as the biased pass begins: inverse mass, negative where loaded"),
-    PUSHED_BURDEN("float", "pushedBurden", Index.TILED_SLOT, "between the passes"),
+    SOLVED_BURDEN("float", "solvedBurden", Index.TILED_SLOT, "between the passes"),
 
     // Stage Contacts.
     GROUP_START("int", "groupStart", Index.BUCKET, "by group: its first contact"),
