@@ -263,20 +263,20 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void readCircles(HandleTable roster, float[] to) {
+    public void readCircles(HandleTable handles, float[] to) {
         settle();
-        readback.circles(roster, slots, to);
+        readback.circles(handles, slots, to);
     }
 
     @Override
-    public FloatBuffer positions(HandleTable roster) {
+    public FloatBuffer positions(HandleTable handles) {
         settle();
-        return readback.positions(roster, slots);
+        return readback.positions(handles, slots);
     }
 
     @Override
-    public void requestPositions(HandleTable roster) {
-        requested.request(roster, slotsBehindPending(), stepsSeen + pendingSteps);
+    public void requestPositions(HandleTable handles) {
+        requested.request(handles, slotsBehindPending(), stepsSeen + pendingSteps);
     }
 
     @Override
@@ -295,9 +295,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void readVelocities(HandleTable roster, float[] to) {
+    public void readVelocities(HandleTable handles, float[] to) {
         settle();
-        readback.velocities(roster, slots, to);
+        readback.velocities(handles, slots, to);
     }
 
     @Override

@@ -151,24 +151,24 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void readCircles(HandleTable roster, float[] to) {
+    public void readCircles(HandleTable handles, float[] to) {
         int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
                 System.arraycopy(state.circle, CircleRow.of(state.slotOf[id]), to, CircleRow.of(k++), CircleRow.STRIDE);
             }
         }
     }
 
     @Override
-    public FloatBuffer positions(HandleTable roster) {
-        positions.copy(state, roster);
+    public FloatBuffer positions(HandleTable handles) {
+        positions.copy(state, handles);
         return positions.view();
     }
 
     @Override
-    public void requestPositions(HandleTable roster) {
-        requested.copy(state, roster);
+    public void requestPositions(HandleTable handles) {
+        requested.copy(state, handles);
     }
 
     @Override
@@ -185,10 +185,10 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void readVelocities(HandleTable roster, float[] to) {
+    public void readVelocities(HandleTable handles, float[] to) {
         int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
                 int s = CircleRow.of(state.slotOf[id]);
                 to[2 * k] = state.motion[s + VX];
                 to[2 * k + 1] = state.motion[s + VY];
