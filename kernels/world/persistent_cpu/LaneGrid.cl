@@ -1,7 +1,7 @@
 // uses: world/stages/Grid.cl world/stages/ContinuousCollision.cl
 // uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
-// Stages Grid and ContinuousCollision by a few work-groups that meet: what Grid.cl and ContinuousCollision.cl do to a bucket or a circle, each work-group
-// for its part of all; and the bands of rows into which the circles are divided from there on.
+// Stages Grid and ContinuousCollision by a few work-groups that meet: what Grid.cl and ContinuousCollision.cl do to a bucket or
+// a circle, each work-group for its part of all; and the bands of rows into which the circles are divided from there on.
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
 
@@ -145,5 +145,5 @@ void sweepCircles(World *w, const Crew *crew) {
         if (looksAhead(w, slot)) lookAhead(w, slot);
     }
     awaitCrew(w, crew);
-    EACH_OF_PART(slot, w->circles, crew) layLeash(w, slot);
+    EACH_OF_PART(slot, w->circles, crew) setMotionClamp(w, slot);
 }

@@ -113,7 +113,7 @@ void listAll(World *w, local Local *l) {
             if (looksAhead(w, slot)) lookAhead(w, slot);
         }
         deviceBarrier(arrivals);
-        EACH(slot, w->circles) layLeash(w, slot);
+        EACH(slot, w->circles) setMotionClamp(w, slot);
     }
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);

@@ -1,7 +1,7 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
-// it is the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
-// laid it.
+// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
+// looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
+// is as stage Grid has set it.
 
 // From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
 
@@ -27,7 +27,7 @@ void summarize(const World *w, int block) {
     Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
                                 (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
     for (int i = 0; i < piece.end.w; i++) {
-        float2 path = w->leash[slotInPiece(&piece, i)].xy;
+        float2 path = w->motionClamp[slotInPiece(&piece, i)].xy;
         range.x = least(path.x, range.x);
         range.y = greatest(path.x, range.y);
         range.z = least(path.y, range.z);
@@ -48,12 +48,12 @@ bool looksAhead(const World *w, int slot) { return w->near[slot] < NOT_FAST; }
 
 // The same for one that may be looking at the same time.
 bool otherLooksAhead(const World *w, int slot) {
-    return w->traits[slot].x != 0.0f && isFast(w->leash[slot].w, w->circle[slot].z);
+    return w->traits[slot].x != 0.0f && isFast(w->motionClamp[slot].w, w->circle[slot].z);
 }
 
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
-    float4 plan = w->leash[other];
+    float4 plan = w->motionClamp[other];
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
     if (!mayPass(ux, uy, s->r, c.z)) return;
@@ -112,7 +112,7 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
 
 void lookAhead(const World *w, int slot) {
     float4 c = w->circle[slot];
-    float4 plan = w->leash[slot];
+    float4 plan = w->motionClamp[slot];
     Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->sight[slot].z, slot};
     float limit = travelShare(s.path, s.r);
     float px = limit * s.px;
@@ -142,14 +142,14 @@ kernel void continuousCollision_look(WORLD_PARAMETERS) {
     if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot);
 }
 
-// Lays a leash: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
+// Sets a motion clamp: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
 // does it in passing.
-void layLeash(const World *w, int slot) {
-    float4 plan = w->leash[slot];
+void setMotionClamp(const World *w, int slot) {
+    float4 plan = w->motionClamp[slot];
     float r = w->circle[slot].z;
     float limit = least(travelShare(plan.w, r), w->near[slot]);
     float free = as_float(w->share[slot]);
     bool stopped = free < limit;
     float kept = stopped ? free : limit;
-    w->leash[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : LEASH * r, plan.w);
+    w->motionClamp[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : CLAMP_ALLOWANCE * r, plan.w);
 }

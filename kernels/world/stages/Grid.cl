@@ -85,7 +85,7 @@ bool gatherCircle(const World *w, int i) {
     w->memory[slot] = memory;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
-    w->leash[slot] = (float4)(px, py, LEASH * c.z, path);
+    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
     if (w->k.sweeping) {
         w->share[slot] = as_int(1.0f);

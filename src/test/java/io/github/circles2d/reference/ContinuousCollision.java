@@ -11,7 +11,7 @@ import java.util.List;
 final class ContinuousCollision {
     private static final float TRAVEL = 64f;
     private static final float SWEEP_RATIO = 16f;
-    private static final float LEASH = 0.5f;
+    private static final float CLAMP_ALLOWANCE = 0.5f;
 
     private ContinuousCollision() {}
 
@@ -29,7 +29,7 @@ final class ContinuousCollision {
             for (int a = 0; a < 2; a++) {
                 c.freePath[a] = min(c.timeOfImpact, c.limit) * c.path[a];
             }
-            c.allowance = c.timeOfImpact < c.limit ? 0f : LEASH * c.radius;
+            c.allowance = c.timeOfImpact < c.limit ? 0f : CLAMP_ALLOWANCE * c.radius;
         }
     }
 

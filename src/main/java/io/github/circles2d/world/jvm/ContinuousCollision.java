@@ -21,7 +21,7 @@ import java.lang.invoke.VarHandle;
  * Continuous collision: keeps fast circles from passing through others. A circle is fast if its path in this step is
  * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
  * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
- * ends where they touch. The motion clamp (leash) then holds every circle: a collision may lead it away from its path by at most
+ * ends where they touch. The motion clamp then holds every circle: a collision may lead it away from its path by at most
  * half its radius in this step.
  *
  * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
@@ -98,7 +98,7 @@ public final class ContinuousCollision {
             }
             team.sync(worker);
         }
-        leash(from, to);
+        setMotionClamps(from, to);
     }
 
     private boolean isFast(int slot) {
@@ -249,9 +249,9 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Lays the leashes. */
-    private void leash(int from, int to) {
-        float[] leash = state.leash;
+    /** Sets the motion clamps. */
+    private void setMotionClamps(int from, int to) {
+        float[] clamp = state.motionClamp;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
@@ -259,9 +259,9 @@ public final class ContinuousCollision {
             float free = Float.intBitsToFloat(share[slot]);
             boolean stopped = free < limit;
             float kept = stopped ? free : limit;
-            leash[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
-            leash[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
-            leash[s + ALLOWANCE] = stopped ? 0f : Tuning.LEASH * r;
+            clamp[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
+            clamp[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
+            clamp[s + ALLOWANCE] = stopped ? 0f : Tuning.CLAMP_ALLOWANCE * r;
         }
     }
 }

@@ -66,7 +66,7 @@ public final class State {
     float[] plan = new float[0];
 
     /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
-    float[] leash = new float[0];
+    float[] motionClamp = new float[0];
 
     /** By id: the slot, or -1. */
     int[] slotOf = new int[0];
@@ -80,7 +80,7 @@ public final class State {
 
     /** Memory of the arrays. */
     long bytes() {
-        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
+        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, motionClamp
         return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
     }
 
@@ -100,7 +100,7 @@ public final class State {
             load = new float[CircleRow.of(c)];
             wallBounce = new float[CircleRow.vector(c)];
             plan = new float[CircleRow.vector(c)];
-            leash = new float[CircleRow.of(c)];
+            motionClamp = new float[CircleRow.of(c)];
             circleSpare = new float[CircleRow.of(c)];
             motionSpare = new float[CircleRow.of(c)];
             traitsSpare = new float[CircleRow.of(c)];

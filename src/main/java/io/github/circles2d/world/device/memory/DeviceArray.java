@@ -50,9 +50,9 @@ public enum DeviceArray {
     WALL_BOUNCE("float2", "wallBounce", Index.SLOT, "target speed of a bounce off a wall x, y"),
 
     // Stage ContinuousCollision.
-    LEASH(
+    MOTION_CLAMP(
             "float4",
-            "leash",
+            "motionClamp",
             Index.SLOT,
             "what it moves if nothing is in its way x, y, allowance, length; later what is free of that"),
     SHARE("int", "share", Index.SLOT, "bits of the share of its path that it can go"),
