@@ -65,8 +65,8 @@ void meet(const World *w, const Runner *s, int other) {
         float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);
         if (t < 1.0f) {
             // Floats from 0 to 1 sort like their bits.
-            atomic_min(&w->share[s->slot], as_int(t));
-            if (otherLooksAhead(w, other)) atomic_min(&w->share[other], as_int(t));
+            atomic_min(&w->timeOfImpact[s->slot], as_int(t));
+            if (otherLooksAhead(w, other)) atomic_min(&w->timeOfImpact[other], as_int(t));
         }
     }
 }
@@ -148,7 +148,7 @@ void setMotionClamp(const World *w, int slot) {
     float4 plan = w->motionClamp[slot];
     float r = w->circle[slot].z;
     float limit = least(travelShare(plan.w, r), w->near[slot]);
-    float free = as_float(w->share[slot]);
+    float free = as_float(w->timeOfImpact[slot]);
     bool stopped = free < limit;
     float kept = stopped ? free : limit;
     w->motionClamp[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : CLAMP_ALLOWANCE * r, plan.w);

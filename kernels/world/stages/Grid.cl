@@ -88,7 +88,7 @@ bool gatherCircle(const World *w, int i) {
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
     if (w->k.sweeping) {
-        w->share[slot] = as_int(1.0f);
+        w->timeOfImpact[slot] = as_int(1.0f);
         w->near[slot] = fast ? 1.0f : NOT_FAST;
     }
     return fast;

@@ -7,7 +7,7 @@
 // copies it, sorted, into the working arrays; stage Solver ends the step by writing it home. A step that cannot be made as it
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
-#define NOT_FAST 2.0f // more than any share
+#define NOT_FAST 2.0f // more than any time of impact
 
 // How an overlap is pushed out, which is softer than a rigid contact.
 typedef struct {

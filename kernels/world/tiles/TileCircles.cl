@@ -2,7 +2,8 @@
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
 // work-group whose tile it is in. The same as integrateVelocities and integratePositions of Solver.cl. What neighbours read of
 // it is drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
-// After the start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
+// After the start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off
+// walls.
 
 // A work-item takes several circles, or contacts, at a time: what it reads of all of them is on its way before it needs the
 // first. How many, up to MOST_TOGETHER, is a matter of registers, and was tried out; compilers know the number everywhere.

@@ -49,7 +49,7 @@ public final class ContinuousCollision {
     private final Team team;
 
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
-    private int[] share = new int[0];
+    private int[] timeOfImpact = new int[0];
 
     /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
     private float[] near = new float[0];
@@ -65,8 +65,8 @@ public final class ContinuousCollision {
     }
 
     void ensure() {
-        if (share.length < state.capacity()) {
-            share = new int[state.capacity()];
+        if (timeOfImpact.length < state.capacity()) {
+            timeOfImpact = new int[state.capacity()];
             near = new float[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
@@ -77,7 +77,7 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 8L * share.length + 4L * range.length;
+        return 8L * timeOfImpact.length + 4L * range.length;
     }
 
     void sweep(int worker) {
@@ -108,7 +108,7 @@ public final class ContinuousCollision {
 
     private void start(int from, int to) {
         for (int slot = from; slot < to; slot++) {
-            share[slot] = ONE;
+            timeOfImpact[slot] = ONE;
             near[slot] = 1f;
         }
     }
@@ -243,9 +243,9 @@ public final class ContinuousCollision {
 
     private void shorten(int slot, float t) {
         int bits = Float.floatToRawIntBits(t);
-        int seen = share[slot];
-        while (bits < seen && !INTS.compareAndSet(share, slot, seen, bits)) {
-            seen = (int) INTS.getVolatile(share, slot);
+        int seen = timeOfImpact[slot];
+        while (bits < seen && !INTS.compareAndSet(timeOfImpact, slot, seen, bits)) {
+            seen = (int) INTS.getVolatile(timeOfImpact, slot);
         }
     }
 
@@ -256,7 +256,7 @@ public final class ContinuousCollision {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
             float limit = CircleMath.least(CircleMath.travelShare(grid.path[slot], r), near[slot]);
-            float free = Float.intBitsToFloat(share[slot]);
+            float free = Float.intBitsToFloat(timeOfImpact[slot]);
             boolean stopped = free < limit;
             float kept = stopped ? free : limit;
             clamp[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];

@@ -55,7 +55,7 @@ public enum DeviceArray {
             "motionClamp",
             Index.SLOT,
             "what it moves if nothing is in its way x, y, allowance, length; later what is free of that"),
-    SHARE("int", "share", Index.SLOT, "bits of the share of its path that it can go"),
+    TIME_OF_IMPACT("int", "timeOfImpact", Index.SLOT, "as bits: the share of its path that it can go"),
     NEAR(
             "float",
             "near",
