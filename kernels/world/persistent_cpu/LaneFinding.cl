@@ -10,7 +10,7 @@
 
 // What a work-group looks for contacts with.
 typedef struct {
-    global const float *x, *y, *reach; // by working slot
+    global const float *x, *y, *speculativeDistance; // by working slot
     ulong hit[HITS + 4];               // of the group: slot above slot
     ulong ids[GATHERED], slots[GATHERED]; // of groups that are dealt together, by group and in order; lower id's first
     int gathered;
@@ -24,7 +24,7 @@ typedef struct {
 // Where circles are noted for the search, component by component: arrays that stage Grid is done with.
 global float *searchX(const World *w) { return (global float *) w->bucketBefore; }
 global float *searchY(const World *w) { return (global float *) w->rank; }
-global float *searchReach(const World *w) { return (global float *) w->bucketOf; }
+global float *searchSpeculativeDistance(const World *w) { return (global float *) w->bucketOf; }
 
 // Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
 // whether there are. Returns how many pairs of the group there are then.
@@ -35,13 +35,13 @@ INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
     }
     float x = f->x[slot];
     float y = f->y[slot];
-    float reach = f->reach[slot];
+    float speculativeDistance = f->speculativeDistance[slot];
     ulong high = (ulong) slot << 32;
     int other = from;
     do {
         float4 dx = vload4(0, f->x + other) - x;
         float4 dy = vload4(0, f->y + other) - y;
-        float4 limit = reach + vload4(0, f->reach + other);
+        float4 limit = speculativeDistance + vload4(0, f->speculativeDistance + other);
         int4 hit = isNear4(dx, dy, limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
         // Whether a pair is near is as good as random: no branch.
         f->hit[hits] = high | other;

@@ -94,10 +94,10 @@ void sumUp(const World *w, const Crew *crew) {
 }
 
 // Notes a circle for the search for contacts.
-void noteForSearch(const World *w, int slot, float x, float y, float reach) {
+void noteForSearch(const World *w, int slot, float x, float y, float speculativeDistance) {
     searchX(w)[slot] = x;
     searchY(w)[slot] = y;
-    searchReach(w)[slot] = reach;
+    searchSpeculativeDistance(w)[slot] = speculativeDistance;
 }
 
 // Stage Grid. Leaves it to a meeting that others see what the last part has written.

@@ -14,7 +14,7 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     Search f;
     f.x = searchX(w);
     f.y = searchY(w);
-    f.reach = searchReach(w);
+    f.speculativeDistance = searchSpeculativeDistance(w);
     f.gathered = f.groups = f.start[0] = f.contacts = 0;
     f.crowded = false;
     int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own

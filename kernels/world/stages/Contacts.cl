@@ -4,7 +4,7 @@
 
 // What a circle looks with.
 typedef struct {
-    float x, y, reach, inverseMass;
+    float x, y, speculativeDistance, inverseMass;
     int slot, level, column, row;
     int part, parts; // of several work-items that look for one circle: which, and how many
 } Seeker;
@@ -112,7 +112,7 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
     for (int i = s->part; i < count; i += s->parts) {
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
-        if (!isNear(o.x - s->x, o.y - s->y, s->reach + o.z)) continue;
+        if (!isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z)) continue;
         if (!mayCollide(s->inverseMass, o.w)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
@@ -129,7 +129,7 @@ Seeker seekerOf(const World *w, int slot) {
     Seeker s;
     s.x = own.x;
     s.y = own.y;
-    s.reach = own.z;
+    s.speculativeDistance = own.z;
     s.inverseMass = own.w;
     s.slot = slot;
     s.part = 0;
@@ -167,7 +167,7 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        sum += isNear(o.x - s->x, o.y - s->y, s->reach + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
+        sum += isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
     }
     return sum;
 }

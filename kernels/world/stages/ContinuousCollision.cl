@@ -7,7 +7,7 @@
 
 // What a fast circle looks ahead with.
 typedef struct {
-    float x, y, r, px, py, path, reach;
+    float x, y, r, px, py, path, speculativeDistance;
     int slot;
 } Runner;
 
@@ -59,7 +59,7 @@ void meet(const World *w, const Runner *s, int other) {
     if (!mayPass(ux, uy, s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    if (isNear(dx, dy, s->reach + w->sight[other].z)) {
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z)) {
         w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
         float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);

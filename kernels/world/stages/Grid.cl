@@ -86,7 +86,7 @@ bool gatherCircle(const World *w, int i) {
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
-    w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
+    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {
         w->timeOfImpact[slot] = as_int(1.0f);
         w->near[slot] = fast ? 1.0f : NOT_FAST;

@@ -228,7 +228,7 @@ public final class ContinuousCollision {
         if (!CircleMath.mayPass(ux, uy, r, ro)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0) {
+        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0) {
             near[slot] = CircleMath.least(CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro), near[slot]);
         } else if (grid.path[other] <= grid.path[slot] || !CircleMath.isFast(grid.path[other], ro)) {
             float t = CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro);

@@ -35,7 +35,7 @@ public enum DeviceArray {
             "float4",
             "sight",
             Index.SLOT,
-            "x, y of the base, reach, inverse mass: what the search for contacts looks at"),
+            "x, y of the base, speculative distance, inverse mass: what the search for contacts looks at"),
     CIRCLE("float4", "circle", Index.SLOT, "as homeCircle"),
     MOTION("float4", "motion", Index.SLOT, "as homeMotion"),
     TRAITS("float4", "traits", Index.SLOT, "as homeTraits"),
