@@ -83,18 +83,18 @@ INLINE float4 movedFreely(const StepConstants *k, float4 m) {
 }
 
 // Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
-INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool fixed) {
+INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
     float4 free = movedFreely(k, m);
     float2 d = free.xy;
     float vx = free.z;
     float vy = free.w;
-    if (!fixed) d = clampMotion(w, slot, c.z, d.x, d.y);
-    float edge = fixed ? 0.0f : c.z;
+    if (!isStatic) d = clampMotion(w, slot, c.z, d.x, d.y);
+    float edge = isStatic ? 0.0f : c.z;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
-    if (fixed) {
-        // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+    if (isStatic) {
+        // a static circle that is stopped has stopped: what lies on it must not see it go on
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     }
@@ -126,9 +126,9 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
 // Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
 // impulses in traits t.
 void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    bool fixed = t->x == 0.0f;
-    *m = integratePositions(w, slot, c, *m, fixed);
-    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
+    bool isStatic = t->x == 0.0f;
+    *m = integratePositions(w, slot, c, *m, isStatic);
+    if (!isStatic) relaxAtWalls(w, c, m, t, bounce, loaded);
 }
 
 // moveCircle for a circle that has no impulse of walls and bounces off none, as long as it stays within its motion clamp and away

@@ -73,11 +73,11 @@ bool gatherCircle(const World *w, int i) {
     int memory = w->homeMemory[from];
     int start = w->bucketStart[bucket];
     int slot = start + countLower(w, start, w->bucketStart[bucket + 1], listed.x);
-    bool fixed = t.x == 0.0f;
-    float px = plan(m.z, w->k.dt, fixed ? 0.0f : w->k.fallX);
-    float py = plan(m.w, w->k.dt, fixed ? 0.0f : w->k.fallY);
+    bool isStatic = t.x == 0.0f;
+    float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
+    float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     float path = norm(px, py);
-    bool fast = !fixed && isFast(path, c.z);
+    bool fast = !isStatic && isFast(path, c.z);
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;

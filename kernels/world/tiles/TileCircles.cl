@@ -16,7 +16,7 @@
 // The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
 int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
 
-// A circle's inverse mass, negative where it is loaded: of a fixed one it is 0, and that is never loaded.
+// A circle's inverse mass, negative where it is loaded: of a static one it is 0, and that is never loaded.
 float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
 
 bool isLoaded(float burden) { return as_int(burden) < 0; }
@@ -69,9 +69,9 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 // Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
 // Returns whether it is at a wall.
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
-    bool fixed = burden == 0.0f;
-    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), fixed);
-    if (!fixed && (atWall || !wallsAreApart(&w->k, c, m))) {
+    bool isStatic = burden == 0.0f;
+    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), isStatic);
+    if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.zw;
         relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));

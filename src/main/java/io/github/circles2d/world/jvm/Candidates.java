@@ -60,7 +60,7 @@ final class Candidates {
         return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
     }
 
-    /** Whether a pair of circles that are near to each other is listed: not where both are fixed, and maybe not in a crowd. */
+    /** Whether a pair of circles that are near to each other is listed: not where both are static, and maybe not in a crowd. */
     boolean keeps(int slot, int other) {
         if (isStatic(slot) && isStatic(other)) {
             return false;
@@ -122,13 +122,13 @@ final class Candidates {
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
         float own = speculativeDistance[slot];
-        boolean fixed = isStatic(slot);
+        boolean ownIsStatic = isStatic(slot);
         int sum = 0;
         for (int other = from; other < to; other++) {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
             int near = PairRule.isNear(dx, dy, own, speculativeDistance[other]);
-            if (near != 0 && other != slot && !(fixed && isStatic(other))) {
+            if (near != 0 && other != slot && !(ownIsStatic && isStatic(other))) {
                 sum++;
             }
         }

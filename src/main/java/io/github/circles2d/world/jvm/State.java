@@ -41,7 +41,7 @@ public final class State {
     /** By slot: displacement x, y, velocity x, y. */
     float[] motion = new float[0];
 
-    /** By slot: inverse mass (0: fixed), restitution, impulse speed of the walls x, y (positive: lower wall). */
+    /** By slot: inverse mass (0: static), restitution, impulse speed of the walls x, y (positive: lower wall). */
     float[] traits = new float[0];
 
     /** By slot: the id. */

@@ -17,7 +17,7 @@ public final class Limits {
     /** Least mass. */
     public static final float LEAST_MASS = 1e-9f;
 
-    /** Greatest mass of a circle that is not fixed. */
+    /** Greatest mass of a circle that is not static. */
     public static final float GREATEST_MASS = 1e9f;
 
     /** Greatest magnitude of a component of a velocity or of gravity. */

@@ -20,8 +20,8 @@ final class AllPairs {
         level = new int[s.circles];
         for (int i = 0; i < s.circles; i++) {
             float r = s.circle[4 * i + 2];
-            float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, fixed(i) ? 0 : k.fallX);
-            float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, fixed(i) ? 0 : k.fallY);
+            float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
+            float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
             speculativeDistance[i] = CircleMath.speculativeDistance(r, CircleMath.norm(px, py));
             level[i] = levels.level(r);
         }
@@ -32,7 +32,7 @@ final class AllPairs {
         return new AllPairs(s, levels, k).list();
     }
 
-    private boolean fixed(int i) {
+    private boolean isStatic(int i) {
         return s.traits[4 * i] == 0;
     }
 
@@ -40,7 +40,7 @@ final class AllPairs {
         float dx = s.circle[4 * j] - s.circle[4 * i];
         float dy = s.circle[4 * j + 1] - s.circle[4 * i + 1];
         float limit = speculativeDistance[i] + speculativeDistance[j];
-        return dx * dx + dy * dy < limit * limit && !(fixed(i) && fixed(j));
+        return dx * dx + dy * dy < limit * limit && !(isStatic(i) && isStatic(j));
     }
 
     private List<Long> list() {

@@ -16,7 +16,7 @@ public enum DeviceArray {
             "float4",
             "homeTraits",
             Index.HOME_SLOT,
-            "inverse mass (0: fixed), restitution, wall impulse x, y (positive: lower wall)"),
+            "inverse mass (0: static), restitution, wall impulse x, y (positive: lower wall)"),
     HOME_ID("int", "homeId", Index.HOME_SLOT, "NONE: empty"),
     HOME_MEMORY(
             "int",
