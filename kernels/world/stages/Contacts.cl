@@ -307,7 +307,7 @@ float remembered(const World *w, int first, int hi) {
 
 // The same of a contact that starts a step; 0 if a circle is new.
 float recall(const World *w, uint lo, uint hi, ulong ids) {
-    return w->memory[hi] == FRESH ? 0.0f : remembered(w, w->memory[lo], (int) ids) * w->warmScale;
+    return w->firstCached[hi] == FRESH ? 0.0f : remembered(w, w->firstCached[lo], (int) ids) * w->warmScale;
 }
 
 // Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.

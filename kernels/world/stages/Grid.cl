@@ -70,7 +70,7 @@ bool gatherCircle(const World *w, int i) {
     float4 c = w->homeCircle[from];
     float4 m = w->homeMotion[from];
     float4 t = w->homeTraits[from];
-    int memory = w->homeMemory[from];
+    int firstCached = w->homeFirstCached[from];
     int start = w->bucketStart[bucket];
     int slot = start + countLower(w, start, w->bucketStart[bucket + 1], listed.x);
     bool isStatic = t.x == 0.0f;
@@ -82,7 +82,7 @@ bool gatherCircle(const World *w, int i) {
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->id[slot] = listed.x;
-    w->memory[slot] = memory;
+    w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);

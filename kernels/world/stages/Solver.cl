@@ -86,13 +86,13 @@ kernel void solver_integratePositions(WORLD_PARAMETERS) {
     motion[slot] = m;
     traits[slot] = t;
     load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    memory[slot] = NONE;
+    firstCached[slot] = NONE;
 }
 
 // Stores a contact's impulse for the step to come.
 void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
-    w->old[c] = (int4)((int) w->key[c], as_int(normalImpulse), w->memory[pr.x], 0);
-    w->memory[pr.x] = c;
+    w->old[c] = (int4)((int) w->key[c], as_int(normalImpulse), w->firstCached[pr.x], 0);
+    w->firstCached[pr.x] = c;
 }
 
 // Measures a contact again, makes the relaxing pass over it, and sums up for what follows.
@@ -135,6 +135,6 @@ kernel void solver_finalizePositions(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     finalizePositions(&w, slot, circle[slot], motion[slot], traits[slot]);
-    homeMemory[slot] = memory[slot];
+    homeFirstCached[slot] = firstCached[slot];
     if (slot == 0) status[STEPS_DONE]++;
 }

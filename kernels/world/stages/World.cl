@@ -3,7 +3,7 @@
 // on entry; what a kernel does not use costs nothing. The host writes both, the structs StepConstants and Levels, and the numbers
 // of the words of status out of its tables: see the Java classes DeviceArray, StepParameters and StatusWord.
 //
-// The state between two steps is at home: circle, motion, traits, id, memory by slot, some slots empty (id -1). Stage Grid
+// The state between two steps is at home: circle, motion, traits, id, firstCached by slot, some slots empty (id -1). Stage Grid
 // copies it, sorted, into the working arrays; stage Solver ends the step by writing it home. A step that cannot be made as it
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 

@@ -255,7 +255,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             int slot = entry[n] & ENTRY_SLOT;
             bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
             noteWall(entries, i, entry[n], atWall);
-            if (subStep == 0) w->homeMemory[slot] = NONE;
+            if (subStep == 0) w->homeFirstCached[slot] = NONE;
         }
     }
 }
@@ -353,7 +353,7 @@ void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeMemory[p.x], c);
+    int next = atomic_xchg(&w->homeFirstCached[p.x], c);
     w->old[c] = (int4)(w->id[p.y], as_int(normalImpulse), next, 0);
 }
 

@@ -107,7 +107,7 @@ final class CommandsStage {
                 .arg(4, arrays.get(DeviceArray.HOME_MOTION))
                 .arg(5, arrays.get(DeviceArray.HOME_TRAITS))
                 .arg(6, arrays.get(DeviceArray.HOME_ID))
-                .arg(7, arrays.get(DeviceArray.HOME_MEMORY))
+                .arg(7, arrays.get(DeviceArray.HOME_FIRST_CACHED))
                 .arg(8, arrays.get(DeviceArray.SLOT_OF))
                 .run(count);
         return nextSlot;

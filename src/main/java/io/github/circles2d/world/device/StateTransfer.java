@@ -53,7 +53,7 @@ final class StateTransfer {
         circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
         motion = Readback.floats(arrays.get(DeviceArray.HOME_MOTION), FLOATS * slots);
         traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
-        memory = Readback.ints(arrays.get(DeviceArray.HOME_MEMORY), slots);
+        memory = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
         old = Readback.ints(arrays.get(DeviceArray.OLD), RememberedContact.STRIDE * remembered);
     }
@@ -146,7 +146,7 @@ final class StateTransfer {
         arrays.get(DeviceArray.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
-        arrays.get(DeviceArray.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
+        arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(memory));
         arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
         arrays.get(DeviceArray.OLD).write(0, IntBuffer.wrap(old));
     }

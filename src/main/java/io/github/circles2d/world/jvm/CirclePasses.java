@@ -185,7 +185,7 @@ final class CirclePasses {
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
             if (first) {
-                state.memory[slot] = -1;
+                state.firstCached[slot] = -1;
                 state.fresh[slot] = false;
             }
             if (w == 0f) {

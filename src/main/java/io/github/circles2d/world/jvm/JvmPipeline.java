@@ -145,7 +145,7 @@ public final class JvmPipeline implements Pipeline {
     public long hash() {
         long sum = state.hash();
         for (int slot = 0; slot < state.n; slot++) {
-            sum += contacts.memory().hash(slot);
+            sum += contacts.impulseCache().hash(slot);
         }
         return sum;
     }
@@ -203,7 +203,7 @@ public final class JvmPipeline implements Pipeline {
         for (int k = 0; k < into.circles; k++) {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
-            contacts.memory().save(slot, into);
+            contacts.impulseCache().save(slot, into);
         }
     }
 
@@ -211,7 +211,7 @@ public final class JvmPipeline implements Pipeline {
     public void makeRoom(SavedState from) {
         state.ensure(from.circles);
         state.ensureIds(from.ids);
-        contacts.memory().ensure(from.impulses);
+        contacts.impulseCache().ensure(from.impulses);
     }
 
     @Override

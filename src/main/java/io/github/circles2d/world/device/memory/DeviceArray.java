@@ -18,11 +18,11 @@ public enum DeviceArray {
             Index.HOME_SLOT,
             "inverse mass (0: static), restitution, wall impulse x, y (positive: lower wall)"),
     HOME_ID("int", "homeId", Index.HOME_SLOT, "NONE: empty"),
-    HOME_MEMORY(
+    HOME_FIRST_CACHED(
             "int",
-            "homeMemory",
+            "homeFirstCached",
             Index.HOME_SLOT,
-            "first remembered contact as the lower id; NONE; FRESH: its id's memories are not its own"),
+            "first entry in impulseCache as the lower id; NONE; FRESH: its id's entries are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
 
     // Stage Grid.
@@ -40,7 +40,7 @@ public enum DeviceArray {
     MOTION("float4", "motion", Index.SLOT, "as homeMotion"),
     TRAITS("float4", "traits", Index.SLOT, "as homeTraits"),
     ID("int", "id", Index.SLOT, "as homeId"),
-    MEMORY("int", "memory", Index.SLOT, "as homeMemory"),
+    FIRST_CACHED("int", "firstCached", Index.SLOT, "as homeFirstCached"),
     LOAD(
             "float4",
             "load",

@@ -20,7 +20,7 @@ final class WorldTables {
         commands(text);
         tileRecord(text);
         define(text, "NONE", "(" + RememberedContact.NONE + ")", "no slot, no id, no contact");
-        define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "a memory that is not its circle's own");
+        define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "cached impulses that are not its circle's own");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
