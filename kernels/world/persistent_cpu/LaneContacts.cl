@@ -152,10 +152,10 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
         ny = choose4(apart, ny, (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y));
     }
     float4 normalImpulse = zero;
-    normalImpulse.x = recall(w, i.x, j.x, ids[0]);
-    if (used > 1) normalImpulse.y = recall(w, i.y, j.y, ids[1]);
-    if (used > 2) normalImpulse.z = recall(w, i.z, j.z, ids[2]);
-    if (used > 3) normalImpulse.w = recall(w, i.w, j.w, ids[3]);
+    normalImpulse.x = warmStartImpulse(w, i.x, j.x, ids[0]);
+    if (used > 1) normalImpulse.y = warmStartImpulse(w, i.y, j.y, ids[1]);
+    if (used > 2) normalImpulse.z = warmStartImpulse(w, i.z, j.z, ids[2]);
+    if (used > 3) normalImpulse.w = warmStartImpulse(w, i.w, j.w, ids[3]);
     float4 vn = along4(nx, ny, mj.z - mi.z, mj.w - mi.w);
 
     global float4 *base = baseOf(w, bundle);

@@ -41,7 +41,7 @@ void integrateVelocitiesOfRow(const World *shared, int row) {
 }
 
 // Moves circles, keeps them within the walls, and makes the relaxing pass over the walls. first: forgets the impulses of the
-// step before, which have been recalled.
+// step before, which contacts have started with.
 void integratePositionsOfRow(const World *shared, int row, bool first) {
     World own = *shared;
     const World *w = &own;

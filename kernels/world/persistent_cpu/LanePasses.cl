@@ -60,7 +60,7 @@ INLINE void solveBundle(const World *w, int bundle) {
 // Stores the impulse of a contact for the step to come, where it presses. No branch: whether it does is hard to guess.
 INLINE void storeImpulseOfLane(const World *w, int place, int lo, int hi, float normalImpulse, int presses) {
     int before = w->firstCached[lo];
-    w->old[place] = (int4)(w->id[hi], as_int(normalImpulse), before, 0);
+    w->impulseCache[place] = cacheEntry(w->id[hi], normalImpulse, before);
     w->firstCached[lo] = presses ? place : before;
 }
 

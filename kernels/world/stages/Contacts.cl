@@ -296,18 +296,18 @@ void sortContacts(global ulong *key, global uint2 *pair, int size) {
 }
 
 // The impulse with which a contact ended the step before, or 0.
-float remembered(const World *w, int first, int hi) {
+float cachedImpulse(const World *w, int first, int higherId) {
     for (int c = first; c >= 0;) {
-        int4 old = w->old[c];
-        if (old.x == hi) return as_float(old.y);
-        c = old.z;
+        int4 entry = w->impulseCache[c];
+        if (entry.CACHED_HIGHER_ID == higherId) return as_float(entry.CACHED_IMPULSE);
+        c = entry.CACHED_NEXT;
     }
     return 0.0f;
 }
 
 // The same of a contact that starts a step; 0 if a circle is new.
-float recall(const World *w, uint lo, uint hi, ulong ids) {
-    return w->firstCached[hi] == FRESH ? 0.0f : remembered(w, w->firstCached[lo], (int) ids) * w->warmScale;
+float warmStartImpulse(const World *w, uint lo, uint hi, ulong ids) {
+    return w->firstCached[hi] == FRESH ? 0.0f : cachedImpulse(w, w->firstCached[lo], (int) ids) * w->warmScale;
 }
 
 // Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
@@ -344,7 +344,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) 
     float4 mj = w->motion[p.y];
     float4 n = (float4)(0.0f);
     if (!measureContact(b, mi, mj, &n)) n.xy = partingNormal(ids);
-    n.w = recall(w, p.x, p.y, ids);
+    n.w = warmStartImpulse(w, p.x, p.y, ids);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
     *carrying = carries(n.w, vn, restingLimit(n.z, restitutionThreshold(&w->k, b.z, b.w)));
     return n;

@@ -91,7 +91,7 @@ kernel void solver_integratePositions(WORLD_PARAMETERS) {
 
 // Stores a contact's impulse for the step to come.
 void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
-    w->old[c] = (int4)((int) w->key[c], as_int(normalImpulse), w->firstCached[pr.x], 0);
+    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, w->firstCached[pr.x]);
     w->firstCached[pr.x] = c;
 }
 

@@ -9,6 +9,15 @@
 
 #define NOT_FAST 2.0f // more than any time of impact
 
+// An entry of the impulse cache. next: the next one of the same circle of lower id, or NONE.
+int4 cacheEntry(int higherId, float normalImpulse, int next) {
+    int4 entry = (int4)(0);
+    entry.CACHED_HIGHER_ID = higherId;
+    entry.CACHED_IMPULSE = as_int(normalImpulse);
+    entry.CACHED_NEXT = next;
+    return entry;
+}
+
 // How an overlap is pushed out, which is softer than a rigid contact.
 typedef struct {
     float biasRate, massScale, impulseScale;

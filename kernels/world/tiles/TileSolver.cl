@@ -354,7 +354,7 @@ void storeHeldImpulse(const World *w, int c) {
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
     int next = atomic_xchg(&w->homeFirstCached[p.x], c);
-    w->old[c] = (int4)(w->id[p.y], as_int(normalImpulse), next, 0);
+    w->impulseCache[c] = cacheEntry(w->id[p.y], normalImpulse, next);
 }
 
 // Index space: any number of work-items, which take the contacts in turn.

@@ -55,7 +55,7 @@ final class StateTransfer {
         traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
         memory = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
-        old = Readback.ints(arrays.get(DeviceArray.OLD), RememberedContact.STRIDE * remembered);
+        old = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), RememberedContact.STRIDE * remembered);
     }
 
     long hash() {
@@ -148,6 +148,6 @@ final class StateTransfer {
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
         arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(memory));
         arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
-        arrays.get(DeviceArray.OLD).write(0, IntBuffer.wrap(old));
+        arrays.get(DeviceArray.IMPULSE_CACHE).write(0, IntBuffer.wrap(old));
     }
 }

@@ -111,11 +111,11 @@ public enum DeviceArray {
             "impulse",
             Index.TILED_CONTACT,
             "between the passes: accumulated impulse, target speed of a bounce"),
-    OLD(
+    IMPULSE_CACHE(
             "int4",
-            "old",
+            "impulseCache",
             Index.OLD_CONTACT,
-            "higher id, impulse, the next of the same circle of lower id or NONE; see RememberedContact"),
+            "id of the circle of higher id, impulse, the next of the same circle of lower id or NONE; see CACHED_HIGHER_ID"),
 
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
     TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl");

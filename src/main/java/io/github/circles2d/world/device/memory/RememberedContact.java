@@ -1,6 +1,6 @@
 package io.github.circles2d.world.device.memory;
 
-/** An entry of the impulse cache: an int4 of {@link DeviceArray#OLD}. */
+/** An entry of the impulse cache: an int4 of {@link DeviceArray#IMPULSE_CACHE}. */
 public final class RememberedContact {
     /** Ints of a contact. */
     public static final int STRIDE = 4;

@@ -21,6 +21,13 @@ final class WorldTables {
         tileRecord(text);
         define(text, "NONE", "(" + RememberedContact.NONE + ")", "no slot, no id, no contact");
         define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "cached impulses that are not its circle's own");
+        define(text, "CACHED_HIGHER_ID", "s" + RememberedContact.AT_HIGHER_ID, "of an entry of impulseCache");
+        define(text, "CACHED_IMPULSE", "s" + RememberedContact.AT_IMPULSE, "its bits");
+        define(
+                text,
+                "CACHED_NEXT",
+                "s" + RememberedContact.AT_NEXT,
+                "the next entry of the same circle of lower id, or NONE");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
