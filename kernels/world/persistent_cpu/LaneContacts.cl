@@ -208,7 +208,7 @@ void gatherRow(const World *shared, int row) {
 
 // How many contacts each circle had in the last step, into rank, which is all zeros. Index space: a row of groups a work-item,
 // no more than the level's. Cost: its contacts.
-kernel void lanes_degrees(WORLD_PARAMETERS) {
+kernel void persistentCpu_degrees(WORLD_PARAMETERS) {
     World w = WORLD;
     int row = (int) get_global_id(0);
     if (row >= levels->rowCount[levels->used[0]]) return;

@@ -117,7 +117,7 @@ void solveInPasses(const World *w, int rows) {
 
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
 // many there are; patience: how often to look for the others before the launch is called off.
-kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PARAMETERS, int steps, int groups,
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(WORLD_PARAMETERS, int steps, int groups,
                                                                         int patience) {
     World w = WORLD;
     Crew crew = {groups, (int) get_group_id(0)};

@@ -164,7 +164,7 @@ void solveAll(const World *w, local Tile *t) {
 }
 
 // Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
-kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
+kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles

@@ -119,8 +119,8 @@ class WorldOclgrindTest {
                         "solver_solve",
                         "solver_solveTile",
                         "continuousCollision_look",
-                        "resident_steps",
-                        "lanes_steps");
+                        "persistentGpu_steps",
+                        "persistentCpu_steps");
         return kernels;
     }
 }

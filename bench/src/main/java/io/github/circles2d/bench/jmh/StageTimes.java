@@ -62,7 +62,7 @@ public class StageTimes {
             case "Solver":
                 solverMicros += micros;
                 break;
-            case "Resident":
+            case "PersistentGpu":
                 residentMicros += micros;
                 break;
             default:

@@ -113,9 +113,13 @@ final class WorldTables {
         return grid;
     }
 
-    /** Result files keep the name that this stage had at first. */
+    /** Result files keep the names that two stages had at first. */
     private static String nameOf(String stage) {
-        return stage.equals("Sweep") ? "Continuous collision" : stage;
+        return switch (stage) {
+            case "Sweep" -> "Continuous collision";
+            case "Resident" -> "Persistent kernel";
+            default -> stage;
+        };
     }
 
     /** What is counted as a stage's bytes. */
@@ -123,7 +127,7 @@ final class WorldTables {
         Grid grid = Grid.ofProse("stage", "bytes a circle", "bytes a contact", "what is counted");
         for (WorldTraffic stage : WorldTraffic.STAGES) {
             grid.add(List.of(
-                    stage.stage(),
+                    nameOf(stage.stage()),
                     Integer.toString(stage.perCircle()),
                     Integer.toString(stage.perContact()),
                     stage.counted()));
