@@ -24,7 +24,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
                                         as_float(record[COMMAND_ADD_RESTITUTION]), 0.0f, 0.0f);
             homeId[slot] = circleId;
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             slotOf[circleId] = slot;
             fields[circleId] = initial;
             break;
@@ -44,14 +44,14 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             break;
         case COMMAND_RADIUS:
             homeCircle[slot].z = a;
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;
         case COMMAND_MASS:
             homeCircle[slot].w = a;
             homeTraits[slot].x = inverseMass(a);
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;

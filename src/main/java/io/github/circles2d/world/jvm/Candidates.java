@@ -113,15 +113,15 @@ final class Candidates {
 
     private int countIn(int slot, int from, int to) {
         float[] circle = state.circle;
-        float[] reach = grid.reach;
+        float[] speculativeDistance = grid.speculativeDistance;
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
-        float own = reach[slot];
+        float own = speculativeDistance[slot];
         int sum = 0;
         for (int other = from; other < to; other++) {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
-            int near = PairRule.isNear(dx, dy, own, reach[other]);
+            int near = PairRule.isNear(dx, dy, own, speculativeDistance[other]);
             if (near != 0 && other != slot && PairFilter.mayMeet(state, slot, other)) {
                 sum++;
             }

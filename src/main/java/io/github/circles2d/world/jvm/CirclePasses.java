@@ -151,7 +151,7 @@ final class CirclePasses {
         float[] traits = state.traits;
         float[] circle = state.circle;
         float[] load = state.load;
-        float[] leash = state.leash;
+        float[] clamp = state.motionClamp;
         float[] bounce = state.wallBounce;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
@@ -165,16 +165,16 @@ final class CirclePasses {
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
             if (w != 0f && dx * dx + dy * dy > 0f) {
-                float allowance = leash[s + ALLOWANCE];
+                float allowance = clamp[s + ALLOWANCE];
                 if (dx * dx + dy * dy > allowance * allowance) {
-                    float share = CircleMath.nearest(dx, dy, leash[s + PATH_X], leash[s + PATH_Y]);
-                    float offX = dx - share * leash[s + PATH_X];
-                    float offY = dy - share * leash[s + PATH_Y];
+                    float share = CircleMath.nearest(dx, dy, clamp[s + PATH_X], clamp[s + PATH_Y]);
+                    float offX = dx - share * clamp[s + PATH_X];
+                    float offY = dy - share * clamp[s + PATH_Y];
                     float off = CircleMath.norm(offX, offY);
                     if (off > allowance) {
                         float keep = allowance / off;
-                        dx = share * leash[s + PATH_X] + keep * offX;
-                        dy = share * leash[s + PATH_Y] + keep * offY;
+                        dx = share * clamp[s + PATH_X] + keep * offX;
+                        dy = share * clamp[s + PATH_Y] + keep * offY;
                     }
                 }
             }
@@ -185,7 +185,7 @@ final class CirclePasses {
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
             if (first) {
-                state.memory[slot] = -1;
+                state.firstCached[slot] = -1;
                 state.fresh[slot] = false;
             }
             if (w == 0f) {

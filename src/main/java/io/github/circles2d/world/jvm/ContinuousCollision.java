@@ -18,10 +18,10 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
 /**
- * Continuous collision (stage Sweep): keeps fast circles from passing through others. A circle is fast if its path in this step is
+ * Continuous collision: keeps fast circles from passing through others. A circle is fast if its path in this step is
  * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
  * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
- * ends where they touch. The motion clamp (leash) then holds every circle: a collision may lead it away from its path by at most
+ * ends where they touch. The motion clamp then holds every circle: a collision may lead it away from its path by at most
  * half its radius in this step.
  *
  * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
@@ -49,7 +49,7 @@ public final class ContinuousCollision {
     private final Team team;
 
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
-    private int[] share = new int[0];
+    private int[] timeOfImpact = new int[0];
 
     /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
     private float[] near = new float[0];
@@ -65,8 +65,8 @@ public final class ContinuousCollision {
     }
 
     void ensure() {
-        if (share.length < state.capacity()) {
-            share = new int[state.capacity()];
+        if (timeOfImpact.length < state.capacity()) {
+            timeOfImpact = new int[state.capacity()];
             near = new float[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
@@ -77,7 +77,7 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 8L * share.length + 4L * range.length;
+        return 8L * timeOfImpact.length + 4L * range.length;
     }
 
     void sweep(int worker) {
@@ -98,7 +98,7 @@ public final class ContinuousCollision {
             }
             team.sync(worker);
         }
-        leash(from, to);
+        setMotionClamps(from, to);
     }
 
     private boolean isFast(int slot) {
@@ -108,7 +108,7 @@ public final class ContinuousCollision {
 
     private void start(int from, int to) {
         for (int slot = from; slot < to; slot++) {
-            share[slot] = ONE;
+            timeOfImpact[slot] = ONE;
             near[slot] = 1f;
         }
     }
@@ -228,7 +228,7 @@ public final class ContinuousCollision {
         if (!CircleMath.mayPass(ux, uy, r, ro) || !PairFilter.mayMeet(state, slot, other)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0) {
+        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0) {
             near[slot] = CircleMath.least(CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro), near[slot]);
         } else if (grid.path[other] <= grid.path[slot] || !CircleMath.isFast(grid.path[other], ro)) {
             float t = CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro);
@@ -243,25 +243,25 @@ public final class ContinuousCollision {
 
     private void shorten(int slot, float t) {
         int bits = Float.floatToRawIntBits(t);
-        int seen = share[slot];
-        while (bits < seen && !INTS.compareAndSet(share, slot, seen, bits)) {
-            seen = (int) INTS.getVolatile(share, slot);
+        int seen = timeOfImpact[slot];
+        while (bits < seen && !INTS.compareAndSet(timeOfImpact, slot, seen, bits)) {
+            seen = (int) INTS.getVolatile(timeOfImpact, slot);
         }
     }
 
-    /** Lays the leashes. */
-    private void leash(int from, int to) {
-        float[] leash = state.leash;
+    /** Sets the motion clamps. */
+    private void setMotionClamps(int from, int to) {
+        float[] clamp = state.motionClamp;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = state.circle[s + RADIUS];
             float limit = CircleMath.least(CircleMath.travelShare(grid.path[slot], r), near[slot]);
-            float free = Float.intBitsToFloat(share[slot]);
+            float free = Float.intBitsToFloat(timeOfImpact[slot]);
             boolean stopped = free < limit;
             float kept = stopped ? free : limit;
-            leash[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
-            leash[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
-            leash[s + ALLOWANCE] = stopped ? 0f : Tuning.LEASH * r;
+            clamp[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
+            clamp[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
+            clamp[s + ALLOWANCE] = stopped ? 0f : Tuning.CLAMP_ALLOWANCE * r;
         }
     }
 }

@@ -41,7 +41,7 @@ public final class Grid {
     int[] bucketOf = new int[0];
 
     /** By slot: how far the circle looks for contacts. */
-    float[] reach = new float[0];
+    float[] speculativeDistance = new float[0];
 
     /** By slot: length of what the circle would move in the step. */
     float[] path = new float[0];
@@ -71,7 +71,7 @@ public final class Grid {
             rank = new int[c];
             order = new int[c];
             bucketOf = new int[c];
-            reach = new float[c];
+            speculativeDistance = new float[c];
             path = new float[c];
             level = new byte[c];
         }
@@ -177,15 +177,15 @@ public final class Grid {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
-            boolean fixed = state.traits[s + INVERSE_MASS] == 0f;
-            float px = CircleMath.plan(motion[s + VX], constants.dt, fixed ? 0f : constants.fallX);
-            float py = CircleMath.plan(motion[s + VY], constants.dt, fixed ? 0f : constants.fallY);
+            boolean isStatic = state.traits[s + INVERSE_MASS] == 0f;
+            float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
+            float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
             plan[2 * slot] = px;
             plan[2 * slot + 1] = py;
             level[slot] = (byte) levels.level(r);
             path[slot] = CircleMath.norm(px, py);
-            reach[slot] = CircleMath.reach(r, path[slot]);
-            some |= !fixed && CircleMath.isFast(path[slot], r);
+            speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
+            some |= !isStatic && CircleMath.isFast(path[slot], r);
         }
         if (some) {
             fast = true;

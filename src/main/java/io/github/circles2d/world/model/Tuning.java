@@ -17,7 +17,7 @@ public final class Tuning {
     public static final float SWEEP_RATIO = 16f;
 
     /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
-    public static final float LEASH = 0.5f;
+    public static final float CLAMP_ALLOWANCE = 0.5f;
 
     /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
     public static final int CROWD = 32;
