@@ -145,14 +145,14 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a circle is fast: it moves farther than its radius in a step, so it might pass through another unseen.
+     * Whether a circle is fast: it moves farther in a step than its reach covers, so it might come upon another unseen.
      *
      * @param path length of what it moves in a step
      * @param r radius
      * @return true where it is
      */
     public static boolean isFast(float path, float r) {
-        return path > r;
+        return path > Tuning.CAP * r;
     }
 
     /**
@@ -168,7 +168,7 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a fast circle looks out for another: not for one so much smaller that it would push it aside.
+     * Whether a fast circle looks out for another that is not static: not for one so much smaller that it would push it aside.
      *
      * @param r radius of the fast circle
      * @param other radius of the other
@@ -179,18 +179,15 @@ public final class CircleMath {
     }
 
     /**
-     * Whether two circles could pass through each other: they move against each other by more than half the sum of their
-     * radii, and neither is much smaller.
+     * Whether two circles move against each other by more than a number of mean radii.
      *
      * @param ux motion of the first minus that of the second
      * @param uy motion of the first minus that of the second
-     * @param r radius of the fast circle
-     * @param other radius of the other
-     * @return true where they could
+     * @param length the length
+     * @return true where they do
      */
-    public static boolean mayPass(float ux, float uy, float r, float other) {
-        float half = 0.5f * (r + other);
-        return ux * ux + uy * uy > half * half && sweeps(r, other);
+    public static boolean isLonger(float ux, float uy, float length) {
+        return ux * ux + uy * uy > length * length;
     }
 
     /**
@@ -233,6 +230,21 @@ public final class CircleMath {
             return 2f;
         }
         return greatest(c, 0f) / (b + (float) Math.sqrt(disc));
+    }
+
+    /**
+     * When two circles touch that move evenly, if they come closer than a graze; else as {@link #timeOfTouch}.
+     *
+     * @param dx second position minus first
+     * @param dy second position minus first
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param sum sum of the radii
+     * @return the share, at least 0; 1 or more where they do not within their motion
+     */
+    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
+        float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
+        return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
     }
 
     /**
