@@ -176,12 +176,13 @@ final class CirclePasses {
                 } else {
                     float kept = leash[s + KEPT];
                     if (allowance < 0f) {
-                        float along = CircleMath.along(dx, dy, pathX, pathY) / CircleMath.along(pathX, pathY, pathX, pathY);
+                        float along =
+                                CircleMath.along(dx, dy, pathX, pathY) / CircleMath.along(pathX, pathY, pathX, pathY);
                         if (along > kept) {
                             dx -= (along - kept) * pathX;
                             dy -= (along - kept) * pathY;
                         }
-                        allowance = -allowance;
+                        allowance = along > 0f ? -Tuning.ASIDE * allowance : -allowance;
                     }
                     float share = CircleMath.least(CircleMath.nearest(dx, dy, pathX, pathY), kept);
                     float offX = dx - share * pathX;

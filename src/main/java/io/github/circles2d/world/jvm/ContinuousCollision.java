@@ -12,6 +12,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -101,7 +102,7 @@ public final class ContinuousCollision {
             layFree(from, to);
             return;
         }
-        start(from, to);
+        start(from, to, constants);
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
@@ -131,11 +132,26 @@ public final class ContinuousCollision {
         return grid.path[slot] > leastPath(slot);
     }
 
-    private void start(int from, int to) {
+    /** The share of its path after which a circle touches a wall; 1 if the path is not longer than its radius. */
+    private float timeOfWalls(int slot, StepConstants k) {
+        int s = CircleRow.of(slot);
+        float r = state.circle[s + RADIUS];
+        if (isStatic(slot) || !(grid.path[slot] > r)) {
+            return 1f;
+        }
+        Bounds b = k.bounds;
+        float px = state.plan[CircleRow.vector(slot) + X];
+        float py = state.plan[CircleRow.vector(slot) + Y];
+        float tx = CircleMath.timeOfWall(state.circle[s + X], px, r, b.minX(), b.maxX());
+        float ty = CircleMath.timeOfWall(state.circle[s + Y], py, r, b.minY(), b.maxY());
+        return CircleMath.greatest(CircleMath.least(tx, ty), 0f);
+    }
+
+    private void start(int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
-            share[slot] = ONE;
+            share[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
             near[slot] = 1f;
-            allowance[slot] = Tuning.LEASH * state.circle[CircleRow.of(slot) + RADIUS];
+            allowance[slot] = Float.POSITIVE_INFINITY;
             pusher[slot] = NOBODY;
         }
     }
@@ -264,6 +280,9 @@ public final class ContinuousCollision {
         }
         float dx = circle[o + X] - circle[s + X];
         float dy = circle[o + Y] - circle[s + Y];
+        if (stands && PairRule.isNear(dx, dy, r + r, ro) != 0) {
+            restrain(slot, Tuning.LEASH * r, allowance[slot] < 0f);
+        }
         boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
         if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0
                 && !carries
@@ -274,9 +293,10 @@ public final class ContinuousCollision {
         if (!(t < 1f)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, CircleMath.reach(r, 0f), CircleMath.reach(ro, 0f)) != 0 && !carries) {
+        float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
+        if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
             if (!pushes && !forPushers) {
-                hold(slot, t, stands ? r : CircleMath.least(r, ro), stands);
+                hold(slot, t, stands ? Tuning.LEASH * r : CircleMath.least(r, ro), stands);
             }
         } else if (forPushers) {
             if (pushes && share[other] == Float.floatToRawIntBits(t)) {
@@ -303,9 +323,12 @@ public final class ContinuousCollision {
 
     private void hold(int slot, float t, float r, boolean stands) {
         near[slot] = CircleMath.least(t, near[slot]);
-        boolean stood = allowance[slot] < 0f;
-        float most = CircleMath.least(Tuning.LEASH * r, Math.abs(allowance[slot]));
-        allowance[slot] = stands || stood ? -most : most;
+        restrain(slot, r, stands || allowance[slot] < 0f);
+    }
+
+    private void restrain(int slot, float most, boolean stands) {
+        float least = CircleMath.least(most, Math.abs(allowance[slot]));
+        allowance[slot] = stands ? -least : least;
     }
 
     private void push(int slot, int pushed) {
@@ -344,10 +367,10 @@ public final class ContinuousCollision {
             float px = plan[CircleRow.vector(slot) + X];
             float py = plan[CircleRow.vector(slot) + Y];
             float free = Float.intBitsToFloat(share[slot]);
-            float allowed = allowance[slot];
+            float r = state.circle[s + RADIUS];
             float kept = near[slot];
+            float allowed = kept < 1f ? allowance[slot] : Tuning.LEASH * r;
             if (free < kept) {
-                float r = state.circle[s + RADIUS];
                 float rest = 1f - free;
                 px = free * px;
                 py = free * py;

@@ -8,6 +8,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -186,6 +187,12 @@ public final class Grid {
             float px = CircleMath.plan(motion[s + VX], constants.dt, fixed ? 0f : constants.fallX);
             float py = CircleMath.plan(motion[s + VY], constants.dt, fixed ? 0f : constants.fallY);
             float length = CircleMath.norm(px, py);
+            if (!fixed && length > r) {
+                Bounds b = constants.bounds;
+                px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
+                py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
+                length = CircleMath.norm(px, py);
+            }
             float share = fixed ? 1f : CircleMath.travelShare(length, r);
             plan[2 * slot] = share * px;
             plan[2 * slot + 1] = share * py;

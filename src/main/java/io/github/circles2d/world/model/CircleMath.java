@@ -156,6 +156,37 @@ public final class CircleMath {
     }
 
     /**
+     * A component of a path, without what leads into a wall that the circle is at.
+     *
+     * @param x coordinate
+     * @param p component of the path
+     * @param r radius
+     * @param min lower wall
+     * @param max upper wall
+     * @return the component, or 0
+     */
+    public static float besideWalls(float x, float p, float r, float min, float max) {
+        float slack = r + Tuning.MARGIN * r;
+        return p < 0f && x - min < slack || p > 0f && max - x < slack ? 0f : p;
+    }
+
+    /**
+     * The share of a component of its path after which a circle touches a wall.
+     *
+     * @param x coordinate
+     * @param p component of the path
+     * @param r radius
+     * @param min lower wall
+     * @param max upper wall
+     * @return the share, 1 where it does not
+     */
+    public static float timeOfWall(float x, float p, float r, float min, float max) {
+        float low = (min + r) - x;
+        float high = (max - r) - x;
+        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
+    }
+
+    /**
      * The share of its path that a circle goes at most.
      *
      * @param path length of what it moves in a step
