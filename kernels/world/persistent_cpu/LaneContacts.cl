@@ -1,31 +1,31 @@
 // uses: world/shared/Contact.cl*4 world/stages/Contacts.cl
-// Contacts in bundles of four, a lane each, that share no circle: what one does to its circles none of the others sees, so that
-// a processor can work on all four at a time, in the bits of one after the other.
+// A wide contact is four contacts, a lane each, that share no circle: what one does to its circles none of the others sees,
+// so that a processor can work on all four at a time, in the bits of one after the other.
 //
-// A bundle lies in the buffers of four contacts, word by word, four lanes a word. A lane that is not used stands at the
+// A wide contact lies in the buffers of four contacts, word by word, four lanes a word. A lane that is not used stands at the
 // lower circle of lane 0 in place of both of its own, and has no mass, impulse or bounce: what it adds is 0, and what it writes
 // is overwritten by lane 0, which is always used and always written last.
 
 #define UNUSED_LANES (1.0f) // distance of the bases in a lane that is not used: a gap
 
 // Difference of the bases x, y, sum of the radii, restitution.
-global float4 *baseOf(const World *w, int bundle) { return w->base + 4 * bundle; }
+global float4 *baseOf(const World *w, int wide) { return w->base + 4 * wide; }
 
 // Inverse masses, greatest push-out speed, target speed of a bounce.
-global float4 *massesOf(const World *w, int bundle) { return w->masses + 4 * bundle; }
+global float4 *massesOf(const World *w, int wide) { return w->masses + 4 * wide; }
 
 // Normal x, y, separation, accumulated impulse.
-global float4 *stateOf(const World *w, int bundle) { return w->contact + 4 * bundle; }
+global float4 *stateOf(const World *w, int wide) { return w->contact + 4 * wide; }
 
 // Effective mass, square of the bounce threshold; in place of keys, which are not needed once a contact is filled.
-global float4 *shapeOf(const World *w, int bundle) { return (global float4 *) w->key + 2 * bundle; }
+global float4 *shapeOf(const World *w, int wide) { return (global float4 *) w->key + 2 * wide; }
 
 // Working slots: those of lower id, those of higher id.
-global uint *pairOf(const World *w, int bundle) { return (global uint *) w->pair + 8 * bundle; }
+global uint *pairOf(const World *w, int wide) { return (global uint *) w->pair + 8 * wide; }
 
-// The slots of a bundle's circles of lower id (0) or higher (1), read one by one, as they are used.
-INLINE uint4 slotsOf(const World *w, int bundle, int higher) {
-    global const uint *pair = pairOf(w, bundle) + 4 * higher;
+// The slots of a wide contact's circles of lower id (0) or higher (1), read one by one, as they are used.
+INLINE uint4 slotsOf(const World *w, int wide, int higher) {
+    global const uint *pair = pairOf(w, wide) + 4 * higher;
     return (uint4)(pair[0], pair[1], pair[2], pair[3]);
 }
 
@@ -68,7 +68,7 @@ INLINE Halves takeHalves(global const float4 *from, uint4 at, int half_) {
     return h;
 }
 
-// Writes halves of the lower and higher circles of a bundle, lane 0 last.
+// Writes halves of the lower and higher circles of a wide contact, lane 0 last.
 INLINE void giveHalves(global float4 *to, uint4 i, uint4 j, const Halves *lower, const Halves *higher,
                        int half_) {
     vstore2((float2)(lower->b.z, lower->b.w), 0, halfOf(to, i.w, half_));
@@ -102,8 +102,8 @@ INLINE float4 firstOf(const Halves *h) { return (float4)(h->a.x, h->a.z, h->b.x,
 
 INLINE float4 secondOf(const Halves *h) { return (float4)(h->a.y, h->a.w, h->b.y, h->b.w); }
 
-// Adds to the sums of a bundle's circles: impulses x, y (to those of lower id, taken away), z and w. Sums are never -0, so adding
-// any zero changes none. Returns the greatest of each component afterwards.
+// Adds to the sums of a wide contact's circles: impulses x, y (to those of lower id, taken away), z and w. Sums are never -0,
+// so adding any zero changes none. Returns the greatest of each component afterwards.
 INLINE float4 addToLoads(const World *w, uint4 i, uint4 j, float4 x, float4 y, float4 z, float4 ww) {
     float4 away = (float4)(-1.0f, -1.0f, 1.0f, 1.0f);
     float4 a = (float4)(x.x, y.x, z.x, ww.x), b = (float4)(x.y, y.y, z.y, ww.y);
@@ -119,9 +119,10 @@ INLINE float4 addToLoads(const World *w, uint4 i, uint4 j, float4 x, float4 y, f
     return greatest4(most, load[j.w] += d);
 }
 
-// Fills a bundle, as fillContact does a contact, but for the sums of impulses. ids, slots: of the lower id above that of the
-// higher; used: how many of the four. Until the first biased pass, the word for the bounce says whether the contact carries.
-void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots, int used) {
+// Fills a wide contact, as fillContact does a contact, but for the sums of impulses. ids, slots: of the lower id above that
+// of the higher; used: how many of the four. Until the first biased pass, the word for the bounce says whether the contact
+// carries.
+void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, int used) {
     int4 lane = (int4)(0, 1, 2, 3);
     int4 real = lane < (int4)(used);
     uint first = (uint) (slots[0] >> 32);
@@ -152,49 +153,49 @@ void fillBundle(const World *w, int bundle, const ulong *ids, const ulong *slots
         ny = choose4(apart, ny, (float4)(normal[0].y, normal[1].y, normal[2].y, normal[3].y));
     }
     float4 normalImpulse = zero;
-    normalImpulse.x = recall(w, i.x, j.x, ids[0]);
-    if (used > 1) normalImpulse.y = recall(w, i.y, j.y, ids[1]);
-    if (used > 2) normalImpulse.z = recall(w, i.z, j.z, ids[2]);
-    if (used > 3) normalImpulse.w = recall(w, i.w, j.w, ids[3]);
+    normalImpulse.x = warmStartImpulse(w, i.x, j.x, ids[0]);
+    if (used > 1) normalImpulse.y = warmStartImpulse(w, i.y, j.y, ids[1]);
+    if (used > 2) normalImpulse.z = warmStartImpulse(w, i.z, j.z, ids[2]);
+    if (used > 3) normalImpulse.w = warmStartImpulse(w, i.w, j.w, ids[3]);
     float4 vn = along4(nx, ny, mj.z - mi.z, mj.w - mi.w);
 
-    global float4 *base = baseOf(w, bundle);
+    global float4 *base = baseOf(w, wide);
     base[0] = ex;
     base[1] = ey;
     base[2] = sum;
     base[3] = e;
-    global float4 *masses = massesOf(w, bundle);
+    global float4 *masses = massesOf(w, wide);
     masses[0] = wi;
     masses[1] = wj;
     masses[2] = maxPushSpeed4(&w->k, sum);
     masses[3] = choose4(real && carries4(normalImpulse, vn, restingLimit4(s, threshold)), (float4)(1.0f), zero);
-    global float4 *contact = stateOf(w, bundle);
+    global float4 *contact = stateOf(w, wide);
     contact[0] = nx;
     contact[1] = ny;
     contact[2] = s;
     contact[3] = normalImpulse;
-    global float4 *shape = shapeOf(w, bundle);
+    global float4 *shape = shapeOf(w, wide);
     shape[0] = choose4(real, effectiveMass4(wi, wj), zero);
     shape[1] = threshold;
-    vstore4(i, 0, pairOf(w, bundle));
-    vstore4(j, 1, pairOf(w, bundle));
+    vstore4(i, 0, pairOf(w, wide));
+    vstore4(j, 1, pairOf(w, wide));
 }
 
-// Adds the impulses of a bundle to the sums of its circles, marks as loaded those where they carry, and counts candidates: in
-// one level, a circle's contacts. Returns whether a circle has too many.
-INLINE bool gatherBundle(const World *w, int bundle) {
-    global const float4 *contact = stateOf(w, bundle);
+// Adds the impulses of a wide contact to the sums of its circles, marks as loaded those where they carry, and counts
+// candidates: in one level, a circle's contacts. Returns whether a circle has too many.
+INLINE bool gatherWide(const World *w, int wide) {
+    global const float4 *contact = stateOf(w, wide);
     float4 normalImpulse = contact[3], one = (float4)(1.0f);
-    int4 used = shapeOf(w, bundle)[0] > 0.0f;
-    float4 most = addToLoads(w, slotsOf(w, bundle, 0), slotsOf(w, bundle, 1), contact[0] * normalImpulse,
-                             contact[1] * normalImpulse, choose4(used, one, (float4)(0.0f)), massesOf(w, bundle)[3]);
+    int4 used = shapeOf(w, wide)[0] > 0.0f;
+    float4 most = addToLoads(w, slotsOf(w, wide, 0), slotsOf(w, wide, 1), contact[0] * normalImpulse,
+                             contact[1] * normalImpulse, choose4(used, one, (float4)(0.0f)), massesOf(w, wide)[3]);
     return most.z > (float) CROWD;
 }
 
-// The bundles of a row of groups lie in one piece; where, is kept where other plans count the contacts of groups.
-void noteRow(const World *w, int row, int firstBundle, int endBundle) {
-    w->groupStart[2 * row] = firstBundle;
-    w->groupStart[2 * row + 1] = endBundle;
+// The wide contacts of a row of groups lie in one piece; where, is kept where other plans count the contacts of groups.
+void noteRow(const World *w, int row, int firstWide, int endWide) {
+    w->groupStart[2 * row] = firstWide;
+    w->groupStart[2 * row + 1] = endWide;
 }
 
 void gatherRow(const World *shared, int row) {
@@ -202,20 +203,20 @@ void gatherRow(const World *shared, int row) {
     const World *w = &own;
     int end = w->groupStart[2 * row + 1];
     bool crowded = false;
-    for (int bundle = w->groupStart[2 * row]; bundle < end; bundle++) crowded |= gatherBundle(w, bundle);
+    for (int wide = w->groupStart[2 * row]; wide < end; wide++) crowded |= gatherWide(w, wide);
     if (crowded) w->status[CROWDED] = 1;
 }
 
 // How many contacts each circle had in the last step, into rank, which is all zeros. Index space: a row of groups a work-item,
 // no more than the level's. Cost: its contacts.
-kernel void lanes_degrees(WORLD_PARAMETERS) {
+kernel void persistentCpu_degrees(WORLD_PARAMETERS) {
     World w = WORLD;
     int row = (int) get_global_id(0);
     if (row >= levels->rowCount[levels->used[0]]) return;
     for (int place = 4 * groupStart[2 * row]; place < 4 * groupStart[2 * row + 1]; place++) {
-        int bundle = place >> 2;
-        uint lo = pairOf(&w, bundle)[place & 3];
-        uint hi = pairOf(&w, bundle)[4 + (place & 3)];
+        int wide = place >> 2;
+        uint lo = pairOf(&w, wide)[place & 3];
+        uint hi = pairOf(&w, wide)[4 + (place & 3)];
         if (lo == hi) continue;
         atomic_inc(&rank[lo]);
         atomic_inc(&rank[hi]);

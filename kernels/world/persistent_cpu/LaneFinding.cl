@@ -1,8 +1,8 @@
 // uses: world/shared/PairRule.cl*4 world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
-// Finds the contacts of a row of groups and lays them out in bundles. A group finds the pairs whose lesser column and lesser
-// row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of the same
-// parity of columns share no circle: their contacts, each group's in order, are dealt to bundles in turn. The more groups are
-// dealt together, the fewer lanes stay empty.
+// Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
+// lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
+// the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
+// more groups are dealt together, the fewer lanes stay empty.
 
 #define HITS 512            // pairs of one group; what is more crowded goes the way of crowds
 #define DEALT_TOGETHER 64   // groups
@@ -10,13 +10,13 @@
 
 // What a work-group looks for contacts with.
 typedef struct {
-    global const float *x, *y, *reach; // by working slot
+    global const float *x, *y, *speculativeDistance; // by working slot
     ulong hit[HITS + 4];               // of the group: slot above slot
     ulong ids[GATHERED], slots[GATHERED]; // of groups that are dealt together, by group and in order; lower id's first
     int gathered;
     int start[DEALT_TOGETHER + 1];
     int groups;
-    int bundle, endBundle; // where the next bundle goes, and where there is no more room
+    int wide, endWide; // where the next wide contact goes, and where there is no more room
     int contacts;
     bool crowded;
 } Search;
@@ -24,7 +24,7 @@ typedef struct {
 // Where circles are noted for the search, component by component: arrays that stage Grid is done with.
 global float *searchX(const World *w) { return (global float *) w->bucketBefore; }
 global float *searchY(const World *w) { return (global float *) w->rank; }
-global float *searchReach(const World *w) { return (global float *) w->bucketOf; }
+global float *searchSpeculativeDistance(const World *w) { return (global float *) w->bucketOf; }
 
 // Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
 // whether there are. Returns how many pairs of the group there are then.
@@ -35,13 +35,13 @@ INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
     }
     float x = f->x[slot];
     float y = f->y[slot];
-    float reach = f->reach[slot];
+    float speculativeDistance = f->speculativeDistance[slot];
     ulong high = (ulong) slot << 32;
     int other = from;
     do {
         float4 dx = vload4(0, f->x + other) - x;
         float4 dy = vload4(0, f->y + other) - y;
-        float4 limit = reach + vload4(0, f->reach + other);
+        float4 limit = speculativeDistance + vload4(0, f->speculativeDistance + other);
         int4 hit = isNear4(dx, dy, limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
         // Whether a pair is near is as good as random: no branch.
         f->hit[hits] = high | other;
@@ -88,8 +88,8 @@ INLINE void gatherHits(const World *w, Search *f, int hits) {
     if (count > from) f->start[++f->groups] = count;
 }
 
-// Deals what has been gathered to bundles: the first contact of each group, then the second of each. A bundle may hold the end
-// of one round and the start of the next, as long as so many groups are left that none of them is in it twice.
+// Deals what has been gathered to wide contacts: the first contact of each group, then the second of each. A wide contact may
+// hold the end of one round and the start of the next, as long as so many groups are left that none of them is in it twice.
 void deal(const World *w, Search *f) {
     int next[DEALT_TOGETHER], end[DEALT_TOGETHER];
     int open = f->groups;
@@ -110,8 +110,8 @@ void deal(const World *w, Search *f) {
             end[left] = last;
             left += from + 1 < last;
             if (lanes == 4 || (g == open - 1 && left < 4)) {
-                if (f->bundle < f->endBundle) fillBundle(w, f->bundle, ids, slots, lanes);
-                f->bundle++;
+                if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
+                f->wide++;
                 lanes = 0;
             }
         }
@@ -155,7 +155,7 @@ INLINE int findGroup(const World *w, Search *f, int row, int column) {
 void findRow(const World *shared, Search *f, int row) {
     World own = *shared;
     const World *w = &own;
-    int first = f->bundle;
+    int first = f->wide;
     Cells cells = cellsOf(w, row);
     // A row without circles has no groups with contacts: an arena that is smaller than its torus leaves many empty.
     int columns = cells.from < cells.to ? w->levels->columnCount[w->levels->used[0]] : 0;
@@ -166,5 +166,5 @@ void findRow(const World *shared, Search *f, int row) {
             if (full || column + 2 >= columns) deal(w, f);
         }
     }
-    noteRow(w, row, min(first, f->endBundle), min(f->bundle, f->endBundle));
+    noteRow(w, row, min(first, f->endWide), min(f->wide, f->endWide));
 }

@@ -1,7 +1,7 @@
-// uses: world/stages/Grid.cl world/stages/Sweep.cl
+// uses: world/stages/Grid.cl world/stages/ContinuousCollision.cl
 // uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
-// Stages Grid and Sweep by a few work-groups that meet: what Grid.cl and Sweep.cl do to a bucket or a circle, each work-group
-// for its part of all; and the bands of rows into which the circles are divided from there on.
+// Stages Grid and ContinuousCollision by a few work-groups that meet: what Grid.cl and ContinuousCollision.cl do to a bucket or
+// a circle, each work-group for its part of all; and the bands of rows into which the circles are divided from there on.
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
 
@@ -94,10 +94,10 @@ void sumUp(const World *w, const Crew *crew) {
 }
 
 // Notes a circle for the search for contacts.
-void noteForSearch(const World *w, int slot, float x, float y, float reach) {
+void noteForSearch(const World *w, int slot, float x, float y, float speculativeDistance) {
     searchX(w)[slot] = x;
     searchY(w)[slot] = y;
-    searchReach(w)[slot] = reach;
+    searchSpeculativeDistance(w)[slot] = speculativeDistance;
 }
 
 // Stage Grid. Leaves it to a meeting that others see what the last part has written.
@@ -135,7 +135,7 @@ Band sortCircles(World *w, const Crew *crew) {
     return band;
 }
 
-// Stage Sweep, where some circle is fast.
+// Stage ContinuousCollision, where some circle is fast.
 void sweepCircles(World *w, const Crew *crew) {
     w->k.sweeping = w->status[FAST];
     if (!w->k.sweeping) return;
@@ -145,5 +145,5 @@ void sweepCircles(World *w, const Crew *crew) {
         if (looksAhead(w, slot)) lookAhead(w, slot);
     }
     awaitCrew(w, crew);
-    EACH_OF_PART(slot, w->circles, crew) layLeash(w, slot);
+    EACH_OF_PART(slot, w->circles, crew) setMotionClamp(w, slot);
 }

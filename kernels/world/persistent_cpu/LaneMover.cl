@@ -41,7 +41,7 @@ void integrateVelocitiesOfRow(const World *shared, int row) {
 }
 
 // Moves circles, keeps them within the walls, and makes the relaxing pass over the walls. first: forgets the impulses of the
-// step before, which have been recalled.
+// step before, which contacts have started with.
 void integratePositionsOfRow(const World *shared, int row, bool first) {
     World own = *shared;
     const World *w = &own;
@@ -62,7 +62,7 @@ void integratePositionsOfRow(const World *shared, int row, bool first) {
             w->traits[slot] = t;
         }
         w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-        if (first) w->memory[slot] = NONE;
+        if (first) w->firstCached[slot] = NONE;
     }
 }
 
@@ -73,6 +73,6 @@ void finishRow(const World *shared, int row) {
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
         finalizePositions(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
-        w->homeMemory[slot] = w->memory[slot];
+        w->homeFirstCached[slot] = w->firstCached[slot];
     }
 }

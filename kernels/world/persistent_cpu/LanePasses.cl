@@ -1,8 +1,8 @@
 // uses: world/persistent_cpu/LaneContacts.cl
-// The passes over bundles of contacts (LaneContacts.cl): four at a time.
+// The passes over wide contacts (LaneContacts.cl).
 
-// Applies impulses p along normals to the velocities of a bundle's circles, in those lanes that move. Taking +0 away and adding -0
-// change no bit of the others.
+// Applies impulses p along normals to the velocities of a wide contact's circles, in those lanes that move. Taking +0 away
+// and adding -0 change no bit of the others.
 INLINE void apply(const World *w, uint4 i, uint4 j, const Halves *vi, const Halves *vj, float4 nx, float4 ny, float4 wi,
                   float4 wj, float4 p, int4 leaves) {
     float4 none = (float4)(0.0f);
@@ -21,24 +21,24 @@ INLINE int4 someLoaded(const World *w, uint4 i, uint4 j) {
     return lower + higher > 0.0f;
 }
 
-// The contacts of a bundle as a pass finds them.
-INLINE Found4 foundBundle(const World *w, int bundle, int4 loaded) {
+// The contacts of a wide contact as a pass finds them.
+INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     Found4 f;
-    f.separation = stateOf(w, bundle)[2];
-    f.restitution = baseOf(w, bundle)[3];
-    f.threshold = shapeOf(w, bundle)[1];
-    f.mass = shapeOf(w, bundle)[0];
-    f.normalImpulse = stateOf(w, bundle)[3];
+    f.separation = stateOf(w, wide)[2];
+    f.restitution = baseOf(w, wide)[3];
+    f.threshold = shapeOf(w, wide)[1];
+    f.mass = shapeOf(w, wide)[0];
+    f.normalImpulse = stateOf(w, wide)[3];
     f.loaded = loaded;
     return f;
 }
 
-// The biased pass over a bundle.
-INLINE void solveBundle(const World *w, int bundle) {
-    uint4 i = slotsOf(w, bundle, 0);
-    uint4 j = slotsOf(w, bundle, 1);
-    global float4 *masses = massesOf(w, bundle);
-    global float4 *contact = stateOf(w, bundle);
+// The biased pass over a wide contact.
+INLINE void solveWide(const World *w, int wide) {
+    uint4 i = slotsOf(w, wide, 0);
+    uint4 j = slotsOf(w, wide, 1);
+    global float4 *masses = massesOf(w, wide);
+    global float4 *contact = stateOf(w, wide);
     Halves vi = takeHalves(w->motion, i, ZW);
     Halves vj = takeHalves(w->motion, j, ZW);
     Halves relative = halvesMinus(&vj, &vi);
@@ -47,7 +47,7 @@ INLINE void solveBundle(const World *w, int bundle) {
     Halves relativeBefore = halvesMinus(&uj, &ui);
     float4 nx = contact[0], ny = contact[1];
     float4 before = along4(nx, ny, firstOf(&relativeBefore), secondOf(&relativeBefore));
-    Found4 found = foundBundle(w, bundle, someLoaded(w, i, j));
+    Found4 found = foundWide(w, wide, someLoaded(w, i, j));
     Ready4 ready;
     makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, masses[2], before, &ready);
     Visited4 visited;
@@ -59,18 +59,18 @@ INLINE void solveBundle(const World *w, int bundle) {
 
 // Stores the impulse of a contact for the step to come, where it presses. No branch: whether it does is hard to guess.
 INLINE void storeImpulseOfLane(const World *w, int place, int lo, int hi, float normalImpulse, int presses) {
-    int before = w->memory[lo];
-    w->old[place] = (int4)(w->id[hi], as_int(normalImpulse), before, 0);
-    w->memory[lo] = presses ? place : before;
+    int before = w->firstCached[lo];
+    w->impulseCache[place] = cacheEntry(w->id[hi], normalImpulse, before);
+    w->firstCached[lo] = presses ? place : before;
 }
 
-// Measures a bundle again. This needs no velocities, so it runs ahead of what changes those: roots and divisions take long, but
-// those of several bundles at a time hardly longer.
-INLINE void measureBundle(const World *w, int bundle) {
-    uint4 i = slotsOf(w, bundle, 0);
-    uint4 j = slotsOf(w, bundle, 1);
-    global const float4 *base = baseOf(w, bundle);
-    global float4 *contact = stateOf(w, bundle);
+// Measures a wide contact again. This needs no velocities, so it runs ahead of what changes those: roots and divisions take
+// long, but those of several wide contacts at a time hardly longer.
+INLINE void measureWide(const World *w, int wide) {
+    uint4 i = slotsOf(w, wide, 0);
+    uint4 j = slotsOf(w, wide, 1);
+    global const float4 *base = baseOf(w, wide);
+    global float4 *contact = stateOf(w, wide);
     Halves di = takeHalves(w->motion, i, XY);
     Halves dj = takeHalves(w->motion, j, XY);
     Halves moved = halvesMinus(&dj, &di);
@@ -81,18 +81,18 @@ INLINE void measureBundle(const World *w, int bundle) {
     contact[2] = s;
 }
 
-// The relaxing pass over a bundle that has been measured again; sums up for what follows.
-INLINE void relaxBundle(const World *w, int bundle, bool last) {
-    uint4 i = slotsOf(w, bundle, 0);
-    uint4 j = slotsOf(w, bundle, 1);
-    global const float4 *masses = massesOf(w, bundle);
-    global float4 *contact = stateOf(w, bundle);
+// The relaxing pass over a wide contact that has been measured again; sums up for what follows.
+INLINE void relaxWide(const World *w, int wide, bool last) {
+    uint4 i = slotsOf(w, wide, 0);
+    uint4 j = slotsOf(w, wide, 1);
+    global const float4 *masses = massesOf(w, wide);
+    global float4 *contact = stateOf(w, wide);
     Halves vi = takeHalves(w->motion, i, ZW);
     Halves vj = takeHalves(w->motion, j, ZW);
     Halves relative = halvesMinus(&vj, &vi);
     float4 nx = contact[0], ny = contact[1], wi = masses[0], wj = masses[1];
     float4 vn = along4(nx, ny, firstOf(&relative), secondOf(&relative));
-    Found4 found = foundBundle(w, bundle, (int4)(0));
+    Found4 found = foundWide(w, wide, (int4)(0));
     Ready4 ready;
     makeReadyToRelax4(&w->k, &found, masses[3], &ready);
     // Hardly any contact flies free: whether its circles are loaded is read only if one may.
@@ -107,10 +107,10 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
     contact[3] = next;
     if (last) {
         int4 pressing = visited.solved && next > 0.0f;
-        storeImpulseOfLane(w, 4 * bundle, i.x, j.x, next.x, pressing.x);
-        storeImpulseOfLane(w, 4 * bundle + 1, i.y, j.y, next.y, pressing.y);
-        storeImpulseOfLane(w, 4 * bundle + 2, i.z, j.z, next.z, pressing.z);
-        storeImpulseOfLane(w, 4 * bundle + 3, i.w, j.w, next.w, pressing.w);
+        storeImpulseOfLane(w, 4 * wide, i.x, j.x, next.x, pressing.x);
+        storeImpulseOfLane(w, 4 * wide + 1, i.y, j.y, next.y, pressing.y);
+        storeImpulseOfLane(w, 4 * wide + 2, i.z, j.z, next.z, pressing.z);
+        storeImpulseOfLane(w, 4 * wide + 3, i.w, j.w, next.w, pressing.w);
         return;
     }
     float4 zero = (float4)(0.0f);
@@ -122,17 +122,17 @@ INLINE void relaxBundle(const World *w, int bundle, bool last) {
 void solveRow(const World *shared, int row) {
     World w = *shared;
     int end = w.groupStart[2 * row + 1];
-    for (int bundle = w.groupStart[2 * row]; bundle < end; bundle++) solveBundle(&w, bundle);
+    for (int wide = w.groupStart[2 * row]; wide < end; wide++) solveWide(&w, wide);
 }
 
-#define MEASURED_AHEAD 32 // bundles
+#define MEASURED_AHEAD 32 // wide contacts
 
 void relaxRow(const World *shared, int row, bool last) {
     World w = *shared;
     int end = w.groupStart[2 * row + 1];
     for (int from = w.groupStart[2 * row]; from < end; from += MEASURED_AHEAD) {
         int to = min(end, from + MEASURED_AHEAD);
-        for (int bundle = from; bundle < to; bundle++) measureBundle(&w, bundle);
-        for (int bundle = from; bundle < to; bundle++) relaxBundle(&w, bundle, last);
+        for (int wide = from; wide < to; wide++) measureWide(&w, wide);
+        for (int wide = from; wide < to; wide++) relaxWide(&w, wide, last);
     }
 }

@@ -1,7 +1,8 @@
 // uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LanePasses.cl
 // Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
-// device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved in bundles of
-// four (LaneContacts.cl). The Java classes Contacts and Solver explain rows, bands and sweeps; it is the same here.
+// device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved four at a
+// time, as wide contacts (LaneContacts.cl). The Java classes Contacts and Solver explain rows, bands and sweeps; it is the
+// same here.
 
 bool isIn(int row, int low, int high) { return low <= row && row < high; }
 
@@ -14,21 +15,21 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     Search f;
     f.x = searchX(w);
     f.y = searchY(w);
-    f.reach = searchReach(w);
+    f.speculativeDistance = searchSpeculativeDistance(w);
     f.gathered = f.groups = f.start[0] = f.contacts = 0;
     f.crowded = false;
     int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
     int first = crew->group * room;
-    f.bundle = first;
-    f.endBundle = first + room;
+    f.wide = first;
+    f.endWide = first + room;
     for (int row = band->from; row <= band->to; row += 2) {
         for (int r = 0; r < 2 && row < band->to; r++) findRow(w, &f, row + r);
         if (row == band->to) {
             if (f.crowded) w->status[CROWDED] = 1;
-            if (f.bundle > f.endBundle) w->status[OUT_OF_ROOM] = 1;
+            if (f.wide > f.endWide) w->status[OUT_OF_ROOM] = 1;
             atomic_add(&w->status[CONTACTS], f.contacts);
-            atomic_max(&w->status[MOST_PLACES], 4 * (f.bundle - first));
-            atomic_max(&w->status[PLACES], 4 * min(f.bundle, f.endBundle));
+            atomic_max(&w->status[MOST_PLACES], 4 * (f.wide - first));
+            atomic_max(&w->status[PLACES], 4 * min(f.wide, f.endWide));
             awaitCrew(w, crew); // the row after the last is another band's
             *lowestRowsDone(w, crew->group) = 0;
         }
@@ -117,7 +118,7 @@ void solveInPasses(const World *w, int rows) {
 
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
 // many there are; patience: how often to look for the others before the launch is called off.
-kernel __attribute__((reqd_work_group_size(1, 1, 1))) void lanes_steps(WORLD_PARAMETERS, int steps, int groups,
+kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(WORLD_PARAMETERS, int steps, int groups,
                                                                         int patience) {
     World w = WORLD;
     Crew crew = {groups, (int) get_group_id(0)};

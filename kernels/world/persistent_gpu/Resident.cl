@@ -88,7 +88,7 @@ typedef union {
 // Work-items that look for the neighbours of one circle.
 #define SEEKERS 8
 
-// Stages Grid, Sweep where some circle is fast, and Contacts.
+// Stages Grid, ContinuousCollision where some circle is fast, and Contacts.
 void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
@@ -113,7 +113,7 @@ void listAll(World *w, local Local *l) {
             if (looksAhead(w, slot)) lookAhead(w, slot);
         }
         deviceBarrier(arrivals);
-        EACH(slot, w->circles) layLeash(w, slot);
+        EACH(slot, w->circles) setMotionClamp(w, slot);
     }
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -164,7 +164,7 @@ void solveAll(const World *w, local Tile *t) {
 }
 
 // Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
-kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void resident_steps(WORLD_PARAMETERS, int steps) {
+kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles

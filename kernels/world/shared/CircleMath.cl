@@ -23,7 +23,7 @@ float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * 
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
-float reach(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
+float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 
 bool isFast(float path, float r) { return path > r; }
 

@@ -56,21 +56,23 @@ INLINE bool integrateOffWalls(const StepConstants *k, float4 c, float4 m, float 
 }
 
 // How far a circle may leave the free part of its path.
-INLINE float allowanceOf(const World *w, int slot, float r) { return w->k.sweeping ? w->leash[slot].z : LEASH * r; }
+INLINE float allowanceOf(const World *w, int slot, float r) {
+    return w->k.sweeping ? w->motionClamp[slot].z : CLAMP_ALLOWANCE * r;
+}
 
-// Keeps a circle's displacement on its leash: no farther from the free part of its path than it is allowed.
-INLINE float2 onLeash(const World *w, int slot, float r, float dx, float dy) {
+// Keeps a circle's displacement within its motion clamp: no farther from the free part of its path than it is allowed.
+INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy) {
     float allowance = allowanceOf(w, slot, r);
     float square = dx * dx + dy * dy;
     if (!(square > 0.0f) || !(square > allowance * allowance)) return (float2)(dx, dy);
-    float4 leash = w->leash[slot];
-    float share = nearest(dx, dy, leash.x, leash.y);
-    float offX = dx - share * leash.x;
-    float offY = dy - share * leash.y;
+    float4 clamp_ = w->motionClamp[slot];
+    float share = nearest(dx, dy, clamp_.x, clamp_.y);
+    float offX = dx - share * clamp_.x;
+    float offY = dy - share * clamp_.y;
     float off = norm(offX, offY);
     if (!(off > allowance)) return (float2)(dx, dy);
     float keep = allowance / off;
-    return (float2)(share * leash.x + keep * offX, share * leash.y + keep * offY);
+    return (float2)(share * clamp_.x + keep * offX, share * clamp_.y + keep * offY);
 }
 
 // Moves a circle that nothing is in the way of. m: its motion; returns what that becomes.
@@ -81,18 +83,18 @@ INLINE float4 movedFreely(const StepConstants *k, float4 m) {
 }
 
 // Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
-INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool fixed) {
+INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
     float4 free = movedFreely(k, m);
     float2 d = free.xy;
     float vx = free.z;
     float vy = free.w;
-    if (!fixed) d = onLeash(w, slot, c.z, d.x, d.y);
-    float edge = fixed ? 0.0f : c.z;
+    if (!isStatic) d = clampMotion(w, slot, c.z, d.x, d.y);
+    float edge = isStatic ? 0.0f : c.z;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
-    if (fixed) {
-        // a fixed circle that is stopped has stopped: what lies on it must not see it go on
+    if (isStatic) {
+        // a static circle that is stopped has stopped: what lies on it must not see it go on
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     }
@@ -124,13 +126,13 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
 // Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
 // impulses in traits t.
 void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    bool fixed = t->x == 0.0f;
-    *m = integratePositions(w, slot, c, *m, fixed);
-    if (!fixed) relaxAtWalls(w, c, m, t, bounce, loaded);
+    bool isStatic = t->x == 0.0f;
+    *m = integratePositions(w, slot, c, *m, isStatic);
+    if (!isStatic) relaxAtWalls(w, c, m, t, bounce, loaded);
 }
 
-// moveCircle for a circle that has no impulse of walls and bounces off none, as long as it stays on its leash and away from the
-// walls: returns false if it may not.
+// moveCircle for a circle that has no impulse of walls and bounces off none, as long as it stays within its motion clamp and away
+// from the walls: returns false if it may not.
 INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *moved) {
     const StepConstants *k = &w->k;
     *moved = movedFreely(k, m);

@@ -7,7 +7,7 @@
 // circle's first.
 kernel void commands_apply(global const int *records, global const int2 *links, int count, global float4 *homeCircle,
                            global float4 *homeMotion, global float4 *homeTraits, global int *homeId,
-                           global int *homeMemory, global int *slotOf) {
+                           global int *homeFirstCached, global int *slotOf) {
     int r = (int) get_global_id(0);
     if (r >= count || (links[r].y & 1) == 0) return;
     int id = records[r * COMMAND_STRIDE + COMMAND_ID];
@@ -25,7 +25,7 @@ kernel void commands_apply(global const int *records, global const int2 *links, 
             homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
                                         as_float(record[COMMAND_ADD_RESTITUTION]), 0.0f, 0.0f);
             homeId[slot] = id;
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             slotOf[id] = slot;
             break;
         case COMMAND_REMOVE:
@@ -44,14 +44,14 @@ kernel void commands_apply(global const int *records, global const int2 *links, 
             break;
         case COMMAND_RADIUS:
             homeCircle[slot].z = a;
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;
         case COMMAND_MASS:
             homeCircle[slot].w = a;
             homeTraits[slot].x = inverseMass(a);
-            homeMemory[slot] = FRESH;
+            homeFirstCached[slot] = FRESH;
             homeTraits[slot].z = 0.0f;
             homeTraits[slot].w = 0.0f;
             break;

@@ -1,10 +1,10 @@
-// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/Sweep.cl
+// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/ContinuousCollision.cl
 // Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
 // level of the larger circle, colour, group, lower id, higher id. The Java class world.jvm.Contacts explains groups and colours.
 
 // What a circle looks with.
 typedef struct {
-    float x, y, reach, inverseMass;
+    float x, y, speculativeDistance, inverseMass;
     int slot, level, column, row;
     int part, parts; // of several work-items that look for one circle: which, and how many
 } Seeker;
@@ -112,7 +112,7 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
     for (int i = s->part; i < count; i += s->parts) {
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
-        if (!isNear(o.x - s->x, o.y - s->y, s->reach + o.z)) continue;
+        if (!isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z)) continue;
         if (!mayCollide(s->inverseMass, o.w)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
@@ -129,7 +129,7 @@ Seeker seekerOf(const World *w, int slot) {
     Seeker s;
     s.x = own.x;
     s.y = own.y;
-    s.reach = own.z;
+    s.speculativeDistance = own.z;
     s.inverseMass = own.w;
     s.slot = slot;
     s.part = 0;
@@ -167,7 +167,7 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        sum += isNear(o.x - s->x, o.y - s->y, s->reach + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
+        sum += isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z) && other != s->slot && mayCollide(s->inverseMass, o.w);
     }
     return sum;
 }
@@ -196,8 +196,9 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Lays the
-// leashes of a step with the stage Sweep. Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Sets the
+// motion clamps of a step with the stage ContinuousCollision. Index space: a working slot a work-item. Cost: the circles of
+// 3 x 3 cells a level.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
@@ -205,7 +206,7 @@ kernel void contacts_count(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) found.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
-        if (w.k.sweeping) layLeash(&w, slot);
+        if (w.k.sweeping) setMotionClamp(&w, slot);
         seekAll(&w, slot, 0, 1, &found);
     }
     recordFindings(&w, &found);
@@ -295,18 +296,18 @@ void sortContacts(global ulong *key, global uint2 *pair, int size) {
 }
 
 // The impulse with which a contact ended the step before, or 0.
-float remembered(const World *w, int first, int hi) {
+float cachedImpulse(const World *w, int first, int higherId) {
     for (int c = first; c >= 0;) {
-        int4 old = w->old[c];
-        if (old.x == hi) return as_float(old.y);
-        c = old.z;
+        int4 entry = w->impulseCache[c];
+        if (entry.CACHED_HIGHER_ID == higherId) return as_float(entry.CACHED_IMPULSE);
+        c = entry.CACHED_NEXT;
     }
     return 0.0f;
 }
 
 // The same of a contact that starts a step; 0 if a circle is new.
-float recall(const World *w, uint lo, uint hi, ulong ids) {
-    return w->memory[hi] == FRESH ? 0.0f : remembered(w, w->memory[lo], (int) ids) * w->warmScale;
+float warmStartImpulse(const World *w, uint lo, uint hi, ulong ids) {
+    return w->firstCached[hi] == FRESH ? 0.0f : cachedImpulse(w, w->firstCached[lo], (int) ids) * w->warmScale;
 }
 
 // Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
@@ -343,7 +344,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) 
     float4 mj = w->motion[p.y];
     float4 n = (float4)(0.0f);
     if (!measureContact(b, mi, mj, &n)) n.xy = partingNormal(ids);
-    n.w = recall(w, p.x, p.y, ids);
+    n.w = warmStartImpulse(w, p.x, p.y, ids);
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
     *carrying = carries(n.w, vn, restingLimit(n.z, restitutionThreshold(&w->k, b.z, b.w)));
     return n;

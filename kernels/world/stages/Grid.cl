@@ -70,25 +70,25 @@ bool gatherCircle(const World *w, int i) {
     float4 c = w->homeCircle[from];
     float4 m = w->homeMotion[from];
     float4 t = w->homeTraits[from];
-    int memory = w->homeMemory[from];
+    int firstCached = w->homeFirstCached[from];
     int start = w->bucketStart[bucket];
     int slot = start + countLower(w, start, w->bucketStart[bucket + 1], listed.x);
-    bool fixed = t.x == 0.0f;
-    float px = plan(m.z, w->k.dt, fixed ? 0.0f : w->k.fallX);
-    float py = plan(m.w, w->k.dt, fixed ? 0.0f : w->k.fallY);
+    bool isStatic = t.x == 0.0f;
+    float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
+    float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     float path = norm(px, py);
-    bool fast = !fixed && isFast(path, c.z);
+    bool fast = !isStatic && isFast(path, c.z);
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->id[slot] = listed.x;
-    w->memory[slot] = memory;
+    w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
-    w->leash[slot] = (float4)(px, py, LEASH * c.z, path);
-    w->sight[slot] = (float4)(c.x, c.y, reach(c.z, path), t.x);
+    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
+    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {
-        w->share[slot] = as_int(1.0f);
+        w->timeOfImpact[slot] = as_int(1.0f);
         w->near[slot] = fast ? 1.0f : NOT_FAST;
     }
     return fast;

@@ -3,7 +3,7 @@
 // per colour; the Java class world.jvm.Solver does the same.
 
 // Index space: a working slot a work-item.
-kernel void solver_accelerate(WORLD_PARAMETERS) {
+kernel void solver_integrateVelocities(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
@@ -65,7 +65,7 @@ void solveContact(const World *w, int c) {
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void solver_push(WORLD_PARAMETERS, int level, int colour) {
+kernel void solver_solve(WORLD_PARAMETERS, int level, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
     if (g >= groupsOfColour(&w, level) || refused(&w)) return;
@@ -75,7 +75,7 @@ kernel void solver_push(WORLD_PARAMETERS, int level, int colour) {
 }
 
 // Index space: a working slot a work-item.
-kernel void solver_move(WORLD_PARAMETERS) {
+kernel void solver_integratePositions(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
@@ -86,13 +86,13 @@ kernel void solver_move(WORLD_PARAMETERS) {
     motion[slot] = m;
     traits[slot] = t;
     load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    memory[slot] = NONE;
+    firstCached[slot] = NONE;
 }
 
 // Stores a contact's impulse for the step to come.
 void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
-    w->old[c] = (int4)((int) w->key[c], as_int(normalImpulse), w->memory[pr.x], 0);
-    w->memory[pr.x] = c;
+    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, w->firstCached[pr.x]);
+    w->firstCached[pr.x] = c;
 }
 
 // Measures a contact again, makes the relaxing pass over it, and sums up for what follows.
@@ -130,11 +130,11 @@ kernel void solver_relax(WORLD_PARAMETERS, int level, int colour, int last) {
 }
 
 // Index space: a working slot a work-item.
-kernel void solver_finish(WORLD_PARAMETERS) {
+kernel void solver_finalizePositions(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     finalizePositions(&w, slot, circle[slot], motion[slot], traits[slot]);
-    homeMemory[slot] = memory[slot];
+    homeFirstCached[slot] = firstCached[slot];
     if (slot == 0) status[STEPS_DONE]++;
 }

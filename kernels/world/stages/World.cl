@@ -3,11 +3,20 @@
 // on entry; what a kernel does not use costs nothing. The host writes both, the structs StepConstants and Levels, and the numbers
 // of the words of status out of its tables: see the Java classes DeviceArray, StepParameters and StatusWord.
 //
-// The state between two steps is at home: circle, motion, traits, id, memory by slot, some slots empty (id -1). Stage Grid
+// The state between two steps is at home: circle, motion, traits, id, firstCached by slot, some slots empty (id -1). Stage Grid
 // copies it, sorted, into the working arrays; stage Solver ends the step by writing it home. A step that cannot be made as it
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
-#define NOT_FAST 2.0f // more than any share
+#define NOT_FAST 2.0f // more than any time of impact
+
+// An entry of the impulse cache. next: the next one of the same circle of lower id, or NONE.
+int4 cacheEntry(int higherId, float normalImpulse, int next) {
+    int4 entry = (int4)(0);
+    entry.CACHED_HIGHER_ID = higherId;
+    entry.CACHED_IMPULSE = as_int(normalImpulse);
+    entry.CACHED_NEXT = next;
+    return entry;
+}
 
 // How an overlap is pushed out, which is softer than a rigid contact.
 typedef struct {

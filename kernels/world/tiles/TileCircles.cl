@@ -1,8 +1,9 @@
 // uses: world/shared/Motion.cl
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
-// work-group whose tile it is in. The same as solver_accelerate and solver_move of Solver.cl. What neighbours read of it is
-// drive and burden after the start, pushedMotion and pushedBurden after the move; motion and traits are the owner's. After the
-// start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off walls.
+// work-group whose tile it is in. The same as integrateVelocities and integratePositions of Solver.cl. What neighbours read of
+// it is drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
+// After the start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off
+// walls.
 
 // A work-item takes several circles, or contacts, at a time: what it reads of all of them is on its way before it needs the
 // first. How many, up to MOST_TOGETHER, is a matter of registers, and was tried out; compilers know the number everywhere.
@@ -15,7 +16,7 @@
 // The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
 int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
 
-// A circle's inverse mass, negative where it is loaded: of a fixed one it is 0, and that is never loaded.
+// A circle's inverse mass, negative where it is loaded: of a static one it is 0, and that is never loaded.
 float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
 
 bool isLoaded(float burden) { return as_int(burden) < 0; }
@@ -68,16 +69,16 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 // Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
 // Returns whether it is at a wall.
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
-    bool fixed = burden == 0.0f;
-    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), fixed);
-    if (!fixed && (atWall || !wallsAreApart(&w->k, c, m))) {
+    bool isStatic = burden == 0.0f;
+    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), isStatic);
+    if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.zw;
         relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));
         storeWalls(w, slot, walls, t.zw);
         atWall = hasWalls(w, c, t.zw);
     }
-    w->pushedMotion[slot] = m;
-    w->pushedBurden[slot] = burden;
+    w->solvedMotion[slot] = m;
+    w->solvedBurden[slot] = burden;
     return atWall;
 }

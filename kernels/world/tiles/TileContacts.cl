@@ -56,7 +56,7 @@ void linkContact(const World *w, int listed) {
 }
 
 // Index space: any number of work-items, which take the contacts in turn. Cost: the contacts of a
-// group, and those remembered of a circle.
+// group, and the cached impulses of a circle.
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;

@@ -1,6 +1,6 @@
 // uses: world/tiles/TileOrder.cl
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Push reads drive, burden and
-// held and writes pushedMotion, pushedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
+// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Solve reads drive, burden and
+// held and writes solvedMotion, solvedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
 // goes back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, and how much they
 // read, so: few registers, little local memory, and what is quickly worked out is not stored; no branches in the chain of
 // contacts that wait for each other, and nothing that could be done outside of it.
@@ -255,7 +255,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             int slot = entry[n] & ENTRY_SLOT;
             bool atWall = endSolve(w, slot, (entry[n] & AT_WALL) != 0, c[n], started[n], t->velocity[i], t->burden[i]);
             noteWall(entries, i, entry[n], atWall);
-            if (subStep == 0) w->homeMemory[slot] = NONE;
+            if (subStep == 0) w->homeFirstCached[slot] = NONE;
         }
     }
 }
@@ -303,8 +303,8 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
         float burden[MOST_TOGETHER];
         TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
         TOGETHER_EACH(n, TAKEN) {
-            m[n] = w->pushedMotion[slot[n]];
-            burden[n] = w->pushedBurden[slot[n]];
+            m[n] = w->solvedMotion[slot[n]];
+            burden[n] = w->solvedBurden[slot[n]];
         }
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
@@ -328,7 +328,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
             c[n] = w->circle[entry[n] & ENTRY_SLOT];
-            d[n] = w->pushedMotion[entry[n] & ENTRY_SLOT].xy;
+            d[n] = w->solvedMotion[entry[n] & ENTRY_SLOT].xy;
         }
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
@@ -353,12 +353,12 @@ void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeMemory[p.x], c);
-    w->old[c] = (int4)(w->id[p.y], as_int(normalImpulse), next, 0);
+    int next = atomic_xchg(&w->homeFirstCached[p.x], c);
+    w->impulseCache[c] = cacheEntry(w->id[p.y], normalImpulse, next);
 }
 
 // Index space: any number of work-items, which take the contacts in turn.
-kernel void solver_remember(WORLD_PARAMETERS) {
+kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
     int contacts = groupStart[levels->first[LEVELS]];
@@ -367,7 +367,7 @@ kernel void solver_remember(WORLD_PARAMETERS) {
 
 // Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
 
-TILE_KERNEL solver_pushTile(WORLD_PARAMETERS, int subStep) {
+TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
     local Tile t;
     int tile = (int) get_group_id(0);

@@ -37,7 +37,7 @@ import java.util.Objects;
  * nothing is removed this is the order of adding; removing a circle closes its gap.
  *
  * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
- * step or read. <b>Fixed circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
+ * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
  * walls and each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the
  * greater of its two circles' values; a wall takes the circle's.
  *

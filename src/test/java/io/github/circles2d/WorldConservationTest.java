@@ -115,7 +115,7 @@ class WorldConservationTest {
         }
     }
 
-    /** Sums over all circles that are not fixed, in double. */
+    /** Sums over all circles that are not static, in double. */
     private static final class Totals {
         private double energy;
         private double momentumX;

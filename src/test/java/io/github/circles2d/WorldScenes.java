@@ -46,7 +46,7 @@ public final class WorldScenes {
         return onThreads(threads, false, builder);
     }
 
-    /** The measures of quality of a world. Fixed circles at rest count as circles without energy. */
+    /** The measures of quality of a world. Static circles at rest count as circles without energy. */
     public static Quality quality(World world) {
         int n = world.size();
         float[] circles = new float[4 * n];

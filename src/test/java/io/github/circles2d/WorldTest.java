@@ -384,7 +384,7 @@ class WorldTest {
             assertThat(stats.candidatePairs()).isGreaterThan(stats.contacts());
             assertThat(stats.greatestContacts()).isBetween(3, 200);
             assertThat(stats.bytesHeld()).isBetween(1250L * 100, 1250L * 4000);
-            assertThat(stats.stageMillis()).containsOnlyKeys("Grid", "Sweep", "Contacts", "Solver");
+            assertThat(stats.stageMillis()).containsOnlyKeys("Grid", "ContinuousCollision", "Contacts", "Solver");
             assertThat(stats.stageMillis().get("Solver")).isPositive();
             assertThat(stats.backend()).isEqualTo(Backend.JVM);
             assertThat(stats.device()).startsWith("Java ");

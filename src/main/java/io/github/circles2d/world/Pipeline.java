@@ -104,7 +104,7 @@ public interface Pipeline extends AutoCloseable {
     void readVelocities(HandleTable handles, float[] to);
 
     /**
-     * Saves the circles and the remembered impulses: those that the next step would start from, and no others.
+     * Saves the circles and the cached impulses: those that the next step would start from, and no others.
      *
      * @param into has the ids of all circles already; takes circle, motion, traits and the impulses
      */

@@ -1,19 +1,34 @@
 package io.github.circles2d.reference;
 
+import static io.github.circles2d.reference.Numbers.max;
+import static io.github.circles2d.reference.Numbers.sqrt;
+
+import java.util.function.Function;
+
 /**
  * What a contact and a wall have in common: two surfaces that must not overlap, and the normal impulse that keeps them apart. It
  * is never negative. (Soft constraints: E. Catto, "Solver2D", 2024.)
  */
 abstract class Constraint {
+    private static final float DAMPING = 4f;
+    private static final float FREQUENCY = 0.28f;
+    private static final float PUSH = 4f;
+    private static final float PUSH_GRAVITY = 2.7f;
+    private static final float BOUNCE_THRESHOLD = 1.2f;
+    private static final float REST_SPEED = 0.1f;
+
     final StepParameters step;
     final float radii;
-    private final StepParameters.Softness softness;
     private final float restitution;
 
     /** The sum of the inverse masses of the two sides. */
     private final float inverseMasses;
 
-    private final float squaredRestitutionThreshold;
+    private final float squaredThreshold;
+    private final float pushSpeed;
+    private final float biasRate;
+    private final float massScale;
+    private final float impulseScale;
 
     /** Distance of the surfaces; negative if they overlap. */
     float separation;
@@ -23,25 +38,25 @@ abstract class Constraint {
     /** The speed at which the surfaces part after a bounce in this sub-step; 0 if there is none. */
     float bounceSpeed;
 
-    Constraint(
-            StepParameters step,
-            StepParameters.Softness softness,
-            float radii,
-            float restitution,
-            float inverseMasses) {
+    Constraint(StepParameters step, float stiffness, float radii, float restitution, float inverseMasses) {
         this.step = step;
-        this.softness = softness;
         this.radii = radii;
         this.restitution = restitution;
         this.inverseMasses = inverseMasses;
-        squaredRestitutionThreshold = step.squaredRestitutionThreshold(radii, restitution);
+        float gravity = Numbers.length(step.gravity());
+        float creep = REST_SPEED * 0.5f * ((1f - restitution) * radii);
+        squaredThreshold = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity * radii + creep * creep;
+        pushSpeed = max(PUSH * 0.5f * radii, (PUSH_GRAVITY * sqrt(0.5f * gravity)) * sqrt(radii));
+        float omega = stiffness * (2f * 3.14159265f * FREQUENCY);
+        float a1 = 2f * DAMPING + omega;
+        float a2 = omega * a1;
+        impulseScale = 1f / (1f + a2);
+        massScale = a2 * impulseScale;
+        biasRate = (omega / a1) * step.inverseH();
     }
 
-    /** The speed at which the surfaces part; negative if they approach. */
-    abstract float normalVelocity();
-
-    /** The same, of the velocities before any impulse of this sub-step. */
-    abstract float normalVelocityBeforeImpulses();
+    /** The speed at which the surfaces part, by given velocities of the circles; negative if they approach. */
+    abstract float normalVelocity(Function<Circle, float[]> velocity);
 
     /** Whether a contact or a wall carries one of the circles. */
     abstract boolean isLoaded();
@@ -55,10 +70,9 @@ abstract class Constraint {
 
     /** The biased visit: decides whether there is a bounce, stops an approach, pushes an overlap out. */
     final void solve() {
-        float before = normalVelocityBeforeImpulses();
-        boolean bounces =
-                restitution > 0f && isLoaded() && before < 0f && isImpact(before) && separation + before * step.h < 0f;
-        bounceSpeed = bounces ? -restitution * before : 0f;
+        float v0 = normalVelocity(c -> c.velocityBeforeImpulses);
+        boolean bounces = restitution > 0f && isLoaded() && v0 < 0f && isImpact(v0) && separation + v0 * step.h() < 0f;
+        bounceSpeed = bounces ? -restitution * v0 : 0f;
         visit(true);
     }
 
@@ -71,10 +85,10 @@ abstract class Constraint {
     }
 
     private boolean visit(boolean biased) {
-        float vn = normalVelocity();
         float mass = 1f / inverseMasses;
+        float vn = normalVelocity(c -> c.velocity);
         if (restitution > 0f && !isLoaded() && normalImpulse == 0f && isImpact(vn)) {
-            boolean meets = !biased || separation * step.inverseH + vn < 0f;
+            boolean meets = !biased || separation * step.inverseH() + vn < 0f;
             if (vn < 0f && meets) {
                 applyFreeBounce(-(1f + restitution) * vn * mass);
             }
@@ -82,37 +96,30 @@ abstract class Constraint {
                 return false;
             }
         }
-        float next;
+        float old = normalImpulse;
         if (bounceSpeed > 0f) {
-            next = normalImpulse - mass * (vn + -bounceSpeed);
+            normalImpulse = old - mass * (vn - bounceSpeed);
         } else if (separation > 0f) {
-            next = normalImpulse - mass * (vn + separation * step.inverseH);
+            normalImpulse = old - mass * (vn + separation * step.inverseH());
         } else if (biased) {
-            float push = Numbers.max(softness.biasRate() * separation, -step.pushSpeed(radii));
-            float bias = softness.massScale() * push;
-            next = (normalImpulse - mass * (softness.massScale() * vn + bias))
-                    - softness.impulseScale() * normalImpulse;
+            float bias = massScale * max(biasRate * separation, -pushSpeed);
+            normalImpulse = (old - mass * (massScale * vn + bias)) - impulseScale * old;
         } else {
-            next = normalImpulse - mass * vn;
+            normalImpulse = old - mass * vn;
         }
-        float impulse = Numbers.max(next, 0f) - normalImpulse;
-        normalImpulse = Numbers.max(next, 0f);
-        apply(impulse);
-        return (bounceSpeed == 0f && normalImpulse > 0f) || isAtRest(vn + impulse * inverseMasses);
+        normalImpulse = max(normalImpulse, 0f);
+        float applied = normalImpulse - old;
+        apply(applied);
+        return carries(vn + applied * inverseMasses);
     }
 
-    /** Whether the surfaces touch and part or approach more slowly than what bounces. */
-    private boolean isAtRest(float vn) {
-        return separation < 0f && !isImpact(vn);
-    }
-
-    /** Whether the constraint carries its circles at the beginning of a step: it presses, or touches at rest. */
-    final boolean carries() {
-        return normalImpulse > 0f || isAtRest(normalVelocity());
+    /** Whether the constraint presses without a bounce, or its surfaces touch at a speed that is no impact. */
+    final boolean carries(float vn) {
+        return (bounceSpeed == 0f && normalImpulse > 0f) || (separation < 0f && !isImpact(vn));
     }
 
     /** Whether a speed is too great for circles at rest on each other. */
     private boolean isImpact(float vn) {
-        return vn * vn > squaredRestitutionThreshold;
+        return vn * vn > squaredThreshold;
     }
 }

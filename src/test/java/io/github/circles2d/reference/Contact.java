@@ -1,14 +1,21 @@
 package io.github.circles2d.reference;
 
+import static io.github.circles2d.reference.Numbers.length;
+import static io.github.circles2d.reference.Numbers.minus;
+import static io.github.circles2d.reference.Numbers.plus;
+import static io.github.circles2d.reference.Numbers.unit;
+
+import java.util.function.Function;
+
 /** Two circles that may meet within the step. The normal is a unit vector from the circle of lower id to the other. */
 final class Contact extends Constraint {
     private static final float COINCIDENT = 1e-6f;
 
-    /** The ids of the two circles. */
-    record Pair(int lower, int higher) {
+    /** Two circles in the order of their ids. */
+    record Pair(Circle lower, Circle higher) {
         /** A well-mixed number of the two ids. */
         int hash() {
-            return mix(mix(lower) + higher);
+            return mix(mix(lower.id) + higher.id);
         }
 
         /** The finalizer of MurmurHash3. */
@@ -20,62 +27,47 @@ final class Contact extends Constraint {
     }
 
     final Pair pair;
-    final int level;
-    final int colour;
-    private final Circle lower;
-    private final Circle higher;
-    private float normalX;
-    private float normalY;
+    final Circle lower;
+    final Circle higher;
+    private float[] normal;
 
-    Contact(Circle lower, Circle higher, int colour, StepParameters step) {
+    Contact(Pair pair, StepParameters step) {
         super(
                 step,
-                step.contactSoftness,
-                lower.radius + higher.radius,
-                Numbers.max(lower.restitution, higher.restitution),
-                lower.inverseMass() + higher.inverseMass());
-        this.lower = lower;
-        this.higher = higher;
-        this.colour = colour;
-        pair = new Pair(lower.id, higher.id);
-        level = Math.min(lower.level, higher.level);
+                1f,
+                pair.lower.radius + pair.higher.radius,
+                Numbers.max(pair.lower.restitution, pair.higher.restitution),
+                pair.lower.inverseMass() + pair.higher.inverseMass());
+        this.pair = pair;
+        lower = pair.lower;
+        higher = pair.higher;
         int hash = pair.hash();
-        float x = (hash & 1023) - 511.5f;
-        float y = (hash >>> 10 & 1023) - 511.5f;
-        normalX = x / Numbers.length(x, y);
-        normalY = y / Numbers.length(x, y);
+        normal = unit((hash & 1023) - 511.5f, (hash >>> 10 & 1023) - 511.5f);
+    }
+
+    int level() {
+        return Math.min(lower.level, higher.level);
     }
 
     void measure() {
-        float dx = (higher.x.base - lower.x.base) + (higher.x.displacement - lower.x.displacement);
-        float dy = (higher.y.base - lower.y.base) + (higher.y.displacement - lower.y.displacement);
-        float distance = Numbers.length(dx, dy);
-        if (distance > COINCIDENT * radii) {
-            normalX = dx / distance;
-            normalY = dy / distance;
-        }
-        separation = distance - radii;
+        float[] d = plus(minus(higher.base, lower.base), minus(higher.displacement, lower.displacement));
+        normal = length(d) > COINCIDENT * radii ? unit(d) : normal;
+        separation = length(d) - radii;
     }
 
     /** Adds the normal impulse to those that the two circles begin their next sub-step with, and marks them as loaded then. */
     void warmStart(boolean carries) {
-        lower.x.impulses -= normalX * normalImpulse;
-        lower.y.impulses -= normalY * normalImpulse;
-        higher.x.impulses += normalX * normalImpulse;
-        higher.y.impulses += normalY * normalImpulse;
+        for (int a = 0; a < 2; a++) {
+            lower.impulses[a] -= normal[a] * normalImpulse;
+            higher.impulses[a] += normal[a] * normalImpulse;
+        }
         lower.loadedNext |= carries;
         higher.loadedNext |= carries;
     }
 
     @Override
-    float normalVelocity() {
-        return normalX * (higher.x.velocity - lower.x.velocity) + normalY * (higher.y.velocity - lower.y.velocity);
-    }
-
-    @Override
-    float normalVelocityBeforeImpulses() {
-        return normalX * (higher.x.velocityBeforeImpulses - lower.x.velocityBeforeImpulses)
-                + normalY * (higher.y.velocityBeforeImpulses - lower.y.velocityBeforeImpulses);
+    float normalVelocity(Function<Circle, float[]> velocity) {
+        return Numbers.dot(normal, minus(velocity.apply(higher), velocity.apply(lower)));
     }
 
     @Override
@@ -85,9 +77,9 @@ final class Contact extends Constraint {
 
     @Override
     void apply(float impulse) {
-        lower.x.velocity -= normalX * (lower.inverseMass() * impulse);
-        lower.y.velocity -= normalY * (lower.inverseMass() * impulse);
-        higher.x.velocity += normalX * (higher.inverseMass() * impulse);
-        higher.y.velocity += normalY * (higher.inverseMass() * impulse);
+        for (int a = 0; a < 2; a++) {
+            lower.velocity[a] -= normal[a] * (lower.inverseMass() * impulse);
+            higher.velocity[a] += normal[a] * (higher.inverseMass() * impulse);
+        }
     }
 }

@@ -8,17 +8,16 @@ final class Grid {
     private static final int LEVELS = 20;
     private static final int JOIN = 2;
 
-    private final Rings[] rings = new Rings[LEVELS];
     private final float[] largestRadius = new float[LEVELS];
 
-    /** The columns and rows of a level. */
-    private record Rings(Ring columns, Ring rows) {}
+    /** Of each level, its columns and its rows. */
+    private final Ring[][] rings = new Ring[LEVELS][];
 
     /** Cells along an axis, the first of them from the lower wall on; after the last one comes the first again. */
-    private record Ring(int cells, float low, float inverseEdge) {
+    private record Ring(int cells, float min, float inverseEdge) {
         /** The number of a coordinate's cell, as if there were any number of cells. */
         int cell(float coordinate) {
-            return (int) Numbers.max((coordinate - low) * inverseEdge, 0f);
+            return (int) Numbers.max((coordinate - min) * inverseEdge, 0f);
         }
 
         /** The lesser one of two cells that are equal or neighbours. */
@@ -35,14 +34,14 @@ final class Grid {
     }
 
     /** Sorts the circles into levels. */
-    Grid(List<Circle> circles, StepParameters.Walls x, StepParameters.Walls y) {
+    Grid(List<Circle> circles, StepParameters step) {
         largestRadius[0] =
                 (float) circles.stream().mapToDouble(c -> c.radius).max().orElseThrow();
         for (int k = 1; k < LEVELS; k++) {
             largestRadius[k] = largestRadius[k - 1] * 0.5f;
         }
         int[] count = new int[LEVELS];
-        circles.forEach(c -> count[sizeClass(c.radius)]++);
+        circles.forEach(c -> count[sizeClass(c)]++);
         int[] level = new int[LEVELS];
         int[] population = new int[LEVELS];
         for (int k = 0; k < LEVELS; k++) {
@@ -50,84 +49,68 @@ final class Grid {
             level[k] = joins ? k - 1 : k;
             population[level[k]] += count[k];
         }
-        circles.forEach(c -> c.level = level[sizeClass(c.radius)]);
+        circles.forEach(c -> c.level = level[sizeClass(c)]);
         for (int k = 0; k < LEVELS; k++) {
-            rings[k] = layOut(largestRadius[k], population[k], x, y);
+            rings[k] = layOut(largestRadius[k], population[k], step.min(), step.max());
         }
     }
 
-    /** Class k holds radii from the largest one over 2 to the power of k down to half of that; the last one all smaller ones. */
-    private int sizeClass(float radius) {
+    private int sizeClass(Circle c) {
         int k = 0;
-        while (k < LEVELS - 1 && radius <= largestRadius[k] * 0.5f) {
+        while (k < LEVELS - 1 && c.radius <= largestRadius[k] * 0.5f) {
             k++;
         }
         return k;
     }
 
-    private static Rings layOut(float radius, int circles, StepParameters.Walls x, StepParameters.Walls y) {
-        float magnitude = Math.max(magnitude(x), magnitude(y));
-        float edge = 2f * (radius * (1f + Circle.MARGIN + Circle.CAP)) + magnitude * 0x1p-20f;
-        float across = (x.high() - x.low()) / edge;
-        float down = (y.high() - y.low()) / edge;
-        int columns = cells(across);
-        int rows = cells(down);
-        int most = Math.max(16, 2 * Integer.highestOneBit(circles));
-        while ((long) columns * rows > most) {
-            if (columns >= rows) {
-                columns /= 2;
-            } else {
-                rows /= 2;
+    private static Ring[] layOut(float radius, int circles, float[] min, float[] max) {
+        float m = 0f;
+        for (int a = 0; a < 2; a++) {
+            m = Math.max(m, Math.max(Math.max(Math.abs(min[a]), Math.abs(max[a])), max[a] - min[a]));
+        }
+        float edge = 2f * (radius * (1f + Circle.MARGIN + Circle.CAP)) + m * 0x1p-20f;
+        float[] extent = {(max[0] - min[0]) / edge, (max[1] - min[1]) / edge};
+        int[] cells = {4, 4};
+        for (int a = 0; a < 2; a++) {
+            while (cells[a] < 32_768 && extent[a] > cells[a]) {
+                cells[a] *= 2;
             }
         }
-        if (columns >= 16 && across > 4 * columns) {
-            columns = 2 * primeBelow(columns / 2);
+        while ((long) cells[0] * cells[1] > Math.max(16, 2 * Integer.highestOneBit(circles))) {
+            cells[cells[0] >= cells[1] ? 0 : 1] /= 2;
         }
-        if (rows >= 16 && down > 4 * rows) {
-            rows = 2 * primeBelow(primeBelow(rows / 2));
+        Ring[] rings = new Ring[2];
+        for (int a = 0; a < 2; a++) {
+            boolean vast = cells[a] >= 16 && extent[a] > 4 * cells[a];
+            rings[a] = new Ring(vast ? twicePrime(cells[a], a + 1) : cells[a], min[a], 1f / edge);
         }
-        return new Rings(new Ring(columns, x.low(), 1f / edge), new Ring(rows, y.low(), 1f / edge));
+        return rings;
     }
 
-    /** The greatest prime that is less than a number. */
-    private static int primeBelow(int number) {
-        int prime = number - 1;
-        while (hasDivisor(prime)) {
-            prime--;
-        }
-        return prime;
-    }
-
-    private static boolean hasDivisor(int number) {
-        return IntStream.rangeClosed(2, (int) Math.sqrt(number)).anyMatch(divisor -> number % divisor == 0);
-    }
-
-    private static float magnitude(StepParameters.Walls walls) {
-        return Math.max(Math.max(Math.abs(walls.low()), Math.abs(walls.high())), walls.high() - walls.low());
-    }
-
-    /** The least power of two that is not less than a number; from 4 to 32,768. */
-    private static int cells(float number) {
-        int cells = 4;
-        while (cells < 32_768 && number > cells) {
-            cells *= 2;
-        }
-        return cells;
+    /** Twice the greatest prime below half of a number, or the second greatest one, and so on. */
+    private static int twicePrime(int number, int nth) {
+        return 2
+                * IntStream.iterate(number / 2 - 1, p -> p - 1)
+                        .filter(p -> IntStream.range(2, p).allMatch(divisor -> p % divisor != 0))
+                        .skip(nth - 1)
+                        .findFirst()
+                        .orElseThrow();
     }
 
     float largestRadius(int level) {
         return largestRadius[level];
     }
 
-    /** The colour of the contact of two circles: the parities of their lesser column and row in the level of the larger. */
-    int colour(Circle a, Circle b) {
-        Rings r = rings[Math.min(a.level, b.level)];
-        return r.columns.lesser(a.x.base, b.x.base) % 2 + 2 * (r.rows.lesser(a.y.base, b.y.base) % 2);
+    /** The colour of a contact: the parities of the lesser column and row of its circles, in the level of the larger one. */
+    int colour(Contact contact) {
+        Ring[] r = rings[contact.level()];
+        float[] a = contact.lower.base;
+        float[] b = contact.higher.base;
+        return r[0].lesser(a[0], b[0]) % 2 + 2 * (r[1].lesser(a[1], b[1]) % 2);
     }
 
-    /** Whether the cell of a circle, in its own level, is one of those of a rectangle. */
-    boolean covers(float fromX, float fromY, float toX, float toY, Circle c) {
-        Rings r = rings[c.level];
-        return r.columns.covers(fromX, toX, c.x.base) && r.rows.covers(fromY, toY, c.y.base);
+    /** Whether the cell of a circle, in its own level, is one of those from one coordinate to another. */
+    boolean covers(int axis, float from, float to, Circle c) {
+        return rings[c.level][axis].covers(from, to, c.base[axis]);
     }
 }

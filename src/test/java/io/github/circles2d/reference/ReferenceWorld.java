@@ -21,69 +21,24 @@ public final class ReferenceWorld implements WorldCalls {
     /** By id; null if the id is free. */
     private final List<Circle> byId = new ArrayList<>();
 
-    /** By id: how many circles had it and were removed. */
+    /** By id: how many circles have had it. */
     private final Map<Integer, Integer> generations = new HashMap<>();
 
     /** The impulses greater than 0 with which contacts ended the last step. */
     private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
 
-    private StepParameters.Walls x;
-    private StepParameters.Walls y;
-    private float gravityX;
-    private float gravityY;
+    private float[] min = {0f, 0f};
+    private float[] max = {1f, 1f};
+    private float[] gravity = {0f, 0f};
     private float previousDt;
 
     public ReferenceWorld(float restitution, int subSteps) {
         this.restitution = restitution;
         this.subSteps = subSteps;
-        setBounds(0f, 0f, 1f, 1f);
     }
 
-    @Override
-    public void step(float dt, int steps) {
-        for (int k = 0; k < steps; k++) {
-            if (size() > 0) {
-                float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, 1f);
-                StepParameters parameters = new StepParameters(x, y, dt, subSteps, gravityX, gravityY);
-                new Step(circles(), parameters).make(impulseCache, warmScale);
-            }
-            previousDt = dt;
-        }
-    }
-
-    @Override
-    public long add(float x0, float y0, float radius, float mass, float vx, float vy) {
-        int id = byId.contains(null) ? byId.indexOf(null) : byId.size();
-        Circle c = new Circle(id);
-        c.x.base = x0;
-        c.y.base = y0;
-        c.x.velocity = vx;
-        c.y.velocity = vy;
-        c.radius = radius;
-        c.mass = mass;
-        c.restitution = restitution;
-        if (id == byId.size()) {
-            byId.add(c);
-        } else {
-            byId.set(id, c);
-        }
-        return handle(id);
-    }
-
-    private long handle(int id) {
-        return (long) (generations.getOrDefault(id, 0) + 1) << 32 | id;
-    }
-
-    @Override
-    public void remove(long handle) {
-        Circle c = find(handle);
-        forgetImpulses(c);
-        byId.set(c.id, null);
-        generations.merge(c.id, 1, Integer::sum);
-    }
-
-    private Circle find(long handle) {
-        return byId.get((int) handle);
+    private StepParameters parameters(float dt) {
+        return new StepParameters(min, max, gravity, dt, subSteps);
     }
 
     /** In the order of the ids. */
@@ -91,15 +46,53 @@ public final class ReferenceWorld implements WorldCalls {
         return byId.stream().filter(Objects::nonNull).toList();
     }
 
+    private Circle find(long handle) {
+        return byId.get((int) handle);
+    }
+
+    @Override
+    public void step(float dt, int steps) {
+        for (int k = 0; k < steps; k++) {
+            float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, 1f);
+            if (size() > 0) {
+                new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
+            }
+            previousDt = dt;
+        }
+    }
+
+    @Override
+    public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        if (!byId.contains(null)) {
+            byId.add(null);
+        }
+        int id = byId.indexOf(null);
+        long generation = generations.merge(id, 1, Integer::sum);
+        Circle c = new Circle(id, generation << 32 | id);
+        byId.set(id, c);
+        c.restitution = restitution;
+        c.radius = radius;
+        c.mass = mass;
+        setPosition(c.handle, x, y);
+        setVelocity(c.handle, vx, vy);
+        return c.handle;
+    }
+
+    @Override
+    public void remove(long handle) {
+        forgetImpulses(find(handle));
+        byId.set((int) handle, null);
+    }
+
     private void forgetImpulses(Circle c) {
-        c.x.wallImpulse = 0f;
-        c.y.wallImpulse = 0f;
-        impulseCache.keySet().removeIf(pair -> pair.lower() == c.id || pair.higher() == c.id);
+        c.wallImpulse[0] = 0f;
+        c.wallImpulse[1] = 0f;
+        impulseCache.keySet().removeIf(pair -> pair.lower() == c || pair.higher() == c);
     }
 
     @Override
     public boolean contains(long handle) {
-        return find(handle) != null && handle((int) handle) == handle;
+        return find(handle) != null && find(handle).handle == handle;
     }
 
     @Override
@@ -111,8 +104,8 @@ public final class ReferenceWorld implements WorldCalls {
     public void read(float[] to) {
         int k = 0;
         for (Circle c : circles()) {
-            to[k++] = c.x.base;
-            to[k++] = c.y.base;
+            to[k++] = c.base[0];
+            to[k++] = c.base[1];
             to[k++] = c.radius;
             to[k++] = c.mass;
         }
@@ -122,20 +115,20 @@ public final class ReferenceWorld implements WorldCalls {
     public void readHandles(long[] to) {
         int k = 0;
         for (Circle c : circles()) {
-            to[k++] = handle(c.id);
+            to[k++] = c.handle;
         }
     }
 
     @Override
-    public void setPosition(long handle, float toX, float toY) {
-        find(handle).x.place(toX);
-        find(handle).y.place(toY);
+    public void setPosition(long handle, float x, float y) {
+        find(handle).place(0, x);
+        find(handle).place(1, y);
     }
 
     @Override
     public void setVelocity(long handle, float vx, float vy) {
-        find(handle).x.velocity = vx;
-        find(handle).y.velocity = vy;
+        find(handle).velocity[0] = vx;
+        find(handle).velocity[1] = vy;
     }
 
     @Override
@@ -158,30 +151,26 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void applyImpulse(long handle, float impulseX, float impulseY) {
         Circle c = find(handle);
-        c.x.velocity = Numbers.limitSpeed(c.x.velocity + c.inverseMass() * impulseX);
-        c.y.velocity = Numbers.limitSpeed(c.y.velocity + c.inverseMass() * impulseY);
+        c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
+        c.velocity[1] = Numbers.limitSpeed(c.velocity[1] + c.inverseMass() * impulseY);
     }
 
     @Override
     public void setGravity(float gx, float gy) {
-        gravityX = gx;
-        gravityY = gy;
+        gravity = new float[] {gx, gy};
     }
 
     @Override
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        x = new StepParameters.Walls(minX, maxX);
-        y = new StepParameters.Walls(minY, maxY);
+        min = new float[] {minX, minY};
+        max = new float[] {maxX, maxY};
         for (Circle c : circles()) {
-            confine(c.x, minX + c.margin(), maxX - c.margin());
-            confine(c.y, minY + c.margin(), maxY - c.margin());
-        }
-    }
-
-    private static void confine(Circle.Axis axis, float low, float high) {
-        float kept = Numbers.clamp(axis.base, low, high);
-        if (kept != axis.base) {
-            axis.place(kept);
+            for (int a = 0; a < 2; a++) {
+                float inside = Numbers.clamp(c.base[a], c.low(a, parameters(0f)), c.high(a, parameters(0f)));
+                if (inside != c.base[a]) {
+                    c.place(a, inside);
+                }
+            }
         }
     }
 
@@ -189,13 +178,13 @@ public final class ReferenceWorld implements WorldCalls {
     public long hash() {
         long sum = 0;
         for (Circle c : circles()) {
-            long h = absorb(CIRCLE, c.id);
-            h = absorb(h, c.x.base, c.y.base, c.radius, c.mass, c.x.displacement, c.y.displacement);
-            sum += absorb(h, c.x.velocity, c.y.velocity, c.restitution, c.x.wallImpulse, c.y.wallImpulse);
+            long h = absorb(absorb(CIRCLE, c.id), c.base);
+            h = absorb(absorb(h, c.radius, c.mass), c.displacement);
+            sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
         }
         for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {
             Contact.Pair pair = entry.getKey();
-            sum += absorb(absorb(absorb(IMPULSE, pair.lower()), pair.higher()), entry.getValue());
+            sum += absorb(absorb(absorb(IMPULSE, pair.lower().id), pair.higher().id), entry.getValue());
         }
         return sum;
     }

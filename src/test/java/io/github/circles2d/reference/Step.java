@@ -1,11 +1,15 @@
 package io.github.circles2d.reference;
 
+import static io.github.circles2d.reference.Numbers.clamp;
+import static io.github.circles2d.reference.Numbers.dot;
+import static io.github.circles2d.reference.Numbers.length;
+import static io.github.circles2d.reference.Numbers.limitSpeed;
+import static io.github.circles2d.reference.Numbers.min;
+
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiConsumer;
 
 /** One step of at least one circle. */
 final class Step {
@@ -23,12 +27,12 @@ final class Step {
 
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
-        Grid grid = new Grid(circles, k.x, k.y);
+        Grid grid = new Grid(circles, k);
         circles.forEach(this::planMotion);
         ContinuousCollision.clampMotion(circles, grid);
         findContacts(grid);
         prepare(impulseCache, warmScale);
-        for (int subStep = 0; subStep < k.subSteps; subStep++) {
+        for (int subStep = 0; subStep < k.subSteps(); subStep++) {
             circles.forEach(this::integrateVelocities);
             contacts.forEach(Contact::solve);
             circles.forEach(this::integratePositions);
@@ -39,142 +43,106 @@ final class Step {
     }
 
     private void planMotion(Circle c) {
-        float fallX = c.isStatic() ? 0f : k.fall(k.gravityStepX);
-        float fallY = c.isStatic() ? 0f : k.fall(k.gravityStepY);
-        c.plan(c.x.velocity * k.dt + fallX, c.y.velocity * k.dt + fallY);
+        for (int a = 0; a < 2; a++) {
+            c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
+        }
+        c.pathLength = length(c.path);
+        c.speculativeDistance = (c.radius + Circle.MARGIN * c.radius) + min(c.pathLength, Circle.CAP * c.radius);
     }
-
-    // ---- contacts
-    // ----------------------------------------------------------------------------------------------------
 
     private void findContacts(Grid grid) {
+        List<Contact.Pair> candidates = new ArrayList<>();
         circles.forEach(c -> c.candidates = 0);
-        forEachCandidate((lower, higher) -> {
-            lower.candidates += higher.level <= lower.level ? 1 : 0;
-            higher.candidates += lower.level <= higher.level ? 1 : 0;
-        });
-        forEachCandidate((lower, higher) -> {
-            int fewer = Math.min(lower.candidates, higher.candidates);
-            int hash = new Contact.Pair(lower.id, higher.id).hash();
-            if (fewer <= CROWD || (hash >>> 16) * (long) fewer < CROWD * 65_536L) {
-                contacts.add(new Contact(lower, higher, grid.colour(lower, higher), k));
-            }
-        });
-        contacts.sort(Step::order);
-    }
-
-    private static int order(Contact a, Contact b) {
-        if (a.level != b.level) {
-            return b.level - a.level;
-        }
-        if (a.colour != b.colour) {
-            return a.colour - b.colour;
-        }
-        return a.pair.lower() != b.pair.lower() ? a.pair.lower() - b.pair.lower() : a.pair.higher() - b.pair.higher();
-    }
-
-    /** Goes through all pairs that are near to each other, unless both are static. Sorted by x, so that few pairs are tried. */
-    private void forEachCandidate(BiConsumer<Circle, Circle> action) {
-        Circle[] sorted = circles.toArray(new Circle[0]);
-        Arrays.sort(sorted, Comparator.comparingDouble(Circle::left));
-        for (int i = 0; i < sorted.length; i++) {
-            Circle a = sorted[i];
-            for (int j = i + 1; j < sorted.length && sorted[j].left() <= a.right(); j++) {
-                Circle b = sorted[j];
+        for (int i = 0; i < circles.size(); i++) {
+            Circle a = circles.get(i);
+            for (Circle b : circles.subList(i + 1, circles.size())) {
                 if (a.isNear(b) && !(a.isStatic() && b.isStatic())) {
-                    action.accept(a.id < b.id ? a : b, a.id < b.id ? b : a);
+                    candidates.add(new Contact.Pair(a, b));
+                    a.candidates += b.level <= a.level ? 1 : 0;
+                    b.candidates += a.level <= b.level ? 1 : 0;
                 }
             }
         }
+        for (Contact.Pair pair : candidates) {
+            long fewer = Math.min(pair.lower().candidates, pair.higher().candidates);
+            if (fewer <= CROWD || (pair.hash() >>> 16) * fewer < CROWD * 65_536L) {
+                contacts.add(new Contact(pair, k));
+            }
+        }
+        contacts.sort(Comparator.comparingInt((Contact c) -> -c.level())
+                .thenComparingInt(grid::colour)
+                .thenComparingInt(c -> c.lower.id)
+                .thenComparingInt(c -> c.higher.id));
     }
 
     private void prepare(Map<Contact.Pair, Float> impulseCache, float warmScale) {
         for (Circle c : circles) {
             clearImpulses(c);
-            c.x.wall = new Wall(c, c.x, k.x, k);
-            c.y.wall = new Wall(c, c.y, k.y, k);
+            for (int a = 0; a < 2; a++) {
+                c.walls[a] = new Wall(c, a, k);
+            }
         }
         for (Contact contact : contacts) {
             contact.normalImpulse = impulseCache.getOrDefault(contact.pair, 0f) * warmScale;
             contact.measure();
-            contact.warmStart(contact.carries());
+            contact.warmStart(contact.carries(contact.normalVelocity(c -> c.velocity)));
+        }
+    }
+
+    private void integrateVelocities(Circle c) {
+        c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
+        for (int a = 0; a < 2; a++) {
+            c.velocityBeforeImpulses[a] = c.velocity[a];
+            if (!c.isStatic()) {
+                c.velocityBeforeImpulses[a] += k.gravityStep(a);
+                c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
+                c.walls[a].measure();
+                c.walls[a].apply(c.walls[a].normalImpulse);
+                c.walls[a].solve();
+            }
+        }
+    }
+
+    private void integratePositions(Circle c) {
+        float[] to = new float[2];
+        for (int a = 0; a < 2; a++) {
+            c.velocity[a] = limitSpeed(c.velocity[a]);
+            to[a] = c.displacement[a] + c.velocity[a] * k.h();
+        }
+        if (!c.isStatic() && dot(to, to) > c.allowance * c.allowance) {
+            keepNearFreePath(c, to);
+        }
+        for (int a = 0; a < 2; a++) {
+            float x = c.base[a] + to[a];
+            float low = c.low(a, k);
+            float high = c.high(a, k);
+            c.displacement[a] = x < low ? low - c.base[a] : x > high ? high - c.base[a] : to[a];
+            if (!c.isStatic()) {
+                c.walls[a].measure();
+                c.walls[a].relax();
+                c.walls[a].storeImpulse();
+            } else if (c.displacement[a] != to[a]) {
+                c.velocity[a] = 0f;
+            }
+        }
+        clearImpulses(c);
+    }
+
+    private static void keepNearFreePath(Circle c, float[] to) {
+        float square = dot(c.freePath, c.freePath);
+        float share = square > 0f ? clamp(dot(to, c.freePath) / square, 0f, 1f) : 0f;
+        float[] nearest = {share * c.freePath[0], share * c.freePath[1]};
+        float[] off = Numbers.minus(to, nearest);
+        float distance = length(off);
+        for (int a = 0; a < 2 && distance > c.allowance; a++) {
+            to[a] = nearest[a] + c.allowance / distance * off[a];
         }
     }
 
     private static void clearImpulses(Circle c) {
-        c.x.impulses = 0f;
-        c.y.impulses = 0f;
+        c.impulses[0] = 0f;
+        c.impulses[1] = 0f;
         c.loadedNext = false;
-    }
-
-    private void storeImpulses(Map<Contact.Pair, Float> impulseCache) {
-        impulseCache.clear();
-        for (Contact contact : contacts) {
-            if (contact.normalImpulse > 0f) {
-                impulseCache.put(contact.pair, contact.normalImpulse);
-            }
-        }
-    }
-
-    // ---- sub-steps
-    // ---------------------------------------------------------------------------------------------------
-
-    private void integrateVelocities(Circle c) {
-        c.loaded = !c.isStatic() && (c.loadedNext || c.x.wallImpulse != 0f || c.y.wallImpulse != 0f);
-        integrateVelocity(c, c.x, k.gravityStepX);
-        integrateVelocity(c, c.y, k.gravityStepY);
-    }
-
-    private static void integrateVelocity(Circle c, Circle.Axis axis, float gravityStep) {
-        if (c.isStatic()) {
-            axis.velocityBeforeImpulses = axis.velocity;
-            return;
-        }
-        axis.velocityBeforeImpulses = axis.velocity + gravityStep;
-        axis.velocity = Numbers.limitSpeed(axis.velocityBeforeImpulses + c.inverseMass() * axis.impulses);
-        axis.wall.measure();
-        axis.wall.apply(axis.wall.normalImpulse);
-        axis.wall.solve();
-    }
-
-    private void integratePositions(Circle c) {
-        c.x.velocity = Numbers.limitSpeed(c.x.velocity);
-        c.y.velocity = Numbers.limitSpeed(c.y.velocity);
-        float toX = c.x.displacement + c.x.velocity * k.h;
-        float toY = c.y.displacement + c.y.velocity * k.h;
-        if (!c.isStatic() && toX * toX + toY * toY > c.allowance * c.allowance) {
-            float share = nearestShare(toX, toY, c.x.freePath, c.y.freePath);
-            float offX = toX - share * c.x.freePath;
-            float offY = toY - share * c.y.freePath;
-            float off = Numbers.length(offX, offY);
-            if (off > c.allowance) {
-                toX = share * c.x.freePath + c.allowance / off * offX;
-                toY = share * c.y.freePath + c.allowance / off * offY;
-            }
-        }
-        move(c, c.x, toX, k.x);
-        move(c, c.y, toY, k.y);
-        clearImpulses(c);
-    }
-
-    /** Where on a path a point is nearest, as a share of the path. */
-    private static float nearestShare(float x, float y, float pathX, float pathY) {
-        float square = pathX * pathX + pathY * pathY;
-        return square > 0f ? Numbers.clamp((x * pathX + y * pathY) / square, 0f, 1f) : 0f;
-    }
-
-    private static void move(Circle c, Circle.Axis axis, float to, StepParameters.Walls walls) {
-        float low = walls.low() + c.margin();
-        float high = walls.high() - c.margin();
-        float coordinate = axis.base + to;
-        axis.displacement = coordinate < low ? low - axis.base : coordinate > high ? high - axis.base : to;
-        if (!c.isStatic()) {
-            axis.wall.measure();
-            axis.wall.relax();
-            axis.wall.storeImpulse();
-        } else if (axis.displacement != to) {
-            axis.velocity = 0f;
-        }
     }
 
     private static void relax(Contact contact) {
@@ -185,17 +153,23 @@ final class Step {
     }
 
     private void finalizePositions(Circle c) {
-        finalizePosition(c.x, k.x.low() + c.margin(), k.x.high() - c.margin());
-        finalizePosition(c.y, k.y.low() + c.margin(), k.y.high() - c.margin());
+        for (int a = 0; a < 2; a++) {
+            float sum = c.base[a] + c.displacement[a];
+            float inside = clamp(sum, c.low(a, k), c.high(a, k));
+            float part = sum - c.base[a];
+            float lost = (c.base[a] - (sum - part)) + (c.displacement[a] - part);
+            c.displacement[a] = inside == sum ? lost : 0f;
+            c.base[a] = inside;
+            c.velocity[a] = limitSpeed(c.velocity[a]);
+        }
     }
 
-    private static void finalizePosition(Circle.Axis axis, float low, float high) {
-        float sum = axis.base + axis.displacement;
-        float inside = Numbers.clamp(sum, low, high);
-        float part = sum - axis.base;
-        float lost = (axis.base - (sum - part)) + (axis.displacement - part);
-        axis.displacement = inside == sum ? lost : 0f;
-        axis.base = inside;
-        axis.velocity = Numbers.limitSpeed(axis.velocity);
+    private void storeImpulses(Map<Contact.Pair, Float> impulseCache) {
+        impulseCache.clear();
+        for (Contact contact : contacts) {
+            if (contact.normalImpulse > 0f) {
+                impulseCache.put(contact.pair, contact.normalImpulse);
+            }
+        }
     }
 }

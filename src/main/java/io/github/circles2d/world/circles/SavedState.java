@@ -36,7 +36,7 @@ public final class SavedState {
     /** By circle: its row of traits, by {@link CircleRow}. */
     public float[] traits = new float[0];
 
-    /** Number of remembered impulses. */
+    /** Number of cached impulses. */
     public int impulses;
 
     /** By impulse: the lower id of the pair. Impulses are in ascending order of the lower id, then of the higher. */

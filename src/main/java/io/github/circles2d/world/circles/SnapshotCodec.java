@@ -323,7 +323,7 @@ public final class SnapshotCodec {
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
             float lambda = getFloat(in);
-            require(lambda > 0 && lambda <= Limits.REMEMBERED_IMPULSE, "an impulse is out of range");
+            require(lambda > 0 && lambda <= Limits.CACHED_IMPULSE, "an impulse is out of range");
             s.lo[s.impulses] = id;
             s.hi[s.impulses] = (int) hi;
             s.lambda[s.impulses++] = lambda;

@@ -4,9 +4,9 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
-import io.github.circles2d.world.device.memory.RememberedContact;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
@@ -107,7 +107,7 @@ final class CommandsStage {
                 .arg(4, arrays.get(DeviceArray.HOME_MOTION))
                 .arg(5, arrays.get(DeviceArray.HOME_TRAITS))
                 .arg(6, arrays.get(DeviceArray.HOME_ID))
-                .arg(7, arrays.get(DeviceArray.HOME_MEMORY))
+                .arg(7, arrays.get(DeviceArray.HOME_FIRST_CACHED))
                 .arg(8, arrays.get(DeviceArray.SLOT_OF))
                 .run(count);
         return nextSlot;
@@ -149,7 +149,7 @@ final class CommandsStage {
             }
             batchOf[id] = batch;
             last[id] = r;
-            link[LINK_STRIDE * r + AT_NEXT] = RememberedContact.NONE;
+            link[LINK_STRIDE * r + AT_NEXT] = CachedImpulse.NONE;
             int slot = 0;
             if (operation == Commands.ADD) {
                 slot = reused < reusable ? free[reused++] : nextSlot++;

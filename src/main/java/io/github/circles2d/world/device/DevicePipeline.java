@@ -66,8 +66,8 @@ public final class DevicePipeline implements Pipeline {
     /** What makes the steps that were enqueued last; null before the first. */
     private Plan plan;
 
-    /** Places of contacts in the last step, which remembered impulses are numbered by. */
-    private int remembered;
+    /** Places of contacts in the last step, which cached impulses are numbered by. */
+    private int cachedPlaces;
 
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
@@ -208,7 +208,7 @@ public final class DevicePipeline implements Pipeline {
                 each.learn(status.get(StatusWord.TILE_PEAK), thinning > 0);
             }
             if (pendingSteps == 0) {
-                remembered = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));
+                cachedPlaces = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));
                 stats.stepped(plan, circles, status.get(StatusWord.CONTACTS));
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
@@ -263,20 +263,20 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void readCircles(HandleTable roster, float[] to) {
+    public void readCircles(HandleTable handles, float[] to) {
         settle();
-        readback.circles(roster, slots, to);
+        readback.circles(handles, slots, to);
     }
 
     @Override
-    public FloatBuffer positions(HandleTable roster) {
+    public FloatBuffer positions(HandleTable handles) {
         settle();
-        return readback.positions(roster, slots);
+        return readback.positions(handles, slots);
     }
 
     @Override
-    public void requestPositions(HandleTable roster) {
-        requested.request(roster, slotsBehindPending(), stepsSeen + pendingSteps);
+    public void requestPositions(HandleTable handles) {
+        requested.request(handles, slotsBehindPending(), stepsSeen + pendingSteps);
     }
 
     @Override
@@ -295,9 +295,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void readVelocities(HandleTable roster, float[] to) {
+    public void readVelocities(HandleTable handles, float[] to) {
         settle();
-        readback.velocities(roster, slots, to);
+        readback.velocities(handles, slots, to);
     }
 
     @Override
@@ -314,13 +314,13 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, slots, remembered).hash();
+        return new StateTransfer(arrays, slots, cachedPlaces).hash();
     }
 
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, slots, remembered).save(into);
+        new StateTransfer(arrays, slots, cachedPlaces).save(into);
     }
 
     @Override
@@ -343,7 +343,7 @@ public final class DevicePipeline implements Pipeline {
         slots = from.circles;
         commands.slotsInOrder();
         circles = from.circles;
-        remembered = from.impulses;
+        cachedPlaces = from.impulses;
         stats.loaded();
     }
 

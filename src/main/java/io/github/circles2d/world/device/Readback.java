@@ -45,30 +45,30 @@ final class Readback {
         sharedView = shared.floats().asReadOnlyBuffer();
     }
 
-    void circles(HandleTable roster, int slots, float[] to) {
-        ensureHost(CIRCLE_BYTES * roster.end());
+    void circles(HandleTable handles, int slots, float[] to) {
+        ensureHost(CIRCLE_BYTES * handles.end());
         layOut(circles, DeviceArray.HOME_CIRCLE, slots);
-        byId.read(0, host, 0, CIRCLE_BYTES * roster.end());
+        byId.read(0, host, 0, CIRCLE_BYTES * handles.end());
         FloatBuffer read = host.floats();
-        compact(roster::lives, roster.end(), 4, (at, written, length) -> read.get(at, to, written, length));
+        compact(handles::lives, handles.end(), 4, (at, written, length) -> read.get(at, to, written, length));
     }
 
-    void velocities(HandleTable roster, int slots, float[] to) {
-        ensureHost(POINT_BYTES * roster.end());
+    void velocities(HandleTable handles, int slots, float[] to) {
+        ensureHost(POINT_BYTES * handles.end());
         layOut(velocities, DeviceArray.HOME_MOTION, slots);
-        byId.read(0, host, 0, POINT_BYTES * roster.end());
+        byId.read(0, host, 0, POINT_BYTES * handles.end());
         FloatBuffer read = host.floats();
-        compact(roster::lives, roster.end(), 2, (at, written, length) -> read.get(at, to, written, length));
+        compact(handles::lives, handles.end(), 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
-    FloatBuffer positions(HandleTable roster, int slots) {
-        ensureShared(POINT_BYTES * roster.end());
+    FloatBuffer positions(HandleTable handles, int slots) {
+        ensureShared(POINT_BYTES * handles.end());
         layOut(positions, DeviceArray.HOME_CIRCLE, slots);
-        byId.read(0, shared, 0, POINT_BYTES * roster.end());
-        if (roster.size() < roster.end()) {
-            closeGaps(roster::lives, roster.end(), shared.floats());
+        byId.read(0, shared, 0, POINT_BYTES * handles.end());
+        if (handles.size() < handles.end()) {
+            closeGaps(handles::lives, handles.end(), shared.floats());
         }
-        return sharedView.clear().limit(2 * roster.size());
+        return sharedView.clear().limit(2 * handles.size());
     }
 
     /** Lays an array of the state out by id, on the device. */

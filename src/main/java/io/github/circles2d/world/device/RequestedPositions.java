@@ -61,14 +61,14 @@ final class RequestedPositions {
      * @param slots slots in use after them
      * @param steps steps written home since the world was made, once they have been made
      */
-    void request(HandleTable roster, int slots, int steps) {
+    void request(HandleTable handles, int slots, int steps) {
         awaitCopy();
         requested = false;
-        ensure(HEADER + Readback.POINT_BYTES * roster.end());
-        circles = roster.size();
-        end = roster.end();
+        ensure(HEADER + Readback.POINT_BYTES * handles.end());
+        circles = handles.size();
+        end = handles.end();
         if (circles < end) {
-            living = roster.copyLiving(living);
+            living = handles.copyLiving(living);
         }
         stepsDue = steps;
         layOut(slots);

@@ -2,9 +2,9 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
-import io.github.circles2d.world.device.memory.RememberedContact;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -20,13 +20,13 @@ final class StateTransfer {
     /** Memory that a saved state needs on its way to the device. */
     static final class Links {
         private final int[] slotOf;
-        private final int[] memory;
-        private final int[] old;
+        private final int[] firstCached;
+        private final int[] entries;
 
         Links(SavedState from, DeviceArrays arrays) {
             slotOf = new int[arrays.idCapacity()];
-            memory = new int[from.circles];
-            old = new int[RememberedContact.STRIDE * from.impulses];
+            firstCached = new int[from.circles];
+            entries = new int[CachedImpulse.STRIDE * from.impulses];
         }
     }
 
@@ -35,27 +35,27 @@ final class StateTransfer {
     private final float[] circle;
     private final float[] motion;
     private final float[] traits;
-    private final int[] memory;
+    private final int[] firstCached;
     private final int[] slotOf;
 
-    /** Remembered contacts, as {@link RememberedContact} says. */
-    private final int[] old;
+    /** Entries of the impulse cache, as {@link CachedImpulse} says. */
+    private final int[] entries;
 
     /**
      * Reads the state.
      *
      * @param slots slots at home
-     * @param remembered number of contacts of the last step
+     * @param cachedPlaces number of contacts of the last step
      */
-    StateTransfer(DeviceArrays arrays, int slots, int remembered) {
+    StateTransfer(DeviceArrays arrays, int slots, int cachedPlaces) {
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
         circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
         motion = Readback.floats(arrays.get(DeviceArray.HOME_MOTION), FLOATS * slots);
         traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
-        memory = Readback.ints(arrays.get(DeviceArray.HOME_MEMORY), slots);
+        firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
-        old = Readback.ints(arrays.get(DeviceArray.OLD), RememberedContact.STRIDE * remembered);
+        entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedPlaces);
     }
 
     long hash() {
@@ -85,24 +85,24 @@ final class StateTransfer {
 
     private long hashOfMemory(int slot) {
         long sum = 0;
-        for (int c = memory[slot]; c >= 0; c = old[at(c, RememberedContact.AT_NEXT)]) {
-            if (isRecalled(c)) {
+        for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
+            if (isFound(c)) {
                 long h = StateHash.absorb(
-                        StateHash.absorb(StateHash.impulse(), id[slot]), old[at(c, RememberedContact.AT_HIGHER_ID)]);
-                sum += StateHash.absorb(h, Float.intBitsToFloat(old[at(c, RememberedContact.AT_IMPULSE)]));
+                        StateHash.absorb(StateHash.impulse(), id[slot]), entries[at(c, CachedImpulse.AT_HIGHER_ID)]);
+                sum += StateHash.absorb(h, Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]));
             }
         }
         return sum;
     }
 
     private static int at(int contact, int field) {
-        return RememberedContact.STRIDE * contact + field;
+        return CachedImpulse.STRIDE * contact + field;
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
-    private boolean isRecalled(int c) {
-        int hi = slotOf[old[at(c, RememberedContact.AT_HIGHER_ID)]];
-        return hi >= 0 && memory[hi] != RememberedContact.FRESH;
+    private boolean isFound(int c) {
+        int hi = slotOf[entries[at(c, CachedImpulse.AT_HIGHER_ID)]];
+        return hi >= 0 && firstCached[hi] != CachedImpulse.FRESH;
     }
 
     /** Saves the circles whose ids are given, and the impulses. */
@@ -113,12 +113,12 @@ final class StateTransfer {
             System.arraycopy(circle, FLOATS * slot, into.circle, FLOATS * k, FLOATS);
             System.arraycopy(motion, FLOATS * slot, into.motion, FLOATS * k, FLOATS);
             System.arraycopy(traits, FLOATS * slot, into.traits, FLOATS * k, FLOATS);
-            for (int c = memory[slot]; c >= 0; c = old[at(c, RememberedContact.AT_NEXT)]) {
-                if (isRecalled(c)) {
+            for (int c = firstCached[slot]; c >= 0; c = entries[at(c, CachedImpulse.AT_NEXT)]) {
+                if (isFound(c)) {
                     into.addImpulse(
                             id[slot],
-                            old[at(c, RememberedContact.AT_HIGHER_ID)],
-                            Float.intBitsToFloat(old[at(c, RememberedContact.AT_IMPULSE)]));
+                            entries[at(c, CachedImpulse.AT_HIGHER_ID)],
+                            Float.intBitsToFloat(entries[at(c, CachedImpulse.AT_IMPULSE)]));
                 }
             }
         }
@@ -128,26 +128,26 @@ final class StateTransfer {
     static void load(SavedState from, DeviceArrays arrays, Links links) {
         int n = from.circles;
         int[] slotOf = links.slotOf;
-        int[] memory = links.memory;
-        int[] old = links.old;
-        Arrays.fill(slotOf, RememberedContact.NONE);
+        int[] firstCached = links.firstCached;
+        int[] entries = links.entries;
+        Arrays.fill(slotOf, CachedImpulse.NONE);
         for (int slot = 0; slot < n; slot++) {
             slotOf[from.id[slot]] = slot;
         }
-        Arrays.fill(memory, RememberedContact.NONE);
+        Arrays.fill(firstCached, CachedImpulse.NONE);
         for (int c = 0; c < from.impulses; c++) {
             int lo = slotOf[from.lo[c]];
-            old[at(c, RememberedContact.AT_HIGHER_ID)] = from.hi[c];
-            old[at(c, RememberedContact.AT_IMPULSE)] = Float.floatToRawIntBits(from.lambda[c]);
-            old[at(c, RememberedContact.AT_NEXT)] = memory[lo];
-            memory[lo] = c;
+            entries[at(c, CachedImpulse.AT_HIGHER_ID)] = from.hi[c];
+            entries[at(c, CachedImpulse.AT_IMPULSE)] = Float.floatToRawIntBits(from.lambda[c]);
+            entries[at(c, CachedImpulse.AT_NEXT)] = firstCached[lo];
+            firstCached[lo] = c;
         }
         arrays.get(DeviceArray.HOME_CIRCLE).write(FloatBuffer.wrap(from.circle, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_MOTION).write(FloatBuffer.wrap(from.motion, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_TRAITS).write(FloatBuffer.wrap(from.traits, 0, FLOATS * n));
         arrays.get(DeviceArray.HOME_ID).write(0, IntBuffer.wrap(from.id, 0, n));
-        arrays.get(DeviceArray.HOME_MEMORY).write(0, IntBuffer.wrap(memory));
+        arrays.get(DeviceArray.HOME_FIRST_CACHED).write(0, IntBuffer.wrap(firstCached));
         arrays.get(DeviceArray.SLOT_OF).write(0, IntBuffer.wrap(slotOf));
-        arrays.get(DeviceArray.OLD).write(0, IntBuffer.wrap(old));
+        arrays.get(DeviceArray.IMPULSE_CACHE).write(0, IntBuffer.wrap(entries));
     }
 }

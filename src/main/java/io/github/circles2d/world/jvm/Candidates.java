@@ -60,7 +60,7 @@ final class Candidates {
         return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
     }
 
-    /** Whether a pair of circles that are near to each other is listed: not where both are fixed, and maybe not in a crowd. */
+    /** Whether a pair of circles that are near to each other is listed: not where both are static, and maybe not in a crowd. */
     boolean keeps(int slot, int other) {
         if (isStatic(slot) && isStatic(other)) {
             return false;
@@ -118,17 +118,17 @@ final class Candidates {
 
     private int countIn(int slot, int from, int to) {
         float[] circle = state.circle;
-        float[] reach = grid.reach;
+        float[] speculativeDistance = grid.speculativeDistance;
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
-        float own = reach[slot];
-        boolean fixed = isStatic(slot);
+        float own = speculativeDistance[slot];
+        boolean ownIsStatic = isStatic(slot);
         int sum = 0;
         for (int other = from; other < to; other++) {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
-            int near = PairRule.isNear(dx, dy, own, reach[other]);
-            if (near != 0 && other != slot && !(fixed && isStatic(other))) {
+            int near = PairRule.isNear(dx, dy, own, speculativeDistance[other]);
+            if (near != 0 && other != slot && !(ownIsStatic && isStatic(other))) {
                 sum++;
             }
         }

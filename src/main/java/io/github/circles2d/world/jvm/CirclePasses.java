@@ -153,7 +153,7 @@ final class CirclePasses {
         float[] traits = state.traits;
         float[] circle = state.circle;
         float[] load = state.load;
-        float[] leash = state.leash;
+        float[] clamp = state.motionClamp;
         float[] bounce = state.wallBounce;
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
@@ -166,15 +166,15 @@ final class CirclePasses {
             m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
-            float allowance = leash[s + ALLOWANCE];
+            float allowance = clamp[s + ALLOWANCE];
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
-                float pathX = leash[s + PATH_X];
-                float pathY = leash[s + PATH_Y];
+                float pathX = clamp[s + PATH_X];
+                float pathY = clamp[s + PATH_Y];
                 if (allowance == Tuning.CARRIED) {
                     dx = pathX;
                     dy = pathY;
                 } else {
-                    float kept = leash[s + KEPT];
+                    float kept = clamp[s + KEPT];
                     if (allowance < 0f) {
                         float along =
                                 CircleMath.along(dx, dy, pathX, pathY) / CircleMath.along(pathX, pathY, pathX, pathY);
@@ -202,7 +202,7 @@ final class CirclePasses {
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
             if (first) {
-                state.memory[slot] = -1;
+                state.firstCached[slot] = -1;
                 state.fresh[slot] = false;
             }
             if (w == 0f) {

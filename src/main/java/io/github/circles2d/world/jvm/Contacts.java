@@ -288,7 +288,7 @@ public final class Contacts {
     }
 
     /** The impulses that the contacts of the step before ended with. */
-    ImpulseCache memory() {
+    ImpulseCache impulseCache() {
         return impulseCache;
     }
 

@@ -23,10 +23,10 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
 /**
- * Continuous collision (stage Sweep): keeps fast circles from passing through others. A circle is fast if its path in this step is
+ * Continuous collision: keeps fast circles from passing through others. A circle is fast if its path in this step is
  * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
  * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
- * ends where they touch. The motion clamp (leash) then holds every circle: a collision may lead it away from its path by at most
+ * ends where they touch. The motion clamp then holds every circle: a collision may lead it away from its path by at most
  * half its radius in this step.
  *
  * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
@@ -56,7 +56,7 @@ public final class ContinuousCollision {
     private final Team team;
 
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
-    private int[] share = new int[0];
+    private int[] timeOfImpact = new int[0];
 
     /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
     private float[] near = new float[0];
@@ -78,8 +78,8 @@ public final class ContinuousCollision {
     }
 
     void ensure() {
-        if (share.length < state.capacity()) {
-            share = new int[state.capacity()];
+        if (timeOfImpact.length < state.capacity()) {
+            timeOfImpact = new int[state.capacity()];
             near = new float[state.capacity()];
             allowance = new float[state.capacity()];
             pusher = new int[state.capacity()];
@@ -92,14 +92,14 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 16L * share.length + 4L * range.length;
+        return 16L * timeOfImpact.length + 4L * range.length;
     }
 
     void sweep(int worker, StepConstants constants) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         if (!grid.anyFast()) {
-            layFree(from, to);
+            setFreeClamps(from, to);
             return;
         }
         start(from, to, constants);
@@ -115,7 +115,7 @@ public final class ContinuousCollision {
             lookAhead(from, to, true);
             team.sync(worker);
         }
-        leash(from, to, constants);
+        setMotionClamps(from, to, constants);
         team.sync(worker);
     }
 
@@ -149,7 +149,7 @@ public final class ContinuousCollision {
 
     private void start(int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
-            share[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
+            timeOfImpact[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
             near[slot] = 1f;
             allowance[slot] = Float.POSITIVE_INFINITY;
             pusher[slot] = NOBODY;
@@ -281,10 +281,10 @@ public final class ContinuousCollision {
         float dx = circle[o + X] - circle[s + X];
         float dy = circle[o + Y] - circle[s + Y];
         if (stands && PairRule.isNear(dx, dy, r + r, ro) != 0) {
-            restrain(slot, Tuning.LEASH * r, allowance[slot] < 0f);
+            restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
         }
         boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
-        if (PairRule.isNear(dx, dy, grid.reach[slot], grid.reach[other]) != 0
+        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
                 && !carries
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
@@ -296,12 +296,12 @@ public final class ContinuousCollision {
         float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
         if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
             if (!pushes && !forPushers) {
-                hold(slot, t, stands ? Tuning.LEASH * r : CircleMath.least(r, ro), stands);
+                hold(slot, t, stands ? Tuning.CLAMP_ALLOWANCE * r : CircleMath.least(r, ro), stands);
             }
         } else if (forPushers) {
-            if (pushes && share[other] == Float.floatToRawIntBits(t)) {
+            if (pushes && timeOfImpact[other] == Float.floatToRawIntBits(t)) {
                 push(slot, other);
-            } else if (stands && grid.path[other] > 0f && share[slot] == Float.floatToRawIntBits(t)) {
+            } else if (stands && grid.path[other] > 0f && timeOfImpact[slot] == Float.floatToRawIntBits(t)) {
                 push(other, slot);
             }
         } else if (pushes) {
@@ -340,36 +340,36 @@ public final class ContinuousCollision {
 
     private void shorten(int slot, float t) {
         int bits = Float.floatToRawIntBits(t);
-        int seen = share[slot];
-        while (bits < seen && !INTS.compareAndSet(share, slot, seen, bits)) {
-            seen = (int) INTS.getVolatile(share, slot);
+        int seen = timeOfImpact[slot];
+        while (bits < seen && !INTS.compareAndSet(timeOfImpact, slot, seen, bits)) {
+            seen = (int) INTS.getVolatile(timeOfImpact, slot);
         }
     }
 
-    /** Lays the leashes where no circle is fast. */
-    private void layFree(int from, int to) {
-        float[] leash = state.leash;
+    /** Sets the motion clamps where no circle is fast. */
+    private void setFreeClamps(int from, int to) {
+        float[] clamp = state.motionClamp;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
-            leash[s + PATH_X] = state.plan[CircleRow.vector(slot) + X];
-            leash[s + PATH_Y] = state.plan[CircleRow.vector(slot) + Y];
-            leash[s + ALLOWANCE] = Tuning.LEASH * state.circle[s + RADIUS];
-            leash[s + KEPT] = 1f;
+            clamp[s + PATH_X] = state.plan[CircleRow.vector(slot) + X];
+            clamp[s + PATH_Y] = state.plan[CircleRow.vector(slot) + Y];
+            clamp[s + ALLOWANCE] = Tuning.CLAMP_ALLOWANCE * state.circle[s + RADIUS];
+            clamp[s + KEPT] = 1f;
         }
     }
 
-    /** Lays the leashes. */
-    private void leash(int from, int to, StepConstants k) {
-        float[] leash = state.leash;
+    /** Sets the motion clamps. */
+    private void setMotionClamps(int from, int to, StepConstants k) {
+        float[] clamp = state.motionClamp;
         float[] plan = state.plan;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float px = plan[CircleRow.vector(slot) + X];
             float py = plan[CircleRow.vector(slot) + Y];
-            float free = Float.intBitsToFloat(share[slot]);
+            float free = Float.intBitsToFloat(timeOfImpact[slot]);
             float r = state.circle[s + RADIUS];
             float kept = near[slot];
-            float allowed = kept < 1f ? allowance[slot] : Tuning.LEASH * r;
+            float allowed = kept < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
             if (free < kept) {
                 float rest = 1f - free;
                 px = free * px;
@@ -382,14 +382,14 @@ public final class ContinuousCollision {
                     py += rest * plan[p + Y];
                     allowed = carries(pusher[slot], r) ? Tuning.CARRIED : 0f;
                 }
-                grid.reach[slot] = CircleMath.reach(r, 0f);
+                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
                 state.motion[s + VX] -= rest * (k.gravityStepX * k.subSteps);
                 state.motion[s + VY] -= rest * (k.gravityStepY * k.subSteps);
             }
-            leash[s + PATH_X] = px;
-            leash[s + PATH_Y] = py;
-            leash[s + ALLOWANCE] = allowed;
-            leash[s + KEPT] = kept;
+            clamp[s + PATH_X] = px;
+            clamp[s + PATH_Y] = py;
+            clamp[s + ALLOWANCE] = allowed;
+            clamp[s + KEPT] = kept;
         }
     }
 }

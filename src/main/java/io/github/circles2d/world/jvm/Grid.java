@@ -42,7 +42,7 @@ public final class Grid {
     int[] bucketOf = new int[0];
 
     /** By slot: how far the circle looks for contacts. */
-    float[] reach = new float[0];
+    float[] speculativeDistance = new float[0];
 
     /** By slot: length of what the circle would move in the step. */
     float[] path = new float[0];
@@ -74,7 +74,7 @@ public final class Grid {
             rank = new int[c];
             order = new int[c];
             bucketOf = new int[c];
-            reach = new float[c];
+            speculativeDistance = new float[c];
             path = new float[c];
             level = new byte[c];
         }
@@ -183,24 +183,24 @@ public final class Grid {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
-            boolean fixed = state.traits[s + INVERSE_MASS] == 0f;
-            float px = CircleMath.plan(motion[s + VX], constants.dt, fixed ? 0f : constants.fallX);
-            float py = CircleMath.plan(motion[s + VY], constants.dt, fixed ? 0f : constants.fallY);
+            boolean isStatic = state.traits[s + INVERSE_MASS] == 0f;
+            float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
+            float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
             float length = CircleMath.norm(px, py);
-            if (!fixed && length > r) {
+            if (!isStatic && length > r) {
                 Bounds b = constants.bounds;
                 px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
                 py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
                 length = CircleMath.norm(px, py);
             }
-            float share = fixed ? 1f : CircleMath.travelShare(length, r);
+            float share = isStatic ? 1f : CircleMath.travelShare(length, r);
             plan[2 * slot] = share * px;
             plan[2 * slot + 1] = share * py;
             level[slot] = (byte) levels.level(r);
             path[slot] = share * length;
-            reach[slot] = CircleMath.reach(r, path[slot]);
-            some |= CircleMath.isFast(path[slot], fixed ? least : r);
-            moving |= fixed && length > 0f;
+            speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
+            some |= CircleMath.isFast(path[slot], isStatic ? least : r);
+            moving |= isStatic && length > 0f;
         }
         if (some) {
             fast = true;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /**
  * The normal impulses at the end of a step, from which the next step warm-starts. They have the numbers that the contacts had in
- * that step. Each circle of lower id has a chain of them, which begins at {@link State#memory}. An entry names the circle of higher
+ * that step. Each circle of lower id has a chain of them, which begins at {@link State#firstCached}. An entry names the circle of higher
  * id by its id, so slots may change in between.
  */
 final class ImpulseCache {
@@ -42,7 +42,7 @@ final class ImpulseCache {
     /** The impulse of a pair of slots, of which the higher id is known; 0 if there is none. */
     float find(int lower, int higher, int id) {
         if (!state.fresh[higher]) {
-            for (int c = state.memory[lower]; c >= 0; c = next[c]) {
+            for (int c = state.firstCached[lower]; c >= 0; c = next[c]) {
                 if (higherId[c] == id) {
                     return normalImpulse[c];
                 }
@@ -55,8 +55,8 @@ final class ImpulseCache {
     void store(int c, int lower, int id, float impulse) {
         higherId[c] = id;
         normalImpulse[c] = impulse;
-        next[c] = state.memory[lower];
-        state.memory[lower] = c;
+        next[c] = state.firstCached[lower];
+        state.firstCached[lower] = c;
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
@@ -67,7 +67,7 @@ final class ImpulseCache {
 
     /** Saves the impulses of a slot, as the circle of lower id, that the next step may start from. */
     void save(int slot, SavedState into) {
-        for (int c = state.memory[slot]; c >= 0; c = next[c]) {
+        for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
                 into.addImpulse(state.id[slot], higherId[c], normalImpulse[c]);
             }
@@ -84,7 +84,7 @@ final class ImpulseCache {
     /** The part of the impulses of a slot, as the circle of lower id, in the hash of the state. */
     long hash(int slot) {
         long sum = 0;
-        for (int c = state.memory[slot]; c >= 0; c = next[c]) {
+        for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
                 long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), higherId[c]);
                 sum += StateHash.absorb(h, normalImpulse[c]);

@@ -59,7 +59,7 @@ public final class JvmPipeline implements Pipeline {
     public JvmPipeline(int threads, int leastShare, int capacity, boolean profiling) {
         team = new Team(threads);
         this.leastShare = leastShare;
-        times = new StageTimes(profiling, "Grid", "Sweep", "Contacts", "Solver");
+        times = new StageTimes(profiling, "Grid", "ContinuousCollision", "Contacts", "Solver");
         grid = new Grid(state, levels, team);
         contacts = new Contacts(state, grid, levels, team);
         sweep = new ContinuousCollision(state, grid, levels, team);
@@ -145,30 +145,30 @@ public final class JvmPipeline implements Pipeline {
     public long hash() {
         long sum = state.hash();
         for (int slot = 0; slot < state.n; slot++) {
-            sum += contacts.memory().hash(slot);
+            sum += contacts.impulseCache().hash(slot);
         }
         return sum;
     }
 
     @Override
-    public void readCircles(HandleTable roster, float[] to) {
+    public void readCircles(HandleTable handles, float[] to) {
         int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
                 System.arraycopy(state.circle, CircleRow.of(state.slotOf[id]), to, CircleRow.of(k++), CircleRow.STRIDE);
             }
         }
     }
 
     @Override
-    public FloatBuffer positions(HandleTable roster) {
-        positions.copy(state, roster);
+    public FloatBuffer positions(HandleTable handles) {
+        positions.copy(state, handles);
         return positions.view();
     }
 
     @Override
-    public void requestPositions(HandleTable roster) {
-        requested.copy(state, roster);
+    public void requestPositions(HandleTable handles) {
+        requested.copy(state, handles);
     }
 
     @Override
@@ -185,10 +185,10 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void readVelocities(HandleTable roster, float[] to) {
+    public void readVelocities(HandleTable handles, float[] to) {
         int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
                 int s = CircleRow.of(state.slotOf[id]);
                 to[2 * k] = state.motion[s + VX];
                 to[2 * k + 1] = state.motion[s + VY];
@@ -203,7 +203,7 @@ public final class JvmPipeline implements Pipeline {
         for (int k = 0; k < into.circles; k++) {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);
-            contacts.memory().save(slot, into);
+            contacts.impulseCache().save(slot, into);
         }
     }
 
@@ -211,7 +211,7 @@ public final class JvmPipeline implements Pipeline {
     public void makeRoom(SavedState from) {
         state.ensure(from.circles);
         state.ensureIds(from.ids);
-        contacts.memory().ensure(from.impulses);
+        contacts.impulseCache().ensure(from.impulses);
     }
 
     @Override

@@ -144,15 +144,15 @@ final class MixedPairs {
 
     private void scan(Found f, int slot, int from, int to, int group) {
         float[] circle = state.circle;
-        float[] reach = grid.reach;
+        float[] speculativeDistance = grid.speculativeDistance;
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
-        float own = reach[slot];
+        float own = speculativeDistance[slot];
         f.tested += to - from;
         for (int other = from; other < to; other++) {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
-            if (PairRule.isNear(dx, dy, own, reach[other]) != 0 && candidates.keeps(slot, other)) {
+            if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && candidates.keeps(slot, other)) {
                 int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
                 f.add(slot, other, group, rank);
             }

@@ -69,11 +69,11 @@ public final class Pairs {
     /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */
     private int scan(FoundPairs f, int hitsBefore, int slot, int from, int to) {
         float[] circle = state.circle;
-        float[] reach = grid.reach;
+        float[] speculativeDistance = grid.speculativeDistance;
         long[] hits = f.hits;
         float x = circle[CircleRow.of(slot) + X];
         float y = circle[CircleRow.of(slot) + Y];
-        float own = reach[slot];
+        float own = speculativeDistance[slot];
         int count = hitsBefore;
         for (int begin = from; begin < to; begin += BLOCK) {
             int end = Math.min(to, begin + BLOCK);
@@ -81,7 +81,7 @@ public final class Pairs {
                 float dx = circle[CircleRow.of(other) + X] - x;
                 float dy = circle[CircleRow.of(other) + Y] - y;
                 hits[count] = (long) slot << 32 | other;
-                count -= PairRule.isNear(dx, dy, own, reach[other]);
+                count -= PairRule.isNear(dx, dy, own, speculativeDistance[other]);
             }
             f.tested += end - begin;
             if (count > BLOCK) {

@@ -13,15 +13,15 @@ public final class Positions {
     private FloatBuffer view = floats.asReadOnlyBuffer();
 
     /** Takes the positions of now, in ascending order of ids. */
-    void copy(State state, HandleTable roster) {
-        if (floats.capacity() < 2 * roster.size()) {
-            FloatBuffer larger = FloatBuffer.allocate(3 * roster.size());
+    void copy(State state, HandleTable handles) {
+        if (floats.capacity() < 2 * handles.size()) {
+            FloatBuffer larger = FloatBuffer.allocate(3 * handles.size());
             view = larger.asReadOnlyBuffer();
             floats = larger;
         }
         int k = 0;
-        for (int id = 0; id < roster.end(); id++) {
-            if (roster.lives(id)) {
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
                 int s = CircleRow.of(state.slotOf[id]);
                 floats.put(k++, state.circle[s + X]);
                 floats.put(k++, state.circle[s + Y]);

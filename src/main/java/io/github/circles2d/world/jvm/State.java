@@ -41,14 +41,14 @@ public final class State {
     /** By slot: displacement x, y, velocity x, y. */
     float[] motion = new float[0];
 
-    /** By slot: inverse mass (0: fixed), restitution, impulse speed of the walls x, y (positive: lower wall). */
+    /** By slot: inverse mass (0: static), restitution, impulse speed of the walls x, y (positive: lower wall). */
     float[] traits = new float[0];
 
     /** By slot: the id. */
     int[] id = new int[0];
 
-    /** By slot: first of the circle's remembered contacts as the one of lower id, or -1. */
-    int[] memory = new int[0];
+    /** By slot: first of the circle's entries in the impulse cache as the one of lower id, or -1. */
+    int[] firstCached = new int[0];
 
     /** By slot: true if impulses of the step before are not its own (a new circle, maybe under a recycled id). */
     boolean[] fresh = new boolean[0];
@@ -66,7 +66,7 @@ public final class State {
     float[] plan = new float[0];
 
     /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
-    float[] leash = new float[0];
+    float[] motionClamp = new float[0];
 
     /** By id: the slot, or -1. */
     int[] slotOf = new int[0];
@@ -75,12 +75,12 @@ public final class State {
     private float[] motionSpare = new float[0];
     private float[] traitsSpare = new float[0];
     private int[] idSpare = new int[0];
-    private int[] memorySpare = new int[0];
+    private int[] firstCachedSpare = new int[0];
     private boolean[] freshSpare = new boolean[0];
 
     /** Memory of the arrays. */
     long bytes() {
-        // twice: 4 floats of circle, motion and traits, id, memory, fresh; once: load, bounce, plan, leash
+        // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, plan, motionClamp
         return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length;
     }
 
@@ -95,17 +95,17 @@ public final class State {
             motion = Arrays.copyOf(motion, CircleRow.of(c));
             traits = Arrays.copyOf(traits, CircleRow.of(c));
             id = Arrays.copyOf(id, c);
-            memory = Arrays.copyOf(memory, c);
+            firstCached = Arrays.copyOf(firstCached, c);
             fresh = Arrays.copyOf(fresh, c);
             load = new float[CircleRow.of(c)];
             wallBounce = new float[CircleRow.vector(c)];
             plan = new float[CircleRow.vector(c)];
-            leash = new float[CircleRow.of(c)];
+            motionClamp = new float[CircleRow.of(c)];
             circleSpare = new float[CircleRow.of(c)];
             motionSpare = new float[CircleRow.of(c)];
             traitsSpare = new float[CircleRow.of(c)];
             idSpare = new int[c];
-            memorySpare = new int[c];
+            firstCachedSpare = new int[c];
             freshSpare = new boolean[c];
             capacity = c;
         }
@@ -206,7 +206,7 @@ public final class State {
     }
 
     private void forget(int slot) {
-        memory[slot] = -1;
+        firstCached[slot] = -1;
         fresh[slot] = true;
         traits[CircleRow.of(slot) + WALL_X] = 0;
         traits[CircleRow.of(slot) + WALL_Y] = 0;
@@ -220,7 +220,7 @@ public final class State {
             System.arraycopy(motion, CircleRow.of(last), motion, CircleRow.of(slot), CircleRow.STRIDE);
             System.arraycopy(traits, CircleRow.of(last), traits, CircleRow.of(slot), CircleRow.STRIDE);
             id[slot] = id[last];
-            memory[slot] = memory[last];
+            firstCached[slot] = firstCached[last];
             fresh[slot] = fresh[last];
             slotOf[id[slot]] = slot;
         }
@@ -255,14 +255,14 @@ public final class State {
         System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.STRIDE);
     }
 
-    /** Takes over saved circles, for which there is room, without remembered contacts; slots are in the order of the ids. */
+    /** Takes over saved circles, for which there is room, without cached impulses; slots are in the order of the ids. */
     void load(SavedState from) {
         n = from.circles;
         System.arraycopy(from.circle, 0, circle, 0, CircleRow.of(n));
         System.arraycopy(from.motion, 0, motion, 0, CircleRow.of(n));
         System.arraycopy(from.traits, 0, traits, 0, CircleRow.of(n));
         System.arraycopy(from.id, 0, id, 0, n);
-        Arrays.fill(memory, 0, n, -1);
+        Arrays.fill(firstCached, 0, n, -1);
         Arrays.fill(fresh, 0, n, false);
         Arrays.fill(slotOf, -1);
         for (int slot = 0; slot < n; slot++) {
@@ -298,7 +298,7 @@ public final class State {
             System.arraycopy(motion, CircleRow.of(old), motionSpare, CircleRow.of(slot), CircleRow.STRIDE);
             System.arraycopy(traits, CircleRow.of(old), traitsSpare, CircleRow.of(slot), CircleRow.STRIDE);
             idSpare[slot] = id[old];
-            memorySpare[slot] = memory[old];
+            firstCachedSpare[slot] = firstCached[old];
             freshSpare[slot] = fresh[old];
             slotOf[id[old]] = slot;
         }
@@ -317,9 +317,9 @@ public final class State {
         int[] i = id;
         id = idSpare;
         idSpare = i;
-        i = memory;
-        memory = memorySpare;
-        memorySpare = i;
+        i = firstCached;
+        firstCached = firstCachedSpare;
+        firstCachedSpare = i;
         boolean[] b = fresh;
         fresh = freshSpare;
         freshSpare = b;

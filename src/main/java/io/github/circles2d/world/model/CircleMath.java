@@ -138,9 +138,9 @@ public final class CircleMath {
      *
      * @param r radius
      * @param path length of what it moves in a step
-     * @return the reach
+     * @return the speculative distance
      */
-    public static float reach(float r, float path) {
+    public static float speculativeDistance(float r, float path) {
         return (r + Tuning.MARGIN * r) + least(path, Tuning.CAP * r);
     }
 

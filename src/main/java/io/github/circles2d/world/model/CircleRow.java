@@ -34,7 +34,7 @@ public final class CircleRow {
     public static final int LOADED = 2;
     public static final int LOADED_NEXT = 3;
 
-    // leash: the path that is free, and how far the circle may leave it
+    // motionClamp: the path that is free, and how far the circle may leave it
     public static final int PATH_X = 0;
     public static final int PATH_Y = 1;
     public static final int ALLOWANCE = 2;

@@ -174,8 +174,8 @@ public final class GridLevels {
      * coordinates can move two circles apart: then whatever a circle may touch lies in 3 x 3 cells.
      */
     private static float edge(float greatestRadius, Bounds bounds) {
-        float reach = greatestRadius * (1f + Tuning.MARGIN + Tuning.CAP);
-        return 2f * reach + bounds.magnitude() * 0x1p-20f;
+        float speculativeDistance = greatestRadius * (1f + Tuning.MARGIN + Tuning.CAP);
+        return 2f * speculativeDistance + bounds.magnitude() * 0x1p-20f;
     }
 
     private static int sideLog(float cells) {

@@ -17,7 +17,7 @@ public final class Limits {
     /** Least mass. */
     public static final float LEAST_MASS = 1e-9f;
 
-    /** Greatest mass of a circle that is not fixed. */
+    /** Greatest mass of a circle that is not static. */
     public static final float GREATEST_MASS = 1e9f;
 
     /** Greatest magnitude of a component of a velocity or of gravity. */
@@ -27,7 +27,7 @@ public final class Limits {
     public static final float IMPULSE = 1e18f;
 
     /** Greatest impulse that a snapshot may hold: more than any step leaves, and far from overflow in the next one. */
-    public static final float REMEMBERED_IMPULSE = 1e24f;
+    public static final float CACHED_IMPULSE = 1e24f;
 
     /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e11. */
     public static final float WALL_IMPULSE = 1e12f;

@@ -9,12 +9,12 @@ public final class PairRule {
      *
      * @param dx difference of the positions
      * @param dy difference of the positions
-     * @param reach speculative distance of the one ({@link CircleMath#reach})
-     * @param otherReach speculative distance of the other
+     * @param speculativeDistance speculative distance of the one ({@link CircleMath#speculativeDistance})
+     * @param otherSpeculativeDistance speculative distance of the other
      * @return -1 if they do, else 0
      */
-    public static int isNear(float dx, float dy, float reach, float otherReach) {
-        float limit = reach + otherReach;
+    public static int isNear(float dx, float dy, float speculativeDistance, float otherSpeculativeDistance) {
+        float limit = speculativeDistance + otherSpeculativeDistance;
         return Branchless.isNegative(dx * dx + dy * dy - limit * limit);
     }
 }

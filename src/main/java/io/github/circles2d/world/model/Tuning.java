@@ -17,12 +17,12 @@ public final class Tuning {
     public static final float SWEEP_RATIO = 16f;
 
     /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
-    public static final float LEASH = 0.5f;
+    public static final float CLAMP_ALLOWANCE = 0.5f;
 
     /** A fast circle nearer than this to one that it will touch, in sums of radii, does not stop there: their contact has it. */
     public static final float HOLD = 0.075f;
 
-    /** Share of the leash that is left beside the path of a circle that is at a static one. */
+    /** Share of that allowance that is left beside the path of a circle that is at a static one. */
     public static final float ASIDE = 0.1f;
 
     /** Circles that would graze each other no deeper than this do not stop each other, in sums of radii. */

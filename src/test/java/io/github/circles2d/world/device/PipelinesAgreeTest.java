@@ -75,7 +75,7 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
-    void fixedCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+    void staticCirclesThatMoveAndStopHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         Scene scene = Scenes.thesis(300, 4);
         try (Twins twins = Twins.load(scene, pipelines(device))) {
             for (int id = 0; id < 20; id++) {

@@ -47,10 +47,10 @@ class TilesTest {
             twins.assertEqual("the step behind it");
             assertThat(pipeline.greatestContacts()).isGreaterThan(Tuning.CROWD);
             Map<String, Long> nanosThen = pipeline.kernelNanos();
-            for (String kernel : List.of("contacts_crowd", "solver_pushTile", "solver_relaxTile")) {
+            for (String kernel : List.of("contacts_crowd", "solver_solveTile", "solver_relaxTile")) {
                 assertThat(nanosThen.get(kernel)).as(kernel).isGreaterThan(nanos.get(kernel));
             }
-            assertThat(nanosThen).doesNotContainKeys("solver_push", "solver_relax");
+            assertThat(nanosThen).doesNotContainKeys("solver_solve", "solver_relax");
         }
     }
 }

@@ -116,11 +116,11 @@ class WorldOclgrindTest {
                 .contains(
                         "scan_starts",
                         "grid_gather",
-                        "solver_push",
-                        "solver_pushTile",
-                        "sweep_look",
-                        "resident_steps",
-                        "lanes_steps");
+                        "solver_solve",
+                        "solver_solveTile",
+                        "continuousCollision_look",
+                        "persistentGpu_steps",
+                        "persistentCpu_steps");
         return kernels;
     }
 }

@@ -11,18 +11,18 @@ import java.util.List;
 /** The broad phase as its definition says it: every pair is tested, with no grid. */
 final class AllPairs {
     private final SavedState s;
-    private final float[] reach;
+    private final float[] speculativeDistance;
     private final int[] level;
 
     private AllPairs(SavedState s, GridLevels levels, StepConstants k) {
         this.s = s;
-        reach = new float[s.circles];
+        speculativeDistance = new float[s.circles];
         level = new int[s.circles];
         for (int i = 0; i < s.circles; i++) {
             float r = s.circle[4 * i + 2];
-            float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, fixed(i) ? 0 : k.fallX);
-            float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, fixed(i) ? 0 : k.fallY);
-            reach[i] = CircleMath.reach(r, CircleMath.norm(px, py));
+            float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
+            float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
+            speculativeDistance[i] = CircleMath.speculativeDistance(r, CircleMath.norm(px, py));
             level[i] = levels.level(r);
         }
     }
@@ -32,15 +32,15 @@ final class AllPairs {
         return new AllPairs(s, levels, k).list();
     }
 
-    private boolean fixed(int i) {
+    private boolean isStatic(int i) {
         return s.traits[4 * i] == 0;
     }
 
     private boolean near(int i, int j) {
         float dx = s.circle[4 * j] - s.circle[4 * i];
         float dy = s.circle[4 * j + 1] - s.circle[4 * i + 1];
-        float limit = reach[i] + reach[j];
-        return dx * dx + dy * dy < limit * limit && !(fixed(i) && fixed(j));
+        float limit = speculativeDistance[i] + speculativeDistance[j];
+        return dx * dx + dy * dy < limit * limit && !(isStatic(i) && isStatic(j));
     }
 
     private List<Long> list() {

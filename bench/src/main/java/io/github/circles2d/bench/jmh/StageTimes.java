@@ -53,7 +53,7 @@ public class StageTimes {
             case "Scan":
                 scanMicros += micros;
                 break;
-            case "Sweep":
+            case "ContinuousCollision":
                 sweepMicros += micros;
                 break;
             case "Contacts":
@@ -62,7 +62,7 @@ public class StageTimes {
             case "Solver":
                 solverMicros += micros;
                 break;
-            case "Resident":
+            case "PersistentGpu":
                 residentMicros += micros;
                 break;
             default:

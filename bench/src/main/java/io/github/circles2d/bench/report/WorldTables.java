@@ -103,7 +103,7 @@ final class WorldTables {
             boolean roof = !row.get("roof_us").isEmpty();
             grid.add(List.of(
                     Numbers.whole(Long.parseLong(row.get("n"))),
-                    row.get("stage"),
+                    nameOf(row.get("stage")),
                     Numbers.brief(Numbers.parse(row.get("time_us"))),
                     roof ? Numbers.brief(Numbers.parse(row.get("moved_bytes")) / 1e6) : "-",
                     roof ? Numbers.brief(Numbers.parse(row.get("copy_gb_per_s"))) : "-",
@@ -113,12 +113,21 @@ final class WorldTables {
         return grid;
     }
 
+    /** Result files keep the names that two stages had at first. */
+    private static String nameOf(String stage) {
+        return switch (stage) {
+            case "Sweep" -> "Continuous collision";
+            case "Resident" -> "Persistent kernel";
+            default -> stage;
+        };
+    }
+
     /** What is counted as a stage's bytes. */
     static Grid traffic() {
         Grid grid = Grid.ofProse("stage", "bytes a circle", "bytes a contact", "what is counted");
         for (WorldTraffic stage : WorldTraffic.STAGES) {
             grid.add(List.of(
-                    stage.stage(),
+                    nameOf(stage.stage()),
                     Integer.toString(stage.perCircle()),
                     Integer.toString(stage.perContact()),
                     stage.counted()));

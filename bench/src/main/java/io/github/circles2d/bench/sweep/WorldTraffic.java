@@ -7,7 +7,7 @@ import java.util.List;
  * once a pass, in the sizes of the engine's own records. Whatever an engine keeps beside them (counts, links, tables) is not
  * in it, nor what is read twice. Caches that hold data from one pass to the next can beat it; they do in small worlds.
  *
- * @param stage the stage, as World's statistics name it
+ * @param stage the stage, as result files name it
  * @param column of the results, with its time
  * @param perCircle bytes a circle and step
  * @param perContact bytes a contact and step
@@ -38,8 +38,8 @@ public record WorldTraffic(String stage, String column, int perCircle, int perCo
                     20,
                     16 + 8 + 32 + 4,
                     1,
-                    "position, reach and id of a circle read; of a contact 16 bytes of memory read, its pair (8), what stays for"
-                            + " the step (32) and its impulse (4) written"),
+                    "position, speculative distance and id of a circle read; of a contact 16 bytes of the impulse cache read,"
+                            + " its pair (8), what stays for the step (32) and its impulse (4) written"),
             new WorldTraffic(
                     "Solver",
                     "solver_us",
@@ -50,7 +50,7 @@ public record WorldTraffic(String stage, String column, int perCircle, int perCo
                             + " impulse of a contact (44) and writes the impulse (4); two passes in each of "
                             + SUB_STEPS
                             + " sub-steps; at the end the state (" + STATE
-                            + ") and the memory of a contact (16) are written"),
+                            + ") and a contact's entry in the impulse cache (16) are written"),
             new WorldTraffic(
                     "Resident",
                     "resident_us",

@@ -212,6 +212,7 @@ class PageTest {
                         "| world@gpu | 15,000 | 0.09 ± 0.001 | 0.2 ± 0.001 | - | - | - | 0.5 ± 0.001 | 6 | 1.8 | 0.0037 | 12 | 300 | 89abcdef |")
                 .contains("| 15,000 | Grid | 10 | 1.7 | 1,000 | 1.7 | 17 % |")
                 .contains("| 15,000 | Scan | 3 | - | - | - | - |")
+                .contains("| 15,000 | Continuous collision | 4 | - | - | - | - |")
                 .contains("| Grid | 112 | 0 |")
                 .contains("| world@gpu | 15,000 | 0.2 ± 0.001 | 0.3 ± 0.001 | - |")
                 .contains("| 1,048,576 | read | 0.04 ± 0.001 | - | 0.2 ± 0.001 | 26 | - | 5.2 |")
@@ -357,6 +358,7 @@ class PageTest {
                         "share_of_roof",
                         "0.168"));
         folder.put(Kind.WORLD_STAGES, Map.of("engine", "world@gpu", "n", "15000", "stage", "Scan", "time_us", "3"));
+        folder.put(Kind.WORLD_STAGES, Map.of("engine", "world@gpu", "n", "15000", "stage", "Sweep", "time_us", "4"));
     }
 
     private void world(String engine, String n, String mode, String millis) throws IOException {

@@ -16,13 +16,13 @@ public enum DeviceArray {
             "float4",
             "homeTraits",
             Index.HOME_SLOT,
-            "inverse mass (0: fixed), restitution, wall impulse x, y (positive: lower wall)"),
+            "inverse mass (0: static), restitution, wall impulse x, y (positive: lower wall)"),
     HOME_ID("int", "homeId", Index.HOME_SLOT, "NONE: empty"),
-    HOME_MEMORY(
+    HOME_FIRST_CACHED(
             "int",
-            "homeMemory",
+            "homeFirstCached",
             Index.HOME_SLOT,
-            "first remembered contact as the lower id; NONE; FRESH: its id's memories are not its own"),
+            "first entry in impulseCache as the lower id; NONE; FRESH: its id's entries are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
 
     // Stage Grid.
@@ -35,12 +35,12 @@ public enum DeviceArray {
             "float4",
             "sight",
             Index.SLOT,
-            "x, y of the base, reach, inverse mass: what the search for contacts looks at"),
+            "x, y of the base, speculative distance, inverse mass: what the search for contacts looks at"),
     CIRCLE("float4", "circle", Index.SLOT, "as homeCircle"),
     MOTION("float4", "motion", Index.SLOT, "as homeMotion"),
     TRAITS("float4", "traits", Index.SLOT, "as homeTraits"),
     ID("int", "id", Index.SLOT, "as homeId"),
-    MEMORY("int", "memory", Index.SLOT, "as homeMemory"),
+    FIRST_CACHED("int", "firstCached", Index.SLOT, "as homeFirstCached"),
     LOAD(
             "float4",
             "load",
@@ -49,13 +49,13 @@ public enum DeviceArray {
                     + " loaded, loaded in the sub-step to come; while contacts are filled, z: candidates so far"),
     WALL_BOUNCE("float2", "wallBounce", Index.SLOT, "target speed of a bounce off a wall x, y"),
 
-    // Stage Sweep.
-    LEASH(
+    // Stage ContinuousCollision.
+    MOTION_CLAMP(
             "float4",
-            "leash",
+            "motionClamp",
             Index.SLOT,
             "what it moves if nothing is in its way x, y, allowance, length; later what is free of that"),
-    SHARE("int", "share", Index.SLOT, "bits of the share of its path that it can go"),
+    TIME_OF_IMPACT("int", "timeOfImpact", Index.SLOT, "as bits: the share of its path that it can go"),
     NEAR(
             "float",
             "near",
@@ -72,9 +72,9 @@ public enum DeviceArray {
             "drive",
             Index.TILED_SLOT,
             "as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl"),
-    PUSHED_MOTION("float4", "pushedMotion", Index.TILED_SLOT, "between the passes"),
+    SOLVED_MOTION("float4", "solvedMotion", Index.TILED_SLOT, "between the passes"),
     BURDEN("float", "burden", Index.TILED_SLOT, "as the biased pass begins: inverse mass, negative where loaded"),
-    PUSHED_BURDEN("float", "pushedBurden", Index.TILED_SLOT, "between the passes"),
+    SOLVED_BURDEN("float", "solvedBurden", Index.TILED_SLOT, "between the passes"),
 
     // Stage Contacts.
     GROUP_START("int", "groupStart", Index.BUCKET, "by group: its first contact"),
@@ -111,11 +111,11 @@ public enum DeviceArray {
             "impulse",
             Index.TILED_CONTACT,
             "between the passes: accumulated impulse, target speed of a bounce"),
-    OLD(
+    IMPULSE_CACHE(
             "int4",
-            "old",
+            "impulseCache",
             Index.OLD_CONTACT,
-            "higher id, impulse, the next of the same circle of lower id or NONE; see RememberedContact"),
+            "id of the circle of higher id, impulse, the next of the same circle of lower id or NONE; see CACHED_HIGHER_ID"),
 
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
     TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl");

@@ -99,7 +99,7 @@ public final class DeviceArrays {
             int capacity = grown(idCapacity, ids);
             grow(idCapacity, index -> index == Index.ID ? capacity : AS_IT_IS);
             int[] none = new int[Math.min(capacity - idCapacity, 1 << 18)];
-            Arrays.fill(none, RememberedContact.NONE);
+            Arrays.fill(none, CachedImpulse.NONE);
             for (int from = idCapacity; from < capacity; from += none.length) {
                 get(DeviceArray.SLOT_OF)
                         .write(
@@ -135,7 +135,7 @@ public final class DeviceArrays {
         }
     }
 
-    /** Makes room for contacts; the remembered ones stay. */
+    /** Makes room for contacts; the impulse cache stays. */
     public void ensureContacts(int contacts) {
         if (contacts > contactCapacity) {
             int capacity = grown(contactCapacity, contacts);

@@ -32,7 +32,7 @@ public final class StepParameters {
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
-            .apart("sweeping", "1 where the step has the stage Sweep, else it does not take fast circles")
+            .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
 

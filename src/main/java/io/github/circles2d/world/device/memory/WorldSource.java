@@ -34,7 +34,7 @@ public final class WorldSource {
                 .define("CAP", Tuning.CAP)
                 .define("TRAVEL", Tuning.TRAVEL)
                 .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
-                .define("LEASH", Tuning.LEASH)
+                .define("CLAMP_ALLOWANCE", Tuning.CLAMP_ALLOWANCE)
                 .define("CROWD", Tuning.CROWD)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)

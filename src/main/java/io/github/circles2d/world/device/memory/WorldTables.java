@@ -19,8 +19,15 @@ final class WorldTables {
         }
         commands(text);
         tileRecord(text);
-        define(text, "NONE", "(" + RememberedContact.NONE + ")", "no slot, no id, no contact");
-        define(text, "FRESH", "(" + RememberedContact.FRESH + ")", "a memory that is not its circle's own");
+        define(text, "NONE", "(" + CachedImpulse.NONE + ")", "no slot, no id, no contact");
+        define(text, "FRESH", "(" + CachedImpulse.FRESH + ")", "cached impulses that are not its circle's own");
+        define(text, "CACHED_HIGHER_ID", "s" + CachedImpulse.AT_HIGHER_ID, "of an entry of impulseCache");
+        define(text, "CACHED_IMPULSE", "s" + CachedImpulse.AT_IMPULSE, "its bits");
+        define(
+                text,
+                "CACHED_NEXT",
+                "s" + CachedImpulse.AT_NEXT,
+                "the next entry of the same circle of lower id, or NONE");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
@@ -91,7 +98,7 @@ final class WorldTables {
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
-        text.append("    float warmScale; // what remembered impulses are multiplied by\n");
+        text.append("    float warmScale; // what cached impulses are multiplied by\n");
         return text.append("} World;\n").toString();
     }
 

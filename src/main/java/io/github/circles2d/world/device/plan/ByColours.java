@@ -15,11 +15,11 @@ public final class ByColours implements Plan {
 
     private Stages stages;
     private Kernel fill;
-    private Kernel accelerate;
-    private Kernel push;
-    private Kernel move;
+    private Kernel integrateVelocities;
+    private Kernel solve;
+    private Kernel integratePositions;
     private Kernel relax;
-    private Kernel finish;
+    private Kernel finalizePositions;
 
     @Override
     public List<String> files() {
@@ -30,11 +30,11 @@ public final class ByColours implements Plan {
     public void load(Stages shared) {
         stages = shared;
         fill = stages.kernel("contacts_fill");
-        accelerate = stages.kernel("solver_accelerate");
-        push = stages.kernel("solver_push");
-        move = stages.kernel("solver_move");
+        integrateVelocities = stages.kernel("solver_integrateVelocities");
+        solve = stages.kernel("solver_solve");
+        integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
-        finish = stages.kernel("solver_finish");
+        finalizePositions = stages.kernel("solver_finalizePositions");
     }
 
     @Override
@@ -44,20 +44,20 @@ public final class ByColours implements Plan {
 
     @Override
     public void enqueue(Steps steps) {
-        stages.enqueueEach(steps, false, () -> solve(steps));
+        stages.enqueueEach(steps, false, () -> makeSubSteps(steps));
     }
 
-    private void solve(Steps steps) {
+    private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
         runByColour(levels, fill);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
-            accelerate.run(steps.circles());
-            runByColour(levels, push);
-            move.run(steps.circles());
+            integrateVelocities.run(steps.circles());
+            runByColour(levels, solve);
+            integratePositions.run(steps.circles());
             relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0);
             runByColour(levels, relax);
         }
-        finish.run(steps.circles());
+        finalizePositions.run(steps.circles());
     }
 
     /**

@@ -6,7 +6,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Continuous collision (stage Sweep) on a device; {@code kernels/world/stages/Sweep.cl}. {@code world.jvm.ContinuousCollision} does the
+ * Continuous collision on a device; {@code kernels/world/stages/ContinuousCollision.cl}. {@code world.jvm.ContinuousCollision} does the
  * same. The kernel of stage Contacts that looks for pairs sets the motion clamps.
  */
 final class ContinuousCollisionStage {
@@ -14,8 +14,8 @@ final class ContinuousCollisionStage {
     private final Kernel look;
 
     ContinuousCollisionStage(StageKernels kernels) {
-        summarize = kernels.staged("sweep_summarize");
-        look = kernels.staged("sweep_look");
+        summarize = kernels.staged("continuousCollision_summarize");
+        look = kernels.staged("continuousCollision_look");
     }
 
     void sweep(GridLevels levels, int circles) {

@@ -57,8 +57,8 @@ public final class PersistentCpu implements Plan {
     @Override
     public void load(Stages shared) {
         stages = shared;
-        steps = stages.kernel("lanes_steps");
-        degrees = stages.kernel("lanes_degrees");
+        steps = stages.kernel("persistentCpu_steps");
+        degrees = stages.kernel("persistentCpu_degrees");
     }
 
     @Override

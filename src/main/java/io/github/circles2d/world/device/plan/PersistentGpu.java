@@ -57,7 +57,7 @@ public final class PersistentGpu implements Plan {
     @Override
     public void load(Stages shared) {
         stages = shared;
-        steps = stages.kernel("resident_steps");
+        steps = stages.kernel("persistentGpu_steps");
         // Elsewhere nothing is known of work-groups that wait for each other.
         // On a compute unit one surely runs; whether two run at once hangs on registers, and one that does not would be
         // waited for.

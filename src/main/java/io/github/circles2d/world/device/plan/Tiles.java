@@ -20,9 +20,9 @@ public final class Tiles implements Plan {
     private Stages stages;
     private Kernel link;
     private Kernel arrange;
-    private Kernel push;
+    private Kernel solve;
     private Kernel relax;
-    private Kernel remember;
+    private Kernel storeImpulses;
 
     Tiles(TileSizes sizes) {
         this.sizes = sizes;
@@ -58,9 +58,9 @@ public final class Tiles implements Plan {
         stages = shared;
         link = stages.kernel("contacts_link");
         arrange = stages.kernel("contacts_arrange");
-        push = stages.kernel("solver_pushTile");
+        solve = stages.kernel("solver_solveTile");
         relax = stages.kernel("solver_relaxTile");
-        remember = stages.kernel("solver_remember");
+        storeImpulses = stages.kernel("solver_storeImpulses");
     }
 
     @Override
@@ -72,18 +72,18 @@ public final class Tiles implements Plan {
     public void enqueue(Steps steps) {
         sizes.choose(steps);
         stages.prepare(sizes, steps);
-        stages.enqueueEach(steps, true, () -> solve(steps));
+        stages.enqueueEach(steps, true, () -> makeSubSteps(steps));
     }
 
-    private void solve(Steps steps) {
+    private void makeSubSteps(Steps steps) {
         long items = (long) sizes.tiles() * TileRecord.GROUP;
         link.run(2L * steps.circles());
         arrange.run(items, TileRecord.GROUP);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
-            push.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
+            solve.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
             relax.arg(StageKernels.own(0), sub == steps.subSteps() - 1 ? 1 : 0).run(items, TileRecord.GROUP);
         }
-        remember.run(2L * steps.circles());
+        storeImpulses.run(2L * steps.circles());
     }
 
     @Override

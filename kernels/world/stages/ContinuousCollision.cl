@@ -1,13 +1,13 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Stage Sweep: keeps fast circles from passing through others. The Java class ContinuousCollision explains what is looked for;
-// it is the same, function by function. Made only in steps where some circle is fast: in others every leash is as stage Grid has
-// laid it.
+// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
+// looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
+// is as stage Grid has set it.
 
 // From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
 
 // What a fast circle looks ahead with.
 typedef struct {
-    float x, y, r, px, py, path, reach;
+    float x, y, r, px, py, path, speculativeDistance;
     int slot;
 } Runner;
 
@@ -27,7 +27,7 @@ void summarize(const World *w, int block) {
     Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
                                 (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
     for (int i = 0; i < piece.end.w; i++) {
-        float2 path = w->leash[slotInPiece(&piece, i)].xy;
+        float2 path = w->motionClamp[slotInPiece(&piece, i)].xy;
         range.x = least(path.x, range.x);
         range.y = greatest(path.x, range.y);
         range.z = least(path.y, range.z);
@@ -37,7 +37,7 @@ void summarize(const World *w, int block) {
 }
 
 // Index space: a block a work-item. Cost: its circles.
-kernel void sweep_summarize(WORLD_PARAMETERS) {
+kernel void continuousCollision_summarize(WORLD_PARAMETERS) {
     World w = WORLD;
     int block = (int) get_global_id(0);
     if (block < levels->first[LEVELS] >> (2 * BLOCK_LOG) && !refused(&w)) summarize(&w, block);
@@ -48,25 +48,25 @@ bool looksAhead(const World *w, int slot) { return w->near[slot] < NOT_FAST; }
 
 // The same for one that may be looking at the same time.
 bool otherLooksAhead(const World *w, int slot) {
-    return w->traits[slot].x != 0.0f && isFast(w->leash[slot].w, w->circle[slot].z);
+    return w->traits[slot].x != 0.0f && isFast(w->motionClamp[slot].w, w->circle[slot].z);
 }
 
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
-    float4 plan = w->leash[other];
+    float4 plan = w->motionClamp[other];
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
     if (!mayPass(ux, uy, s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    if (isNear(dx, dy, s->reach + w->sight[other].z)) {
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z)) {
         w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
         float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);
         if (t < 1.0f) {
             // Floats from 0 to 1 sort like their bits.
-            atomic_min(&w->share[s->slot], as_int(t));
-            if (otherLooksAhead(w, other)) atomic_min(&w->share[other], as_int(t));
+            atomic_min(&w->timeOfImpact[s->slot], as_int(t));
+            if (otherLooksAhead(w, other)) atomic_min(&w->timeOfImpact[other], as_int(t));
         }
     }
 }
@@ -112,7 +112,7 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
 
 void lookAhead(const World *w, int slot) {
     float4 c = w->circle[slot];
-    float4 plan = w->leash[slot];
+    float4 plan = w->motionClamp[slot];
     Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->sight[slot].z, slot};
     float limit = travelShare(s.path, s.r);
     float px = limit * s.px;
@@ -136,20 +136,20 @@ void lookAhead(const World *w, int slot) {
 
 // Fast circles look for others that they would touch, no faster than themselves. Index space: a working slot a work-item.
 // Cost: the cells around its path, for a fast circle.
-kernel void sweep_look(WORLD_PARAMETERS) {
+kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot);
 }
 
-// Lays a leash: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
+// Sets a motion clamp: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
 // does it in passing.
-void layLeash(const World *w, int slot) {
-    float4 plan = w->leash[slot];
+void setMotionClamp(const World *w, int slot) {
+    float4 plan = w->motionClamp[slot];
     float r = w->circle[slot].z;
     float limit = least(travelShare(plan.w, r), w->near[slot]);
-    float free = as_float(w->share[slot]);
+    float free = as_float(w->timeOfImpact[slot]);
     bool stopped = free < limit;
     float kept = stopped ? free : limit;
-    w->leash[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : LEASH * r, plan.w);
+    w->motionClamp[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : CLAMP_ALLOWANCE * r, plan.w);
 }
