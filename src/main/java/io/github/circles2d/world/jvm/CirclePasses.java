@@ -176,8 +176,7 @@ final class CirclePasses {
                 } else {
                     float kept = clamp[s + KEPT];
                     if (allowance < 0f) {
-                        float along =
-                                CircleMath.along(dx, dy, pathX, pathY) / CircleMath.along(pathX, pathY, pathX, pathY);
+                        float along = CircleMath.alongPath(dx, dy, pathX, pathY);
                         if (along > kept) {
                             dx -= (along - kept) * pathX;
                             dy -= (along - kept) * pathY;

@@ -296,7 +296,7 @@ public final class ContinuousCollision {
         float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
         if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
             if (!pushes && !forPushers) {
-                hold(slot, t, stands ? Tuning.CLAMP_ALLOWANCE * r : CircleMath.least(r, ro), stands);
+                hold(slot, t, stands ? Tuning.CLAMP_ALLOWANCE * r : ro < r ? Tuning.CLAMP_ALLOWANCE * ro : r, stands);
             }
         } else if (forPushers) {
             if (pushes && timeOfImpact[other] == Float.floatToRawIntBits(t)) {

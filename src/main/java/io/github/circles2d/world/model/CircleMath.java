@@ -293,6 +293,20 @@ public final class CircleMath {
     }
 
     /**
+     * How far along a path a displacement leads, as a share of the path.
+     *
+     * @param dx displacement
+     * @param dy displacement
+     * @param px path
+     * @param py path
+     * @return the share, which may be negative or more than 1
+     */
+    public static float alongPath(float dx, float dy, float px, float py) {
+        float square = px * px + py * py;
+        return square > 0f ? (dx * px + dy * py) / square : 0f;
+    }
+
+    /**
      * The size class of a radius: class k holds radii in (rmax / 2^(k+1), rmax / 2^k], the last class all smaller ones too.
      *
      * @param r radius
