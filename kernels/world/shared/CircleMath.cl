@@ -43,6 +43,10 @@ float travelShare(float path, float r) {
     return path > most ? most / path : 1.0f;
 }
 
+float sightMargin(float r, float path, float top) {
+    return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+}
+
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
 
 bool isLonger(float ux, float uy, float length) { return ux * ux + uy * uy > length * length; }

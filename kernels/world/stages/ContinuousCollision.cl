@@ -148,7 +148,7 @@ void lookAhead(const World *w, int slot, bool pushers) {
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
-        float margin = (s.r + top) + greatest(s.path, top);
+        float margin = sightMargin(s.r, s.path, top);
         float minX = w->levels->minX;
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];

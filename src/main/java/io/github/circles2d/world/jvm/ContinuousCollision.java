@@ -207,7 +207,7 @@ public final class ContinuousCollision {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float top = levels.top[level];
-            float margin = (r + top) + CircleMath.greatest(path, top);
+            float margin = CircleMath.sightMargin(r, path, top);
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];

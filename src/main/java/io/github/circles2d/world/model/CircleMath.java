@@ -199,6 +199,19 @@ public final class CircleMath {
     }
 
     /**
+     * How far from its path a fast circle looks for others: as far as circles can be that it touches or comes near to, and an
+     * eighth for what the rounding of coordinates takes away. So the cells that it looks at never decide.
+     *
+     * @param r radius
+     * @param path length of what it moves in a step
+     * @param top greatest radius of the others
+     * @return a length
+     */
+    public static float sightMargin(float r, float path, float top) {
+        return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+    }
+
+    /**
      * Whether a fast circle looks out for another that is not static: not for one so much smaller that it would push it aside.
      *
      * @param r radius of the fast circle
