@@ -105,6 +105,7 @@ Band sortCircles(World *w, const Crew *crew) {
     w->k.sweeping = 1; // until it is known
     if (crew->group == 0) {
         w->status[FAST] = 0;
+        w->status[PUSHED] = 0;
         w->status[CONTACTS] = 0;
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
@@ -142,8 +143,18 @@ void sweepCircles(World *w, const Crew *crew) {
     EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->circles, crew) {
-        if (looksAhead(w, slot)) lookAhead(w, slot);
+        if (looksAhead(w, slot)) lookAhead(w, slot, false);
     }
     awaitCrew(w, crew);
-    EACH_OF_PART(slot, w->circles, crew) setMotionClamp(w, slot);
+    if (w->status[PUSHED]) {
+        EACH_OF_PART(slot, w->circles, crew) {
+            if (looksAhead(w, slot)) lookAhead(w, slot, true);
+        }
+        awaitCrew(w, crew);
+    }
+    EACH_OF_PART(slot, w->circles, crew) {
+        setMotionClamp(w, slot);
+        searchSpeculativeDistance(w)[slot] = w->sight[slot].z;
+    }
+    awaitCrew(w, crew);
 }

@@ -110,10 +110,17 @@ void listAll(World *w, local Local *l) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
         EACH(slot, w->circles) {
-            if (looksAhead(w, slot)) lookAhead(w, slot);
+            if (looksAhead(w, slot)) lookAhead(w, slot, false);
         }
         deviceBarrier(arrivals);
+        if (w->status[PUSHED]) {
+            EACH(slot, w->circles) {
+                if (looksAhead(w, slot)) lookAhead(w, slot, true);
+            }
+            deviceBarrier(arrivals);
+        }
         EACH(slot, w->circles) setMotionClamp(w, slot);
+        deviceBarrier(arrivals);
     }
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);

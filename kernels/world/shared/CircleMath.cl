@@ -25,19 +25,31 @@ float plan(float v, float dt, float fall) { return v * dt + fall; }
 
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 
-bool isFast(float path, float r) { return path > r; }
+bool isFast(float path, float r) { return path > CAP * r; }
+
+float besideWalls(float x, float p, float r, float min, float max) {
+    float slack = r + MARGIN * r;
+    return (p < 0.0f && x - min < slack) || (p > 0.0f && max - x < slack) ? 0.0f : p;
+}
+
+float timeOfWall(float x, float p, float r, float min, float max) {
+    float low = (min + r) - x;
+    float high = (max - r) - x;
+    return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1.0f;
+}
 
 float travelShare(float path, float r) {
     float most = TRAVEL * r;
     return path > most ? most / path : 1.0f;
 }
 
+float sightMargin(float r, float path, float top) {
+    return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+}
+
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
 
-bool mayPass(float ux, float uy, float r, float other) {
-    float halfSum = 0.5f * (r + other);
-    return ux * ux + uy * uy > halfSum * halfSum && sweeps(r, other);
-}
+bool isLonger(float ux, float uy, float length) { return ux * ux + uy * uy > length * length; }
 
 bool differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
     if (lowX > highX) return false;
@@ -55,12 +67,22 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
     return greatest(c, 0.0f) / (b + sqrt(disc));
 }
 
+float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
+    float deep = timeOfTouch(dx, dy, ux, uy, sum - GRAZE * sum);
+    return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
+}
+
 float nearest(float dx, float dy, float px, float py) {
     float square = px * px + py * py;
     if (!(square > 0.0f)) return 0.0f;
     float share = (dx * px + dy * py) / square;
     // Some compilers bring a number into 0 to 1 by saturation, which makes 0 of NaN; bounded makes 1.
     return isnan(share) ? 1.0f : bounded(share, 0.0f, 1.0f);
+}
+
+float alongPath(float dx, float dy, float px, float py) {
+    float square = px * px + py * py;
+    return square > 0.0f ? (dx * px + dy * py) / square : 0.0f;
 }
 
 int sizeClass(float r, float rmax) {

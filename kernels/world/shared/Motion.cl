@@ -63,10 +63,19 @@ INLINE float allowanceOf(const World *w, int slot, float r) {
 // Keeps a circle's displacement within its motion clamp: no farther from the free part of its path than it is allowed.
 INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy) {
     float allowance = allowanceOf(w, slot, r);
-    float square = dx * dx + dy * dy;
-    if (!(square > 0.0f) || !(square > allowance * allowance)) return (float2)(dx, dy);
+    if (dx * dx + dy * dy <= allowance * fabs(allowance)) return (float2)(dx, dy);
     float4 clamp_ = w->motionClamp[slot];
-    float share = nearest(dx, dy, clamp_.x, clamp_.y);
+    if (allowance == CARRIED) return clamp_.xy;
+    float kept = w->k.sweeping ? clamp_.w : 1.0f;
+    if (allowance < 0.0f) {
+        float along = alongPath(dx, dy, clamp_.x, clamp_.y);
+        if (along > kept) {
+            dx -= (along - kept) * clamp_.x;
+            dy -= (along - kept) * clamp_.y;
+        }
+        allowance = along > 0.0f ? -ASIDE * allowance : -allowance;
+    }
+    float share = least(nearest(dx, dy, clamp_.x, clamp_.y), kept);
     float offX = dx - share * clamp_.x;
     float offY = dy - share * clamp_.y;
     float off = norm(offX, offY);
@@ -140,7 +149,7 @@ INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *m
     float x = c.x + moved->x;
     float y = c.y + moved->y;
     return (x >= k->minX + c.z) & (x <= k->maxX - c.z) & (y >= k->minY + c.z) & (y <= k->maxY - c.z) &
-           (moved->x * moved->x + moved->y * moved->y <= allowance * allowance) & wallsAreApart(k, c, *moved);
+           (moved->x * moved->x + moved->y * moved->y <= allowance * fabs(allowance)) & wallsAreApart(k, c, *moved);
 }
 
 // Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.

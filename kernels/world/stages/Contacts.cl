@@ -197,9 +197,8 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Sets the
-// motion clamps of a step with the stage ContinuousCollision. Index space: a working slot a work-item. Cost: the circles of
-// 3 x 3 cells a level.
+// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Index
+// space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
@@ -207,7 +206,6 @@ kernel void contacts_count(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) found.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
-        if (w.k.sweeping) setMotionClamp(&w, slot);
         seekAll(&w, slot, 0, 1, &found);
     }
     recordFindings(&w, &found);

@@ -1,14 +1,16 @@
-// uses: world/shared/PairRule.cl world/stages/PairFilter.cl
+// uses: world/shared/PairRule.cl world/stages/Grid.cl world/stages/PairFilter.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
 
 // From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
 
-// What a fast circle looks ahead with.
+// What a fast circle looks ahead with. least: by how much it must move against another to matter; pushers: looks for who pushes
+// whom.
 typedef struct {
-    float x, y, r, px, py, path, speculativeDistance;
+    float x, y, r, px, py, path, speculativeDistance, least;
     int slot;
+    bool isStatic, pushers;
 } Runner;
 
 // The range of the paths of the circles in a block of cells.
@@ -44,31 +46,57 @@ kernel void continuousCollision_summarize(WORLD_PARAMETERS) {
 }
 
 // Whether a circle looks ahead: whether it is fast.
-bool looksAhead(const World *w, int slot) { return w->near[slot] < NOT_FAST; }
+bool looksAhead(const World *w, int slot) { return w->near[slot].x < NOT_FAST; }
 
-// The same for one that may be looking at the same time.
-bool otherLooksAhead(const World *w, int slot) {
-    return w->traits[slot].x != 0.0f && isFast(w->motionClamp[slot].w, w->circle[slot].z);
+void restrain(const World *w, int slot, float most, bool stands) {
+    float allowance = least(most, fabs(w->near[slot].y));
+    w->near[slot].y = stands ? -allowance : allowance;
 }
+
+// Floats from 0 on sort like their bits.
+void shorten(const World *w, int slot, float t) { atomic_min(&w->timeOfImpact[slot], as_int(t)); }
 
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
-    if (!mayPass(ux, uy, s->r, c.z)) return;
-    if (!mayMeet(w, s->slot, w->traits[s->slot].x, other, w->traits[other].x)) return;
+    if (!isLonger(ux, uy, s->least)) return;
+    float4 sight = w->sight[other];
+    if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, sight.w)) return;
+    bool pushes = s->isStatic;
+    bool stands = sight.w == 0.0f;
+    if (!pushes && !stands && !sweeps(s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z)) {
-        w->near[s->slot] = least(timeOfTouch(dx, dy, ux, uy, s->r + c.z), w->near[s->slot]);
-    } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
-        float t = timeOfTouch(dx, dy, ux, uy, s->r + c.z);
-        if (t < 1.0f) {
-            // Floats from 0 to 1 sort like their bits.
-            atomic_min(&w->timeOfImpact[s->slot], as_int(t));
-            if (otherLooksAhead(w, other)) atomic_min(&w->timeOfImpact[other], as_int(t));
+    if (stands && isNear(dx, dy, (s->r + s->r) + c.z)) {
+        restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
+    }
+    bool carries = (pushes && isFast(s->path, c.z)) || (stands && isFast(plan.w, s->r));
+    if (isNear(dx, dy, s->speculativeDistance + sight.z) && !carries &&
+        !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
+        return;
+    }
+    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
+    if (!(t < 1.0f)) return;
+    float slack = pushes || stands ? MARGIN : HOLD;
+    if (!carries && isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
+        if (pushes || s->pushers) return;
+        w->near[s->slot].x = least(t, w->near[s->slot].x);
+        float most = stands ? CLAMP_ALLOWANCE * s->r : c.z < s->r ? CLAMP_ALLOWANCE * c.z : s->r;
+        restrain(w, s->slot, most, stands || w->near[s->slot].y < 0.0f);
+    } else if (s->pushers) {
+        if (pushes && w->timeOfImpact[other] == as_int(t)) {
+            atomic_min(&w->pusher[other], s->slot);
+        } else if (stands && plan.w > 0.0f && w->timeOfImpact[s->slot] == as_int(t)) {
+            atomic_min(&w->pusher[s->slot], other);
         }
+    } else if (pushes || stands) {
+        shorten(w, pushes ? other : s->slot, t);
+        if (pushes || plan.w > 0.0f) w->status[PUSHED] = 1;
+    } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
+        shorten(w, s->slot, t);
+        if (isFast(plan.w, c.z)) shorten(w, other, t);
     }
 }
 
@@ -90,7 +118,6 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
     int first = w->levels->first[level];
-    float half_ = 0.5f * s->r;
     for (int v = r0; v <= r1;) {
         int row = onRing(v, rows);
         int rowsOfBlock = inBlock(row, rows, r1 - v);
@@ -99,7 +126,7 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
             int columnsOfBlock = inBlock(column, columns, c1 - u);
             float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
-            if (differ(s->px, s->py, range.x, range.y, range.z, range.w, half_)) {
+            if (differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
                 for (int r = row; r < row + rowsOfBlock; r++) {
                     global const int *start = w->bucketStart + first + (r << cl) + column;
                     meetAll(w, s, start[0], start[columnsOfBlock]);
@@ -111,25 +138,24 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     }
 }
 
-void lookAhead(const World *w, int slot) {
+void lookAhead(const World *w, int slot, bool pushers) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
-    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, w->sight[slot].z, slot};
-    float limit = travelShare(s.path, s.r);
-    float px = limit * s.px;
-    float py = limit * s.py;
+    float4 sight = w->sight[slot];
+    bool isStatic = sight.w == 0.0f;
+    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic,
+                pushers};
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
-        if (!sweeps(s.r, top)) continue;
-        float margin = (s.r + top) + greatest(limit * s.path, top);
+        float margin = sightMargin(s.r, s.path, top);
         float minX = w->levels->minX;
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
-        int c0 = cell(least(s.x, s.x + px) - margin, minX, edge);
-        int c1 = cell(greatest(s.x, s.x + px) + margin, minX, edge);
-        int r0 = cell(least(s.y, s.y + py) - margin, minY, edge);
-        int r1 = cell(greatest(s.y, s.y + py) + margin, minY, edge);
+        int c0 = cell(least(s.x, s.x + s.px) - margin, minX, edge);
+        int c1 = cell(greatest(s.x, s.x + s.px) + margin, minX, edge);
+        int r0 = cell(least(s.y, s.y + s.py) - margin, minY, edge);
+        int r1 = cell(greatest(s.y, s.y + s.py) + margin, minY, edge);
         lookAt(w, &s, level, c0, min(c1, c0 + w->levels->columnCount[level] - 1), r0,
                min(r1, r0 + w->levels->rowCount[level] - 1));
     }
@@ -140,17 +166,50 @@ void lookAhead(const World *w, int slot) {
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot);
+    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, false);
 }
 
-// Sets a motion clamp: the free part of the path, and how far the circle may leave it. After all have looked ahead; stage Contacts
-// does it in passing.
+// Where static circles push others, finds out who pushes whom. Index space and cost: the same.
+kernel void continuousCollision_push(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot < circles && status[PUSHED] != 0 && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, true);
+}
+
+// Sets a motion clamp: the free part of the path, how far the circle may leave it, and the share of it that is free. A circle that
+// stops loses time, and so what gravity would give it in that time. After all have looked ahead.
 void setMotionClamp(const World *w, int slot) {
+    float4 sight = w->sight[slot];
+    if (sight.w == 0.0f) return;
+    const StepConstants *k = &w->k;
     float4 plan = w->motionClamp[slot];
     float r = w->circle[slot].z;
-    float limit = least(travelShare(plan.w, r), w->near[slot]);
     float free = as_float(w->timeOfImpact[slot]);
-    bool stopped = free < limit;
-    float kept = stopped ? free : limit;
-    w->motionClamp[slot] = (float4)(kept * plan.x, kept * plan.y, stopped ? 0.0f : CLAMP_ALLOWANCE * r, plan.w);
+    float2 near = w->near[slot];
+    float kept = least(near.x, 1.0f);
+    float allowance = kept < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
+    float2 path = plan.xy;
+    if (free < kept) {
+        float rest = 1.0f - free;
+        int pusher = w->pusher[slot];
+        path = (float2)(free * path.x, free * path.y);
+        kept = 1.0f;
+        allowance = 0.0f;
+        if (pusher != NOBODY) {
+            float4 pushed = w->motionClamp[pusher];
+            path = (float2)(path.x + rest * pushed.x, path.y + rest * pushed.y);
+            allowance = isFast(pushed.w, r) ? CARRIED : 0.0f;
+        }
+        w->sight[slot].z = speculativeDistance(r, 0.0f);
+        w->motion[slot].z -= rest * (k->gravityStepX * k->subSteps);
+        w->motion[slot].w -= rest * (k->gravityStepY * k->subSteps);
+    }
+    w->motionClamp[slot] = (float4)(path.x, path.y, allowance, kept);
+}
+
+// Index space: a working slot a work-item. Constant cost.
+kernel void continuousCollision_clamp(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot < circles && !refused(&w)) setMotionClamp(&w, slot);
 }

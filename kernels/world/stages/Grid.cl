@@ -9,6 +9,7 @@ void startStep(const World *w) {
     if (refused(w)) return;
     if (w->k.sweeping) w->status[FAST] = 0;
     if (w->k.thinning) w->status[CROWDED] = 0;
+    w->status[PUSHED] = 0;
     w->status[TILE_PEAK] = 0;
     w->status[FOUND] = 0;
 }
@@ -62,6 +63,17 @@ int countLower(const World *w, int from, int to, int id) {
     return sum;
 }
 
+// About the least radius: a static circle that moves is fast if it is so for circles of this radius.
+float leastRadius(const World *w) { return 0.5f * w->levels->top[w->levels->used[0]]; }
+
+// The share of its path after which a circle touches a wall; 1 if it does not fly far.
+float timeOfWalls(const StepConstants *k, float4 c, float px, float py, bool far) {
+    if (!far) return 1.0f;
+    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX);
+    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY);
+    return greatest(least(tx, ty), 0.0f);
+}
+
 // Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast.
 bool gatherCircle(const World *w, int i) {
     int2 listed = w->order[i];
@@ -77,7 +89,16 @@ bool gatherCircle(const World *w, int i) {
     float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     float path = norm(px, py);
-    bool fast = !isStatic && isFast(path, c.z);
+    if (!isStatic && path > c.z) {
+        px = besideWalls(c.x, px, c.z, w->k.minX, w->k.maxX);
+        py = besideWalls(c.y, py, c.z, w->k.minY, w->k.maxY);
+        path = norm(px, py);
+    }
+    float share = isStatic ? 1.0f : travelShare(path, c.z);
+    px = share * px;
+    py = share * py;
+    path = share * path;
+    bool fast = isFast(path, isStatic ? leastRadius(w) : c.z);
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
@@ -88,8 +109,9 @@ bool gatherCircle(const World *w, int i) {
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {
-        w->timeOfImpact[slot] = as_int(1.0f);
-        w->near[slot] = fast ? 1.0f : NOT_FAST;
+        w->timeOfImpact[slot] = as_int(timeOfWalls(&w->k, c, px, py, !isStatic && path > c.z));
+        w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
+        w->pusher[slot] = NOBODY;
     }
     return fast;
 }

@@ -8,6 +8,8 @@
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
 #define NOT_FAST 2.0f // more than any time of impact
+#define NOBODY INT_MAX // more than any slot
+#define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
 
 // An entry of the impulse cache. next: the next one of the same circle of lower id, or NONE.
 int4 cacheEntry(int higherId, float normalImpulse, int next) {

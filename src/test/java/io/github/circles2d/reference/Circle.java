@@ -28,9 +28,14 @@ final class Circle {
     int candidates;
     float pathLength;
     float speculativeDistance;
-    float limit;
+    float leastPath;
+    float contactTime;
     float timeOfImpact;
+    float freeShare;
     float allowance;
+    boolean stands;
+    boolean isPushed;
+    Circle pusher;
     boolean loaded;
     boolean loadedNext;
 
@@ -45,10 +50,6 @@ final class Circle {
 
     boolean isStatic() {
         return inverseMass() == 0f;
-    }
-
-    boolean isFast() {
-        return pathLength > radius;
     }
 
     boolean isNear(Circle other) {

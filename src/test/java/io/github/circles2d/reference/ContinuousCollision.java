@@ -1,6 +1,7 @@
 package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.dot;
+import static io.github.circles2d.reference.Numbers.length;
 import static io.github.circles2d.reference.Numbers.max;
 import static io.github.circles2d.reference.Numbers.min;
 import static io.github.circles2d.reference.Numbers.minus;
@@ -12,52 +13,130 @@ final class ContinuousCollision {
     private static final float TRAVEL = 64f;
     private static final float SWEEP_RATIO = 16f;
     private static final float CLAMP_ALLOWANCE = 0.5f;
+    private static final float HOLD = 0.075f;
+    private static final float ASIDE = 0.1f;
+    private static final float GRAZE = 0.01f;
 
-    private ContinuousCollision() {}
+    private final List<Circle> circles;
+    private final Grid grid;
+    private final StepParameters k;
 
-    static void clampMotion(List<Circle> circles, Grid grid) {
-        for (Circle c : circles) {
-            c.limit = firstLimit(c);
-            c.timeOfImpact = 1f;
-        }
-        for (Circle c : circles) {
-            if (c.isFast() && !c.isStatic()) {
-                circles.forEach(other -> look(c, other, grid));
-            }
-        }
-        for (Circle c : circles) {
-            for (int a = 0; a < 2; a++) {
-                c.freePath[a] = min(c.timeOfImpact, c.limit) * c.path[a];
-            }
-            c.allowance = c.timeOfImpact < c.limit ? 0f : CLAMP_ALLOWANCE * c.radius;
-        }
+    ContinuousCollision(List<Circle> circles, Grid grid, StepParameters k) {
+        this.circles = circles;
+        this.grid = grid;
+        this.k = k;
     }
 
-    /** The share of its path that a circle goes at most, if it meets nothing. */
-    private static float firstLimit(Circle c) {
+    /** What a circle that is not static moves in the step if it meets no other circle: no path leads far, or along into a wall. */
+    static void cutPath(Circle c, StepParameters k) {
+        float slack = c.radius + Circle.MARGIN * c.radius;
+        boolean far = length(c.path) > c.radius;
+        for (int a = 0; a < 2 && far; a++) {
+            boolean intoWall = c.path[a] < 0f && c.base[a] - k.min()[a] < slack
+                    || c.path[a] > 0f && k.max()[a] - c.base[a] < slack;
+            c.path[a] = intoWall ? 0f : c.path[a];
+        }
         float most = TRAVEL * c.radius;
-        return c.pathLength > most ? most / c.pathLength : 1f;
+        float share = length(c.path) > most ? most / length(c.path) : 1f;
+        c.pathLength = share * length(c.path);
+        c.path[0] *= share;
+        c.path[1] *= share;
     }
 
-    private static void look(Circle c, Circle other, Grid grid) {
+    void clampMotion() {
+        for (Circle c : circles) {
+            c.leastPath = Circle.CAP * (c.isStatic() ? 0.5f * grid.finestRadius() : c.radius);
+            c.contactTime = 1f;
+            c.timeOfImpact = timeOfWalls(c);
+            c.allowance = Float.POSITIVE_INFINITY;
+            c.stands = false;
+            c.pusher = null;
+        }
+        for (boolean pushers : new boolean[] {false, true}) {
+            for (Circle c : circles) {
+                if (c.pathLength > c.leastPath) {
+                    circles.stream().filter(other -> other != c).forEach(other -> look(c, other, pushers));
+                }
+            }
+        }
+        circles.stream().filter(c -> !c.isStatic()).forEach(this::setClamp);
+    }
+
+    /** The share of its path after which a circle that goes farther than its radius touches a wall. */
+    private float timeOfWalls(Circle c) {
+        float first = 1f;
+        for (int a = 0; a < 2 && !c.isStatic() && c.pathLength > c.radius; a++) {
+            float low = (k.min()[a] + c.radius) - c.base[a];
+            float high = (k.max()[a] - c.radius) - c.base[a];
+            float p = c.path[a];
+            first = min(p < low ? max(low, p) / p : p > high ? min(high, p) / p : 1f, first);
+        }
+        return max(first, 0f);
+    }
+
+    private void look(Circle c, Circle other, boolean pushers) {
         float[] u = minus(c.path, other.path);
-        float half = 0.5f * (c.radius + other.radius);
-        float t = timeOfImpact(c, other, u);
-        if (dot(u, u) <= half * half || other.radius * SWEEP_RATIO < c.radius || t >= 1f || !sees(c, other, grid)) {
+        float[] d = minus(other.base, c.base);
+        if (c.isStatic() && other.isStatic()
+                || !(length2(u) > c.leastPath * c.leastPath)
+                || !c.isStatic() && !other.isStatic() && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;
         }
-        if (c.isNear(other)) {
-            c.limit = min(t, c.limit);
-        } else if (other.pathLength <= c.pathLength || !other.isFast()) {
-            c.timeOfImpact = min(t, c.timeOfImpact);
-            other.timeOfImpact = other.isFast() ? min(t, other.timeOfImpact) : other.timeOfImpact;
+        float reachToStatic = (c.radius + c.radius) + other.radius;
+        if (other.isStatic() && length2(d) < reachToStatic * reachToStatic) {
+            c.allowance = min(CLAMP_ALLOWANCE * c.radius, c.allowance);
+        }
+        boolean pushes = c.isStatic() && c.pathLength > Circle.CAP * other.radius
+                || other.isStatic() && other.pathLength > Circle.CAP * c.radius;
+        float radii = c.radius + other.radius;
+        float least = 0.5f * Circle.CAP * radii;
+        float t = timeOfImpact(d, u, radii - GRAZE * radii) < 1f ? timeOfImpact(d, u, radii) : 2f;
+        if (!(t < 1f) || c.isNear(other) && !pushes && !(length2(u) > least * least)) {
+            return;
+        }
+        boolean atStatic = c.isStatic() || other.isStatic();
+        float slack = atStatic ? Circle.MARGIN : HOLD;
+        float close = (c.radius + slack * c.radius) + (other.radius + slack * other.radius);
+        if (!pushes && length2(d) < close * close) {
+            if (!c.isStatic()) {
+                hold(c, other, t);
+            }
+        } else if (pushers) {
+            notePusher(c, other, t);
+            notePusher(other, c, t);
+        } else if (atStatic || other.pathLength <= c.pathLength || !(other.pathLength > other.leastPath)) {
+            stop(c, t);
+            if (c.isStatic() || other.pathLength > other.leastPath) {
+                stop(other, t);
+            }
+        }
+    }
+
+    private static float length2(float[] a) {
+        return dot(a, a);
+    }
+
+    /** A circle so close to another leaves it to their contact, but goes no farther along its path. */
+    private static void hold(Circle c, Circle other, float t) {
+        c.contactTime = min(t, c.contactTime);
+        c.stands |= other.isStatic();
+        boolean large = other.isStatic() || !(other.radius < c.radius);
+        float allowance = large ? c.radius : other.radius;
+        c.allowance = min(other.isStatic() || !large ? CLAMP_ALLOWANCE * allowance : allowance, c.allowance);
+    }
+
+    private static void stop(Circle c, float t) {
+        c.timeOfImpact = c.isStatic() ? 1f : min(t, c.timeOfImpact);
+    }
+
+    private void notePusher(Circle pusher, Circle c, float t) {
+        if (pusher.isStatic() && pusher.pathLength > 0f && t == c.timeOfImpact) {
+            c.pusher = c.pusher == null || grid.isBefore(pusher, c.pusher) ? pusher : c.pusher;
         }
     }
 
     /** The share of their paths after which two circles touch; 2 if they do not. */
-    private static float timeOfImpact(Circle c, Circle other, float[] u) {
-        float[] d = minus(other.base, c.base);
-        float radii = c.radius + other.radius;
+    private static float timeOfImpact(float[] d, float[] u, float radii) {
         float b = dot(d, u);
         float gap = dot(d, d) - radii * radii;
         float discriminant = b * b - dot(u, u) * gap;
@@ -65,16 +144,56 @@ final class ContinuousCollision {
         return touch ? max(gap, 0f) / (b + Numbers.sqrt(discriminant)) : 2f;
     }
 
-    /** Whether a circle lies in the cells around the path of another. */
-    private static boolean sees(Circle c, Circle other, Grid grid) {
-        float share = firstLimit(c);
-        float top = grid.largestRadius(other.level);
-        float margin = (c.radius + top) + max(share * c.pathLength, top);
-        boolean sees = true;
-        for (int a = 0; a < 2; a++) {
-            float end = c.base[a] + share * c.path[a];
-            sees &= grid.covers(a, min(c.base[a], end) - margin, max(c.base[a], end) + margin, other);
+    private void setClamp(Circle c) {
+        c.freePath[0] = c.path[0];
+        c.freePath[1] = c.path[1];
+        c.freeShare = c.contactTime;
+        c.isPushed = false;
+        if (!(c.contactTime < 1f)) {
+            c.allowance = CLAMP_ALLOWANCE * c.radius;
         }
-        return sees;
+        if (c.timeOfImpact < c.contactTime) {
+            float rest = 1f - c.timeOfImpact;
+            for (int a = 0; a < 2; a++) {
+                float pushed = c.pusher == null ? 0f : rest * c.pusher.path[a];
+                float own = c.timeOfImpact * c.path[a];
+                c.freePath[a] = c.pusher == null ? own : own + pushed;
+                c.velocity[a] -= rest * (k.gravityStep(a) * k.subSteps());
+            }
+            c.freeShare = 1f;
+            c.allowance = 0f;
+            c.stands = false;
+            c.isPushed = c.pusher != null && c.pusher.pathLength > Circle.CAP * c.radius;
+            c.speculativeDistance = c.radius + Circle.MARGIN * c.radius;
+        }
+    }
+
+    /** Changes a displacement of a circle to what its clamp allows. */
+    static void clamp(Circle c, float[] to) {
+        if (c.isPushed) {
+            to[0] = c.freePath[0];
+            to[1] = c.freePath[1];
+            return;
+        }
+        if (!c.stands && dot(to, to) <= c.allowance * c.allowance) {
+            return;
+        }
+        float square = dot(c.freePath, c.freePath);
+        float allowance = c.allowance;
+        if (c.stands) {
+            float along = square > 0f ? dot(to, c.freePath) / square : 0f;
+            for (int a = 0; a < 2 && along > c.freeShare; a++) {
+                to[a] -= (along - c.freeShare) * c.freePath[a];
+            }
+            allowance = along > 0f ? ASIDE * allowance : allowance;
+        }
+        float nearest = square > 0f ? Numbers.clamp(dot(to, c.freePath) / square, 0f, 1f) : 0f;
+        float share = min(nearest, c.freeShare);
+        float[] on = {share * c.freePath[0], share * c.freePath[1]};
+        float[] off = minus(to, on);
+        float distance = length(off);
+        for (int a = 0; a < 2 && distance > allowance; a++) {
+            to[a] = on[a] + allowance / distance * off[a];
+        }
     }
 }

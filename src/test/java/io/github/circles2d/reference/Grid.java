@@ -1,5 +1,6 @@
 package io.github.circles2d.reference;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
 
@@ -9,6 +10,7 @@ final class Grid {
     private static final int JOIN = 2;
 
     private final float[] largestRadius = new float[LEVELS];
+    private final int finestLevel;
 
     /** Of each level, its columns and its rows. */
     private final Ring[][] rings = new Ring[LEVELS][];
@@ -20,16 +22,15 @@ final class Grid {
             return (int) Numbers.max((coordinate - min) * inverseEdge, 0f);
         }
 
-        /** The lesser one of two cells that are equal or neighbours. */
-        int lesser(float a, float b) {
-            int cellOfA = cell(a) % cells;
-            int cellOfB = cell(b) % cells;
-            return (cellOfB + 1) % cells == cellOfA ? cellOfB : cellOfA;
+        int cellOnRing(float coordinate) {
+            return cell(coordinate) % cells;
         }
 
-        /** Whether the cell of a coordinate is one of those from one coordinate to another. */
-        boolean covers(float from, float to, float coordinate) {
-            return Math.floorMod(cell(coordinate) - cell(from), cells) <= cell(to) - cell(from);
+        /** The lesser one of two cells that are equal or neighbours. */
+        int lesser(float a, float b) {
+            int cellOfA = cellOnRing(a);
+            int cellOfB = cellOnRing(b);
+            return (cellOfB + 1) % cells == cellOfA ? cellOfB : cellOfA;
         }
     }
 
@@ -50,6 +51,7 @@ final class Grid {
             population[level[k]] += count[k];
         }
         circles.forEach(c -> c.level = level[sizeClass(c)]);
+        finestLevel = circles.stream().mapToInt(c -> c.level).max().orElseThrow();
         for (int k = 0; k < LEVELS; k++) {
             rings[k] = layOut(largestRadius[k], population[k], step.min(), step.max());
         }
@@ -97,8 +99,9 @@ final class Grid {
                         .orElseThrow();
     }
 
-    float largestRadius(int level) {
-        return largestRadius[level];
+    /** The largest radius that the level of the smallest circles may have. */
+    float finestRadius() {
+        return largestRadius[finestLevel];
     }
 
     /** The colour of a contact: the parities of the lesser column and row of its circles, in the level of the larger one. */
@@ -109,8 +112,13 @@ final class Grid {
         return r[0].lesser(a[0], b[0]) % 2 + 2 * (r[1].lesser(a[1], b[1]) % 2);
     }
 
-    /** Whether the cell of a circle, in its own level, is one of those from one coordinate to another. */
-    boolean covers(int axis, float from, float to, Circle c) {
-        return rings[c.level][axis].covers(from, to, c.base[axis]);
+    /** The order of circles: levels of small circles first, then by rows, columns and ids. */
+    boolean isBefore(Circle a, Circle b) {
+        return Comparator.comparingInt((Circle c) -> -c.level)
+                        .thenComparingInt(c -> rings[c.level][1].cellOnRing(c.base[1]))
+                        .thenComparingInt(c -> rings[c.level][0].cellOnRing(c.base[0]))
+                        .thenComparingInt(c -> c.id)
+                        .compare(a, b)
+                < 0;
     }
 }

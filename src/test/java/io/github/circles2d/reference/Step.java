@@ -1,7 +1,6 @@
 package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.clamp;
-import static io.github.circles2d.reference.Numbers.dot;
 import static io.github.circles2d.reference.Numbers.length;
 import static io.github.circles2d.reference.Numbers.limitSpeed;
 import static io.github.circles2d.reference.Numbers.min;
@@ -29,7 +28,7 @@ final class Step {
     void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
         Grid grid = new Grid(circles, k);
         circles.forEach(this::planMotion);
-        ContinuousCollision.clampMotion(circles, grid);
+        new ContinuousCollision(circles, grid, k).clampMotion();
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
@@ -47,6 +46,9 @@ final class Step {
             c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
         }
         c.pathLength = length(c.path);
+        if (!c.isStatic()) {
+            ContinuousCollision.cutPath(c, k);
+        }
         c.speculativeDistance = (c.radius + Circle.MARGIN * c.radius) + min(c.pathLength, Circle.CAP * c.radius);
     }
 
@@ -109,8 +111,8 @@ final class Step {
             c.velocity[a] = limitSpeed(c.velocity[a]);
             to[a] = c.displacement[a] + c.velocity[a] * k.h();
         }
-        if (!c.isStatic() && dot(to, to) > c.allowance * c.allowance) {
-            keepNearFreePath(c, to);
+        if (!c.isStatic()) {
+            ContinuousCollision.clamp(c, to);
         }
         for (int a = 0; a < 2; a++) {
             float x = c.base[a] + to[a];
@@ -126,17 +128,6 @@ final class Step {
             }
         }
         clearImpulses(c);
-    }
-
-    private static void keepNearFreePath(Circle c, float[] to) {
-        float square = dot(c.freePath, c.freePath);
-        float share = square > 0f ? clamp(dot(to, c.freePath) / square, 0f, 1f) : 0f;
-        float[] nearest = {share * c.freePath[0], share * c.freePath[1]};
-        float[] off = Numbers.minus(to, nearest);
-        float distance = length(off);
-        for (int a = 0; a < 2 && distance > c.allowance; a++) {
-            to[a] = nearest[a] + c.allowance / distance * off[a];
-        }
     }
 
     private static void clearImpulses(Circle c) {

@@ -8,6 +8,7 @@ import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.KEPT;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
 import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
@@ -26,6 +27,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
 /** The circles' part of stage Solver: gravity, walls, motion. {@link Constraints} has the formulas of walls. */
@@ -164,17 +166,31 @@ final class CirclePasses {
             m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
-            if (w != 0f && dx * dx + dy * dy > 0f) {
-                float allowance = clamp[s + ALLOWANCE];
-                if (dx * dx + dy * dy > allowance * allowance) {
-                    float share = CircleMath.nearest(dx, dy, clamp[s + PATH_X], clamp[s + PATH_Y]);
-                    float offX = dx - share * clamp[s + PATH_X];
-                    float offY = dy - share * clamp[s + PATH_Y];
+            float allowance = clamp[s + ALLOWANCE];
+            if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
+                float pathX = clamp[s + PATH_X];
+                float pathY = clamp[s + PATH_Y];
+                if (allowance == Tuning.CARRIED) {
+                    dx = pathX;
+                    dy = pathY;
+                } else {
+                    float kept = clamp[s + KEPT];
+                    if (allowance < 0f) {
+                        float along = CircleMath.alongPath(dx, dy, pathX, pathY);
+                        if (along > kept) {
+                            dx -= (along - kept) * pathX;
+                            dy -= (along - kept) * pathY;
+                        }
+                        allowance = along > 0f ? -Tuning.ASIDE * allowance : -allowance;
+                    }
+                    float share = CircleMath.least(CircleMath.nearest(dx, dy, pathX, pathY), kept);
+                    float offX = dx - share * pathX;
+                    float offY = dy - share * pathY;
                     float off = CircleMath.norm(offX, offY);
                     if (off > allowance) {
                         float keep = allowance / off;
-                        dx = share * clamp[s + PATH_X] + keep * offX;
-                        dy = share * clamp[s + PATH_Y] + keep * offY;
+                        dx = share * pathX + keep * offX;
+                        dy = share * pathY + keep * offY;
                     }
                 }
             }

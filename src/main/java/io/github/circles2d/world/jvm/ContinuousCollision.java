@@ -2,17 +2,22 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.KEPT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
@@ -41,6 +46,8 @@ public final class ContinuousCollision {
     private static final int HIGH_Y = 3;
     private static final int RANGE_STRIDE = 4;
 
+    private static final int NOBODY = Integer.MAX_VALUE;
+
     private static final int ONE = Float.floatToRawIntBits(1f);
 
     private final State state;
@@ -53,6 +60,12 @@ public final class ContinuousCollision {
 
     /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
     private float[] near = new float[0];
+
+    /** By slot: how far such a one lets it leave its path, in the same step; negative if it must not go on along it. */
+    private float[] allowance = new float[0];
+
+    /** By slot: the static circle that moves and that a circle touches at the end of its share; {@link #NOBODY}. */
+    private int[] pusher = new int[0];
 
     /** By block: least and greatest path x, least and greatest path y of its circles. */
     private float[] range = new float[0];
@@ -68,6 +81,8 @@ public final class ContinuousCollision {
         if (timeOfImpact.length < state.capacity()) {
             timeOfImpact = new int[state.capacity()];
             near = new float[state.capacity()];
+            allowance = new float[state.capacity()];
+            pusher = new int[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
         if (range.length < RANGE_STRIDE * blocks) {
@@ -77,39 +92,67 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 8L * timeOfImpact.length + 4L * range.length;
+        return 16L * timeOfImpact.length + 4L * range.length;
     }
 
-    void sweep(int worker) {
+    void sweep(int worker, StepConstants constants) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        start(from, to);
-        if (grid.anyFast()) {
-            for (int l = 0; l < levels.usedCount; l++) {
-                int level = levels.used[l];
-                int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
-                summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
-            }
-            team.sync(worker);
-            for (int slot = from; slot < to; slot++) {
-                if (isFast(slot)) {
-                    lookAhead(slot);
-                }
-            }
+        if (!grid.anyFast()) {
+            setFreeClamps(from, to);
+            return;
+        }
+        start(from, to, constants);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
+            summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
+        }
+        team.sync(worker);
+        lookAhead(from, to, false);
+        team.sync(worker);
+        if (grid.anyMovingStatic()) {
+            lookAhead(from, to, true);
             team.sync(worker);
         }
-        setMotionClamps(from, to);
+        setMotionClamps(from, to, constants);
+        team.sync(worker);
     }
 
-    private boolean isFast(int slot) {
+    private boolean isStatic(int slot) {
+        return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
+    }
+
+    /** What a circle must move in a step to look ahead, and against another to matter. */
+    private float leastPath(int slot) {
+        return Tuning.CAP * (isStatic(slot) ? grid.leastRadius() : state.circle[CircleRow.of(slot) + RADIUS]);
+    }
+
+    private boolean looksAhead(int slot) {
+        return grid.path[slot] > leastPath(slot);
+    }
+
+    /** The share of its path after which a circle touches a wall; 1 if the path is not longer than its radius. */
+    private float timeOfWalls(int slot, StepConstants k) {
         int s = CircleRow.of(slot);
-        return state.traits[s + INVERSE_MASS] != 0f && CircleMath.isFast(grid.path[slot], state.circle[s + RADIUS]);
+        float r = state.circle[s + RADIUS];
+        if (isStatic(slot) || !(grid.path[slot] > r)) {
+            return 1f;
+        }
+        Bounds b = k.bounds;
+        float px = state.plan[CircleRow.vector(slot) + X];
+        float py = state.plan[CircleRow.vector(slot) + Y];
+        float tx = CircleMath.timeOfWall(state.circle[s + X], px, r, b.minX(), b.maxX());
+        float ty = CircleMath.timeOfWall(state.circle[s + Y], py, r, b.minY(), b.maxY());
+        return CircleMath.greatest(CircleMath.least(tx, ty), 0f);
     }
 
-    private void start(int from, int to) {
+    private void start(int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
-            timeOfImpact[slot] = ONE;
+            timeOfImpact[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
             near[slot] = 1f;
+            allowance[slot] = Float.POSITIVE_INFINITY;
+            pusher[slot] = NOBODY;
         }
     }
 
@@ -144,23 +187,27 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Looks for circles that a fast one would touch, no faster than itself. */
-    private void lookAhead(int slot) {
+    private void lookAhead(int from, int to, boolean forPushers) {
+        for (int slot = from; slot < to; slot++) {
+            if (looksAhead(slot)) {
+                lookAhead(slot, forPushers);
+            }
+        }
+    }
+
+    /** Looks for circles that a fast one would touch, no faster than itself; the second time, for who pushes whom. */
+    private void lookAhead(int slot, boolean forPushers) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
         float r = state.circle[s + RADIUS];
         float path = grid.path[slot];
-        float limit = CircleMath.travelShare(path, r);
-        float px = limit * state.plan[CircleRow.vector(slot) + X];
-        float py = limit * state.plan[CircleRow.vector(slot) + Y];
+        float px = state.plan[CircleRow.vector(slot) + X];
+        float py = state.plan[CircleRow.vector(slot) + Y];
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float top = levels.top[level];
-            if (!CircleMath.sweeps(r, top)) {
-                continue;
-            }
-            float margin = (r + top) + CircleMath.greatest(limit * path, top);
+            float margin = CircleMath.sightMargin(r, path, top);
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
@@ -168,16 +215,16 @@ public final class ContinuousCollision {
             int c1 = CircleMath.cell(CircleMath.greatest(x, x + px) + margin, levels.minX, edge);
             int r0 = CircleMath.cell(CircleMath.least(y, y + py) - margin, levels.minY, edge);
             int r1 = CircleMath.cell(CircleMath.greatest(y, y + py) + margin, levels.minY, edge);
-            lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), r0, Math.min(r1, r0 + rows - 1));
+            lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), r0, Math.min(r1, r0 + rows - 1), forPushers);
         }
     }
 
-    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1) {
+    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, boolean forPushers) {
         int w = levels.columnsLog[level];
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
         int firstBlock = levels.first[level] >> (2 * BLOCK_LOG);
-        float half = 0.5f * state.circle[CircleRow.of(slot) + RADIUS];
+        float least = leastPath(slot);
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
         for (int v = r0; v <= r1; ) {
@@ -188,10 +235,10 @@ public final class ContinuousCollision {
                 int columnsOfBlock = inBlock(column, columns, c1 - u);
                 int k = RANGE_STRIDE * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
                 if (CircleMath.differ(
-                        px, py, range[k + LOW_X], range[k + HIGH_X], range[k + LOW_Y], range[k + HIGH_Y], half)) {
+                        px, py, range[k + LOW_X], range[k + HIGH_X], range[k + LOW_Y], range[k + HIGH_Y], least)) {
                     for (int r = row; r < row + rowsOfBlock; r++) {
                         int first = levels.rowStart(level, r) + column;
-                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock]);
+                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, forPushers);
                     }
                 }
                 u += columnsOfBlock;
@@ -206,38 +253,88 @@ public final class ContinuousCollision {
         return Math.min(Math.min(blockEnd, side) - column, most + 1);
     }
 
-    private void meetAll(int slot, int from, int to) {
+    private void meetAll(int slot, int from, int to, float least, boolean forPushers) {
         for (int other = from; other < to; other++) {
             if (other != slot) {
-                meet(slot, other);
+                meet(slot, other, least, forPushers);
             }
         }
     }
 
-    private void meet(int slot, int other) {
+    private void meet(int slot, int other, float least, boolean forPushers) {
         float[] circle = state.circle;
         float[] plan = state.plan;
         int s = CircleRow.of(slot);
         int o = CircleRow.of(other);
-        float r = circle[s + RADIUS];
-        float ro = circle[o + RADIUS];
         float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
         float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
-        float dx = circle[o + X] - circle[s + X];
-        float dy = circle[o + Y] - circle[s + Y];
-        if (!CircleMath.mayPass(ux, uy, r, ro) || !PairFilter.mayMeet(state, slot, other)) {
+        if (!CircleMath.isLonger(ux, uy, least) || !PairFilter.mayMeet(state, slot, other)) {
             return;
         }
-        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0) {
-            near[slot] = CircleMath.least(CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro), near[slot]);
-        } else if (grid.path[other] <= grid.path[slot] || !CircleMath.isFast(grid.path[other], ro)) {
-            float t = CircleMath.timeOfTouch(dx, dy, ux, uy, r + ro);
-            if (t < 1f) {
-                shorten(slot, t);
-                if (isFast(other)) {
-                    shorten(other, t);
-                }
+        float r = circle[s + RADIUS];
+        float ro = circle[o + RADIUS];
+        boolean pushes = isStatic(slot);
+        boolean stands = isStatic(other);
+        if (!pushes && !stands && !CircleMath.sweeps(r, ro)) {
+            return;
+        }
+        float dx = circle[o + X] - circle[s + X];
+        float dy = circle[o + Y] - circle[s + Y];
+        if (stands && PairRule.isNear(dx, dy, r + r, ro) != 0) {
+            restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
+        }
+        boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
+        if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
+                && !carries
+                && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
+            return;
+        }
+        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
+        if (!(t < 1f)) {
+            return;
+        }
+        float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
+        if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
+            if (!pushes && !forPushers) {
+                hold(slot, t, stands ? Tuning.CLAMP_ALLOWANCE * r : ro < r ? Tuning.CLAMP_ALLOWANCE * ro : r, stands);
             }
+        } else if (forPushers) {
+            if (pushes && timeOfImpact[other] == Float.floatToRawIntBits(t)) {
+                push(slot, other);
+            } else if (stands && grid.path[other] > 0f && timeOfImpact[slot] == Float.floatToRawIntBits(t)) {
+                push(other, slot);
+            }
+        } else if (pushes) {
+            shorten(other, t);
+        } else if (stands) {
+            shorten(slot, t);
+        } else if (grid.path[other] <= grid.path[slot] || !looksAhead(other)) {
+            shorten(slot, t);
+            if (looksAhead(other)) {
+                shorten(other, t);
+            }
+        }
+    }
+
+    /** Whether a static circle moves so far in the step that it pushes one of a radius along. */
+    private boolean carries(int slot, float r) {
+        return CircleMath.isFast(grid.path[slot], r);
+    }
+
+    private void hold(int slot, float t, float r, boolean stands) {
+        near[slot] = CircleMath.least(t, near[slot]);
+        restrain(slot, r, stands || allowance[slot] < 0f);
+    }
+
+    private void restrain(int slot, float most, boolean stands) {
+        float least = CircleMath.least(most, Math.abs(allowance[slot]));
+        allowance[slot] = stands ? -least : least;
+    }
+
+    private void push(int slot, int pushed) {
+        int seen = pusher[pushed];
+        while (slot < seen && !INTS.compareAndSet(pusher, pushed, seen, slot)) {
+            seen = (int) INTS.getVolatile(pusher, pushed);
         }
     }
 
@@ -249,19 +346,50 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Sets the motion clamps. */
-    private void setMotionClamps(int from, int to) {
+    /** Sets the motion clamps where no circle is fast. */
+    private void setFreeClamps(int from, int to) {
         float[] clamp = state.motionClamp;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
-            float r = state.circle[s + RADIUS];
-            float limit = CircleMath.least(CircleMath.travelShare(grid.path[slot], r), near[slot]);
+            clamp[s + PATH_X] = state.plan[CircleRow.vector(slot) + X];
+            clamp[s + PATH_Y] = state.plan[CircleRow.vector(slot) + Y];
+            clamp[s + ALLOWANCE] = Tuning.CLAMP_ALLOWANCE * state.circle[s + RADIUS];
+            clamp[s + KEPT] = 1f;
+        }
+    }
+
+    /** Sets the motion clamps. */
+    private void setMotionClamps(int from, int to, StepConstants k) {
+        float[] clamp = state.motionClamp;
+        float[] plan = state.plan;
+        for (int slot = from; slot < to; slot++) {
+            int s = CircleRow.of(slot);
+            float px = plan[CircleRow.vector(slot) + X];
+            float py = plan[CircleRow.vector(slot) + Y];
             float free = Float.intBitsToFloat(timeOfImpact[slot]);
-            boolean stopped = free < limit;
-            float kept = stopped ? free : limit;
-            clamp[s + PATH_X] = kept * state.plan[CircleRow.vector(slot) + X];
-            clamp[s + PATH_Y] = kept * state.plan[CircleRow.vector(slot) + Y];
-            clamp[s + ALLOWANCE] = stopped ? 0f : Tuning.CLAMP_ALLOWANCE * r;
+            float r = state.circle[s + RADIUS];
+            float kept = near[slot];
+            float allowed = kept < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
+            if (free < kept) {
+                float rest = 1f - free;
+                px = free * px;
+                py = free * py;
+                kept = 1f;
+                allowed = 0f;
+                if (pusher[slot] != NOBODY) {
+                    int p = CircleRow.vector(pusher[slot]);
+                    px += rest * plan[p + X];
+                    py += rest * plan[p + Y];
+                    allowed = carries(pusher[slot], r) ? Tuning.CARRIED : 0f;
+                }
+                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
+                state.motion[s + VX] -= rest * (k.gravityStepX * k.subSteps);
+                state.motion[s + VY] -= rest * (k.gravityStepY * k.subSteps);
+            }
+            clamp[s + PATH_X] = px;
+            clamp[s + PATH_Y] = py;
+            clamp[s + ALLOWANCE] = allowed;
+            clamp[s + KEPT] = kept;
         }
     }
 }

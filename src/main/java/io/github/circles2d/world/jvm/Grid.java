@@ -8,6 +8,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -57,6 +58,8 @@ public final class Grid {
     private volatile boolean moved;
     private volatile boolean fast;
 
+    private volatile boolean movingStatics;
+
     Grid(State state, GridLevels levels, Team team) {
         this.state = state;
         this.levels = levels;
@@ -80,6 +83,7 @@ public final class Grid {
         }
         moved = false;
         fast = false;
+        movingStatics = false;
     }
 
     void build(int worker, StepConstants constants) {
@@ -174,22 +178,41 @@ public final class Grid {
         float[] motion = state.motion;
         float[] plan = state.plan;
         boolean some = false;
+        boolean moving = false;
+        float least = leastRadius();
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
             boolean isStatic = state.traits[s + INVERSE_MASS] == 0f;
             float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
             float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
-            plan[2 * slot] = px;
-            plan[2 * slot + 1] = py;
+            float length = CircleMath.norm(px, py);
+            if (!isStatic && length > r) {
+                Bounds b = constants.bounds;
+                px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
+                py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
+                length = CircleMath.norm(px, py);
+            }
+            float share = isStatic ? 1f : CircleMath.travelShare(length, r);
+            plan[2 * slot] = share * px;
+            plan[2 * slot + 1] = share * py;
             level[slot] = (byte) levels.level(r);
-            path[slot] = CircleMath.norm(px, py);
+            path[slot] = share * length;
             speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
-            some |= !isStatic && CircleMath.isFast(path[slot], r);
+            some |= CircleMath.isFast(path[slot], isStatic ? least : r);
+            moving |= isStatic && length > 0f;
         }
         if (some) {
             fast = true;
         }
+        if (moving) {
+            movingStatics = true;
+        }
+    }
+
+    /** About the least radius: a static circle that moves is fast if it is so for circles of this radius. */
+    float leastRadius() {
+        return 0.5f * levels.top[levels.used[0]];
     }
 
     /** Memory of the arrays. */
@@ -200,5 +223,10 @@ public final class Grid {
     /** Whether any circle is fast in this step. */
     boolean anyFast() {
         return fast;
+    }
+
+    /** Whether any static circle moves in this step. */
+    boolean anyMovingStatic() {
+        return movingStatics;
     }
 }

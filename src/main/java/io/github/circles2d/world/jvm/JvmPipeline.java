@@ -109,7 +109,7 @@ public final class JvmPipeline implements Pipeline {
     private void makeStep(int worker) {
         grid.build(worker, constants);
         end(worker, GRID);
-        sweep.sweep(worker);
+        sweep.sweep(worker, constants);
         end(worker, SWEEP);
         contacts.find(worker);
         boolean overflowed = contacts.overflowed();

@@ -145,14 +145,45 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a circle is fast: it moves farther than its radius in a step, so it might pass through another unseen.
+     * Whether a circle is fast: it moves farther in a step than its reach covers, so it might come upon another unseen.
      *
      * @param path length of what it moves in a step
      * @param r radius
      * @return true where it is
      */
     public static boolean isFast(float path, float r) {
-        return path > r;
+        return path > Tuning.CAP * r;
+    }
+
+    /**
+     * A component of a path, without what leads into a wall that the circle is at.
+     *
+     * @param x coordinate
+     * @param p component of the path
+     * @param r radius
+     * @param min lower wall
+     * @param max upper wall
+     * @return the component, or 0
+     */
+    public static float besideWalls(float x, float p, float r, float min, float max) {
+        float slack = r + Tuning.MARGIN * r;
+        return p < 0f && x - min < slack || p > 0f && max - x < slack ? 0f : p;
+    }
+
+    /**
+     * The share of a component of its path after which a circle touches a wall.
+     *
+     * @param x coordinate
+     * @param p component of the path
+     * @param r radius
+     * @param min lower wall
+     * @param max upper wall
+     * @return the share, 1 where it does not
+     */
+    public static float timeOfWall(float x, float p, float r, float min, float max) {
+        float low = (min + r) - x;
+        float high = (max - r) - x;
+        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
     }
 
     /**
@@ -168,7 +199,20 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a fast circle looks out for another: not for one so much smaller that it would push it aside.
+     * How far from its path a fast circle looks for others: as far as circles can be that it touches or comes near to, and an
+     * eighth for what the rounding of coordinates takes away. So the cells that it looks at never decide.
+     *
+     * @param r radius
+     * @param path length of what it moves in a step
+     * @param top greatest radius of the others
+     * @return a length
+     */
+    public static float sightMargin(float r, float path, float top) {
+        return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+    }
+
+    /**
+     * Whether a fast circle looks out for another that is not static: not for one so much smaller that it would push it aside.
      *
      * @param r radius of the fast circle
      * @param other radius of the other
@@ -179,18 +223,15 @@ public final class CircleMath {
     }
 
     /**
-     * Whether two circles could pass through each other: they move against each other by more than half the sum of their
-     * radii, and neither is much smaller.
+     * Whether two circles move against each other by more than a number of mean radii.
      *
      * @param ux motion of the first minus that of the second
      * @param uy motion of the first minus that of the second
-     * @param r radius of the fast circle
-     * @param other radius of the other
-     * @return true where they could
+     * @param length the length
+     * @return true where they do
      */
-    public static boolean mayPass(float ux, float uy, float r, float other) {
-        float half = 0.5f * (r + other);
-        return ux * ux + uy * uy > half * half && sweeps(r, other);
+    public static boolean isLonger(float ux, float uy, float length) {
+        return ux * ux + uy * uy > length * length;
     }
 
     /**
@@ -236,6 +277,21 @@ public final class CircleMath {
     }
 
     /**
+     * When two circles touch that move evenly, if they come closer than a graze; else as {@link #timeOfTouch}.
+     *
+     * @param dx second position minus first
+     * @param dy second position minus first
+     * @param ux motion of the first minus that of the second
+     * @param uy motion of the first minus that of the second
+     * @param sum sum of the radii
+     * @return the share, at least 0; 1 or more where they do not within their motion
+     */
+    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
+        float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
+        return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
      * Where on a path a displacement is nearest, as a share of the path.
      *
      * @param dx displacement
@@ -247,6 +303,20 @@ public final class CircleMath {
     public static float nearest(float dx, float dy, float px, float py) {
         float square = px * px + py * py;
         return square > 0f ? bounded((dx * px + dy * py) / square, 0f, 1f) : 0f;
+    }
+
+    /**
+     * How far along a path a displacement leads, as a share of the path.
+     *
+     * @param dx displacement
+     * @param dy displacement
+     * @param px path
+     * @param py path
+     * @return the share, which may be negative or more than 1
+     */
+    public static float alongPath(float dx, float dy, float px, float py) {
+        float square = px * px + py * py;
+        return square > 0f ? (dx * px + dy * py) / square : 0f;
     }
 
     /**

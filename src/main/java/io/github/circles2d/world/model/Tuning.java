@@ -13,11 +13,23 @@ public final class Tuning {
     /** A circle goes no farther in a step, in its own radii. */
     public static final float TRAVEL = 64f;
 
-    /** Fast circles do not look out for others that are this many times smaller. */
+    /** Fast circles do not look out for others that are this many times smaller, unless those are static. */
     public static final float SWEEP_RATIO = 16f;
 
     /** How far a collision may lead a circle away from its path in the same step, in its own radii. */
     public static final float CLAMP_ALLOWANCE = 0.5f;
+
+    /** A fast circle nearer than this to one that it will touch, in sums of radii, does not stop there: their contact has it. */
+    public static final float HOLD = 0.075f;
+
+    /** Share of that allowance that is left beside the path of a circle that is at a static one. */
+    public static final float ASIDE = 0.1f;
+
+    /** Circles that would graze each other no deeper than this do not stop each other, in sums of radii. */
+    public static final float GRAZE = 0.01f;
+
+    /** The allowance of a circle that a static one pushes along: it goes to the end of its free path, whatever its velocity. */
+    public static final float CARRIED = Float.NEGATIVE_INFINITY;
 
     /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
     public static final int CROWD = 32;

@@ -55,13 +55,16 @@ public enum DeviceArray {
             "float4",
             "motionClamp",
             Index.SLOT,
-            "what it moves if nothing is in its way x, y, allowance, length; later what is free of that"),
+            "what it moves if nothing is in its way x, y, allowance, length; if circles are fast, later with what is free of that: x, y,"
+                    + " allowance, share that is free"),
     TIME_OF_IMPACT("int", "timeOfImpact", Index.SLOT, "as bits: the share of its path that it can go"),
     NEAR(
-            "float",
+            "float2",
             "near",
             Index.SLOT,
-            "the share up to where it touches one that it has a contact with; NOT_FAST where it is not"),
+            "the share up to where it touches one that it has a contact with, NOT_FAST where it is not; how far it may leave its path"
+                    + " then, negative at a static one"),
+    PUSHER("int", "pusher", Index.SLOT, "the slot of the static circle that pushes it, or NOBODY"),
     BLOCK_RANGE(
             "float4",
             "blockRange",

@@ -14,6 +14,7 @@ public enum StatusWord {
     APART(8, "by lanes: 1 where not all work-groups came at once"),
     PLACES(9, "by lanes: end of the places of contacts that the last step has used"),
     MOST_PLACES(10, "by lanes: places that a work-group needs at most"),
+    PUSHED(11, "1 where a static circle that moves pushes another in this step"),
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),

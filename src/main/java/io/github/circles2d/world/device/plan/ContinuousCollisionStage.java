@@ -7,19 +7,25 @@ import io.github.circles2d.world.model.GridLevels;
 
 /**
  * Continuous collision on a device; {@code kernels/world/stages/ContinuousCollision.cl}. {@code world.jvm.ContinuousCollision} does the
- * same. The kernel of stage Contacts that looks for pairs sets the motion clamps.
+ * same.
  */
 final class ContinuousCollisionStage {
     private final Kernel summarize;
     private final Kernel look;
+    private final Kernel push;
+    private final Kernel clamp;
 
     ContinuousCollisionStage(StageKernels kernels) {
         summarize = kernels.staged("continuousCollision_summarize");
         look = kernels.staged("continuousCollision_look");
+        push = kernels.staged("continuousCollision_push");
+        clamp = kernels.staged("continuousCollision_clamp");
     }
 
     void sweep(GridLevels levels, int circles) {
         summarize.run(DeviceArrays.cellBlocks(levels.buckets()));
         look.run(circles);
+        push.run(circles);
+        clamp.run(circles);
     }
 }
