@@ -60,28 +60,38 @@ INLINE float allowanceOf(const World *w, int slot, float r) {
     return w->k.sweeping ? w->motionClamp[slot].z : CLAMP_ALLOWANCE * r;
 }
 
+// A displacement as it is, or brought as near to a place as is allowed. on: the place.
+INLINE float2 withinAllowance(float2 on, float2 d, float allowance) {
+    float offX = d.x - on.x;
+    float offY = d.y - on.y;
+    float off = norm(offX, offY);
+    if (!(off > allowance)) return d;
+    float keep = allowance / off;
+    return (float2)(on.x + keep * offX, on.y + keep * offY);
+}
+
+// Keeps a circle at a static one behind where they touch, or takes it along with one that moves. Not inlined: few circles come
+// here, and all others would pay for its registers.
+float2 clampAtStatic(float4 clamp_, float2 d) {
+    if (clamp_.z == CARRIED) return clamp_.xy;
+    float along = alongPath(d.x, d.y, clamp_.x, clamp_.y);
+    if (along > clamp_.w) {
+        d.x -= (along - clamp_.w) * clamp_.x;
+        d.y -= (along - clamp_.w) * clamp_.y;
+    }
+    float share = least(nearest(d.x, d.y, clamp_.x, clamp_.y), clamp_.w);
+    float allowance = along > 0.0f ? -ASIDE * clamp_.z : -clamp_.z;
+    return withinAllowance((float2)(share * clamp_.x, share * clamp_.y), d, allowance);
+}
+
 // Keeps a circle's displacement within its motion clamp: no farther from the free part of its path than it is allowed.
 INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy) {
     float allowance = allowanceOf(w, slot, r);
     if (dx * dx + dy * dy <= allowance * fabs(allowance)) return (float2)(dx, dy);
     float4 clamp_ = w->motionClamp[slot];
-    if (allowance == CARRIED) return clamp_.xy;
-    float kept = w->k.sweeping ? clamp_.w : 1.0f;
-    if (allowance < 0.0f) {
-        float along = alongPath(dx, dy, clamp_.x, clamp_.y);
-        if (along > kept) {
-            dx -= (along - kept) * clamp_.x;
-            dy -= (along - kept) * clamp_.y;
-        }
-        allowance = along > 0.0f ? -ASIDE * allowance : -allowance;
-    }
-    float share = least(nearest(dx, dy, clamp_.x, clamp_.y), kept);
-    float offX = dx - share * clamp_.x;
-    float offY = dy - share * clamp_.y;
-    float off = norm(offX, offY);
-    if (!(off > allowance)) return (float2)(dx, dy);
-    float keep = allowance / off;
-    return (float2)(share * clamp_.x + keep * offX, share * clamp_.y + keep * offY);
+    if (allowance < 0.0f) return clampAtStatic(clamp_, (float2)(dx, dy));
+    float share = nearest(dx, dy, clamp_.x, clamp_.y);
+    return withinAllowance((float2)(share * clamp_.x, share * clamp_.y), (float2)(dx, dy), allowance);
 }
 
 // Moves a circle that nothing is in the way of. m: its motion; returns what that becomes.

@@ -176,8 +176,9 @@ kernel void continuousCollision_push(WORLD_PARAMETERS) {
     if (slot < circles && status[PUSHED] != 0 && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, true);
 }
 
-// Sets a motion clamp: the free part of the path, how far the circle may leave it, and the share of it that is free. A circle that
-// stops loses time, and so what gravity would give it in that time. After all have looked ahead.
+// Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far
+// it may leave that, negative, and the share of it that is free. A circle that stops loses time, and so what gravity would give it
+// in that time. After all have looked ahead.
 void setMotionClamp(const World *w, int slot) {
     float4 sight = w->sight[slot];
     if (sight.w == 0.0f) return;
@@ -186,14 +187,13 @@ void setMotionClamp(const World *w, int slot) {
     float r = w->circle[slot].z;
     float free = as_float(w->timeOfImpact[slot]);
     float2 near = w->near[slot];
-    float kept = least(near.x, 1.0f);
-    float allowance = kept < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
+    float limit = least(near.x, 1.0f);
+    float allowance = limit < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
     float2 path = plan.xy;
-    if (free < kept) {
+    if (free < limit) {
         float rest = 1.0f - free;
         int pusher = w->pusher[slot];
         path = (float2)(free * path.x, free * path.y);
-        kept = 1.0f;
         allowance = 0.0f;
         if (pusher != NOBODY) {
             float4 pushed = w->motionClamp[pusher];
@@ -203,8 +203,10 @@ void setMotionClamp(const World *w, int slot) {
         w->sight[slot].z = speculativeDistance(r, 0.0f);
         w->motion[slot].z -= rest * (k->gravityStepX * k->subSteps);
         w->motion[slot].w -= rest * (k->gravityStepY * k->subSteps);
+    } else if (allowance >= 0.0f) {
+        path = (float2)(limit * path.x, limit * path.y);
     }
-    w->motionClamp[slot] = (float4)(path.x, path.y, allowance, kept);
+    w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }
 
 // Index space: a working slot a work-item. Constant cost.

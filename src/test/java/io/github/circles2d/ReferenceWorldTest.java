@@ -54,10 +54,32 @@ class ReferenceWorldTest {
         }
     }
 
-    /**
-     * Two circles meet on their paths, but far from the part of the path that the faster one goes at most. Whether the other stops
-     * there depends on the cells that the faster one looks at.
-     */
+    /** Some balls are pushed by two static circles at once, and some pushers are slower than the balls. */
+    @ParameterizedTest
+    @CsvSource({"0.5", "5", "40"})
+    void staticCirclesThatMovePushThoseThatTheReferencePushes(float speed) {
+        ReferenceWorld reference = new ReferenceWorld(0.5f, SUB_STEPS);
+        try (World world =
+                WorldScenes.jvm().restitution(0.5f).subSteps(SUB_STEPS).build()) {
+            List<WorldCalls> both = List.of(WorldCalls.of(world), reference);
+            for (WorldCalls calls : both) {
+                calls.setGravity(0f, -1f);
+                for (int k = 0; k < 8; k++) {
+                    float x = 0.06f + 0.12f * k;
+                    calls.add(x - 0.02f, 0.2f, 0.03f, Float.POSITIVE_INFINITY, 0.01f * k * speed, speed);
+                    calls.add(x + 0.02f, 0.2f, 0.03f, Float.POSITIVE_INFINITY, -0.01f * k * speed, speed);
+                    calls.add(x, 0.25f + 0.02f * k, 0.004f + 0.002f * (k % 3), 1f, 0f, -0.1f * k * speed);
+                    calls.add(x, 0.45f + 0.02f * k, 0.01f, 1f, 0f, 0f);
+                }
+            }
+            for (int step = 1; step <= 12; step++) {
+                both.forEach(calls -> calls.step(1 / 60f, 1));
+                assertThat(world.hash()).as("hash after step %d", step).isEqualTo(reference.hash());
+            }
+        }
+    }
+
+    /** Two circles meet on their paths, but far from the part of the path that the faster one goes at most: neither stops. */
     @ParameterizedTest
     @CsvSource({"0, 0.84", "3000, 0.84", "4200, 0.80", "4200, 0.82", "4200, 0.84", "4200, 0.86", "4200, 0.88"})
     void aVeryFastCircleStopsTheCirclesThatTheReferenceStops(int others, float y) {

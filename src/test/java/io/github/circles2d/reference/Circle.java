@@ -31,7 +31,6 @@ final class Circle {
     float leastPath;
     float contactTime;
     float timeOfImpact;
-    float freeShare;
     float allowance;
     boolean stands;
     boolean isPushed;

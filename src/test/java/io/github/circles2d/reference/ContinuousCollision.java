@@ -145,22 +145,19 @@ final class ContinuousCollision {
     }
 
     private void setClamp(Circle c) {
-        c.freePath[0] = c.path[0];
-        c.freePath[1] = c.path[1];
-        c.freeShare = c.contactTime;
+        float share = c.stands ? 1f : c.contactTime;
+        c.allowance = c.contactTime < 1f ? c.allowance : CLAMP_ALLOWANCE * c.radius;
         c.isPushed = false;
-        if (!(c.contactTime < 1f)) {
-            c.allowance = CLAMP_ALLOWANCE * c.radius;
+        for (int a = 0; a < 2; a++) {
+            c.freePath[a] = share * c.path[a];
         }
         if (c.timeOfImpact < c.contactTime) {
             float rest = 1f - c.timeOfImpact;
             for (int a = 0; a < 2; a++) {
-                float pushed = c.pusher == null ? 0f : rest * c.pusher.path[a];
                 float own = c.timeOfImpact * c.path[a];
-                c.freePath[a] = c.pusher == null ? own : own + pushed;
+                c.freePath[a] = c.pusher == null ? own : own + rest * c.pusher.path[a];
                 c.velocity[a] -= rest * (k.gravityStep(a) * k.subSteps());
             }
-            c.freeShare = 1f;
             c.allowance = 0f;
             c.stands = false;
             c.isPushed = c.pusher != null && c.pusher.pathLength > Circle.CAP * c.radius;
@@ -173,23 +170,25 @@ final class ContinuousCollision {
         if (c.isPushed) {
             to[0] = c.freePath[0];
             to[1] = c.freePath[1];
-            return;
-        }
-        if (!c.stands && dot(to, to) <= c.allowance * c.allowance) {
-            return;
-        }
-        float square = dot(c.freePath, c.freePath);
-        float allowance = c.allowance;
-        if (c.stands) {
-            float along = square > 0f ? dot(to, c.freePath) / square : 0f;
-            for (int a = 0; a < 2 && along > c.freeShare; a++) {
-                to[a] -= (along - c.freeShare) * c.freePath[a];
+        } else if (c.stands) {
+            float along = along(to, c.freePath);
+            for (int a = 0; a < 2 && along > c.contactTime; a++) {
+                to[a] -= (along - c.contactTime) * c.freePath[a];
             }
-            allowance = along > 0f ? ASIDE * allowance : allowance;
+            float share = min(Numbers.clamp(along(to, c.freePath), 0f, 1f), c.contactTime);
+            bringNear(to, share, c.freePath, along > 0f ? ASIDE * c.allowance : c.allowance);
+        } else if (dot(to, to) > c.allowance * c.allowance) {
+            bringNear(to, Numbers.clamp(along(to, c.freePath), 0f, 1f), c.freePath, c.allowance);
         }
-        float nearest = square > 0f ? Numbers.clamp(dot(to, c.freePath) / square, 0f, 1f) : 0f;
-        float share = min(nearest, c.freeShare);
-        float[] on = {share * c.freePath[0], share * c.freePath[1]};
+    }
+
+    private static float along(float[] to, float[] path) {
+        float square = dot(path, path);
+        return square > 0f ? dot(to, path) / square : 0f;
+    }
+
+    private static void bringNear(float[] to, float share, float[] path, float allowance) {
+        float[] on = {share * path[0], share * path[1]};
         float[] off = minus(to, on);
         float distance = length(off);
         for (int a = 0; a < 2 && distance > allowance; a++) {

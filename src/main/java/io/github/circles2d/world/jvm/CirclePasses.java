@@ -8,7 +8,7 @@ import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
-import static io.github.circles2d.world.model.CircleRow.KEPT;
+import static io.github.circles2d.world.model.CircleRow.LIMIT;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
 import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
@@ -168,31 +168,9 @@ final class CirclePasses {
             float dy = m[s + DY] + m[s + VY] * k.h;
             float allowance = clamp[s + ALLOWANCE];
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
-                float pathX = clamp[s + PATH_X];
-                float pathY = clamp[s + PATH_Y];
-                if (allowance == Tuning.CARRIED) {
-                    dx = pathX;
-                    dy = pathY;
-                } else {
-                    float kept = clamp[s + KEPT];
-                    if (allowance < 0f) {
-                        float along = CircleMath.alongPath(dx, dy, pathX, pathY);
-                        if (along > kept) {
-                            dx -= (along - kept) * pathX;
-                            dy -= (along - kept) * pathY;
-                        }
-                        allowance = along > 0f ? -Tuning.ASIDE * allowance : -allowance;
-                    }
-                    float share = CircleMath.least(CircleMath.nearest(dx, dy, pathX, pathY), kept);
-                    float offX = dx - share * pathX;
-                    float offY = dy - share * pathY;
-                    float off = CircleMath.norm(offX, offY);
-                    if (off > allowance) {
-                        float keep = allowance / off;
-                        dx = share * pathX + keep * offX;
-                        dy = share * pathY + keep * offY;
-                    }
-                }
+                clampMotion(s, dx, dy);
+                dx = m[s + DX];
+                dy = m[s + DY];
             }
             float margin = state.margin(s);
             m[s + DX] = CircleMath.within(circle[s + X], dx, minX + margin, maxX - margin);
@@ -213,6 +191,38 @@ final class CirclePasses {
                 relaxWall(slot, Y, minY, maxY, k);
             }
         }
+    }
+
+    /** Sets a circle's displacement, no farther from the free part of its path than it is allowed. */
+    private void clampMotion(int s, float dx, float dy) {
+        float pathX = state.motionClamp[s + PATH_X];
+        float pathY = state.motionClamp[s + PATH_Y];
+        float allowance = state.motionClamp[s + ALLOWANCE];
+        if (allowance == Tuning.CARRIED) {
+            state.motion[s + DX] = pathX;
+            state.motion[s + DY] = pathY;
+        } else if (allowance < 0f) {
+            float limit = state.motionClamp[s + LIMIT];
+            float along = CircleMath.alongPath(dx, dy, pathX, pathY);
+            float x = along > limit ? dx - (along - limit) * pathX : dx;
+            float y = along > limit ? dy - (along - limit) * pathY : dy;
+            float share = CircleMath.least(CircleMath.nearest(x, y, pathX, pathY), limit);
+            setWithin(s, share * pathX, share * pathY, x, y, along > 0f ? -Tuning.ASIDE * allowance : -allowance);
+        } else {
+            float share = CircleMath.nearest(dx, dy, pathX, pathY);
+            setWithin(s, share * pathX, share * pathY, dx, dy, allowance);
+        }
+    }
+
+    /** Sets a circle's displacement, brought as near to a place as is allowed. */
+    private void setWithin(int s, float x, float y, float dx, float dy, float allowance) {
+        float offX = dx - x;
+        float offY = dy - y;
+        float off = CircleMath.norm(offX, offY);
+        boolean within = !(off > allowance);
+        float keep = within ? 1f : allowance / off;
+        state.motion[s + DX] = within ? dx : x + keep * offX;
+        state.motion[s + DY] = within ? dy : y + keep * offY;
     }
 
     /** The relaxing pass over the nearer wall of an axis. */

@@ -2,7 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
-import static io.github.circles2d.world.model.CircleRow.KEPT;
+import static io.github.circles2d.world.model.CircleRow.LIMIT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -354,7 +354,7 @@ public final class ContinuousCollision {
             clamp[s + PATH_X] = state.plan[CircleRow.vector(slot) + X];
             clamp[s + PATH_Y] = state.plan[CircleRow.vector(slot) + Y];
             clamp[s + ALLOWANCE] = Tuning.CLAMP_ALLOWANCE * state.circle[s + RADIUS];
-            clamp[s + KEPT] = 1f;
+            clamp[s + LIMIT] = 1f;
         }
     }
 
@@ -368,13 +368,12 @@ public final class ContinuousCollision {
             float py = plan[CircleRow.vector(slot) + Y];
             float free = Float.intBitsToFloat(timeOfImpact[slot]);
             float r = state.circle[s + RADIUS];
-            float kept = near[slot];
-            float allowed = kept < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
-            if (free < kept) {
+            float limit = near[slot];
+            float allowed = limit < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
+            if (free < limit) {
                 float rest = 1f - free;
                 px = free * px;
                 py = free * py;
-                kept = 1f;
                 allowed = 0f;
                 if (pusher[slot] != NOBODY) {
                     int p = CircleRow.vector(pusher[slot]);
@@ -385,11 +384,14 @@ public final class ContinuousCollision {
                 grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
                 state.motion[s + VX] -= rest * (k.gravityStepX * k.subSteps);
                 state.motion[s + VY] -= rest * (k.gravityStepY * k.subSteps);
+            } else if (allowed >= 0f) {
+                px = limit * px;
+                py = limit * py;
             }
             clamp[s + PATH_X] = px;
             clamp[s + PATH_Y] = py;
             clamp[s + ALLOWANCE] = allowed;
-            clamp[s + KEPT] = kept;
+            clamp[s + LIMIT] = limit;
         }
     }
 }

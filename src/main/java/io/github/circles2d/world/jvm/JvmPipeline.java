@@ -25,10 +25,10 @@ public final class JvmPipeline implements Pipeline {
     private static final int CONTACTS = 2;
     private static final int SOLVER = 3;
 
-    private final State state = new State();
+    final State state = new State();
     final GridLevels levels = new GridLevels();
     private final Team team;
-    private final Grid grid;
+    final Grid grid;
     final Contacts contacts;
     private final ContinuousCollision sweep;
     private final Solver solver;

@@ -38,7 +38,7 @@ public final class CircleRow {
     public static final int PATH_X = 0;
     public static final int PATH_Y = 1;
     public static final int ALLOWANCE = 2;
-    public static final int KEPT = 3;
+    public static final int LIMIT = 3;
 
     private CircleRow() {}
 

@@ -1,12 +1,15 @@
 package io.github.circles2d.world.jvm;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /** The broad phase as its definition says it: every pair is tested, with no grid. */
 final class AllPairs {
@@ -14,22 +17,34 @@ final class AllPairs {
     private final float[] speculativeDistance;
     private final int[] level;
 
-    private AllPairs(SavedState s, GridLevels levels, StepConstants k) {
+    /** Continuous collision has shortened the speculative distance of some circles. */
+    private AllPairs(SavedState s, JvmPipeline pipeline) {
         this.s = s;
         speculativeDistance = new float[s.circles];
         level = new int[s.circles];
+        Map<Integer, Integer> slotOf = new HashMap<>();
+        for (int slot = 0; slot < s.circles; slot++) {
+            slotOf.put(pipeline.state.id[slot], slot);
+        }
+        StepConstants k = pipeline.constants;
         for (int i = 0; i < s.circles; i++) {
             float r = s.circle[4 * i + 2];
             float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
             float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
-            speculativeDistance[i] = CircleMath.speculativeDistance(r, CircleMath.norm(px, py));
-            level[i] = levels.level(r);
+            float path = CircleMath.norm(px, py);
+            float most = CircleMath.speculativeDistance(r, path);
+            speculativeDistance[i] = pipeline.grid.speculativeDistance[slotOf.get(s.id[i])];
+            assertThat(speculativeDistance[i]).isBetween(CircleMath.speculativeDistance(r, 0), most);
+            if (isStatic(i) || !CircleMath.isFast(path, r)) {
+                assertThat(speculativeDistance[i]).isIn(CircleMath.speculativeDistance(r, 0), most);
+            }
+            level[i] = pipeline.levels.level(r);
         }
     }
 
-    /** The pairs that the next step of a state lists as contacts, lower id above higher, in ascending order. */
-    static List<Long> of(SavedState s, GridLevels levels, StepConstants k) {
-        return new AllPairs(s, levels, k).list();
+    /** The pairs that the step behind a state listed as contacts, lower id above higher, in ascending order. */
+    static List<Long> of(SavedState s, JvmPipeline pipeline) {
+        return new AllPairs(s, pipeline).list();
     }
 
     private boolean isStatic(int i) {

@@ -84,7 +84,7 @@ class BroadPhaseTest {
     private static void compareOneStep(JvmWorld world) {
         SavedState before = world.save();
         world.step(1);
-        List<Long> expected = AllPairs.of(before, world.pipeline.levels, world.pipeline.constants);
+        List<Long> expected = AllPairs.of(before, world.pipeline);
         List<Long> found = new ArrayList<>();
         for (int c = 0; c < world.pipeline.contacts(); c++) {
             found.add(world.pipeline.contacts.ids(c));
