@@ -27,6 +27,7 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     f.separation = stateOf(w, wide)[2];
     f.restitution = baseOf(w, wide)[3];
     f.threshold = shapeOf(w, wide)[1];
+    f.flight = flightThreshold4(baseOf(w, wide)[2], baseOf(w, wide)[3], w->k.restRate);
     f.mass = shapeOf(w, wide)[0];
     f.normalImpulse = stateOf(w, wide)[3];
     f.loaded = loaded;
@@ -46,10 +47,14 @@ INLINE void solveWide(const World *w, int wide) {
     Halves uj = takeHalves(w->load, j, XY);
     Halves relativeBefore = halvesMinus(&uj, &ui);
     float4 nx = contact[0], ny = contact[1];
-    float4 before = along4(nx, ny, firstOf(&relativeBefore), secondOf(&relativeBefore));
+    float4 beforeX = firstOf(&relativeBefore), beforeY = secondOf(&relativeBefore);
     Found4 found = foundWide(w, wide, someLoaded(w, i, j));
+    found.pushSpeed = masses[2];
+    found.before = along4(nx, ny, beforeX, beforeY);
+    found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
+    found.halfFall = halfFall4(nx * w->k.gravityStepX + ny * w->k.gravityStepY, masses[0], masses[1]);
     Ready4 ready;
-    makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, masses[2], before, &ready);
+    makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, &ready);
     Visited4 visited;
     visit4(&ready, along4(nx, ny, firstOf(&relative), secondOf(&relative)), false, &visited);
     masses[3] = ready.bounce;

@@ -4,8 +4,6 @@
 
 // ---- geometry -------------------------------------------------------------------------------------------------------
 
-float least(float a, float b) { return a < b ? a : b; }
-
 float bounded(float a, float low, float high) { return greatest(least(a, high), low); }
 
 float lostByRounding(float base, float displacement, float sum) {

@@ -4,21 +4,37 @@
 
 // The square of the normal speed beyond which a contact bounces. radii: their sum.
 REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
-    REAL creep = lengthRate * ((1.0f - restitution) * radii);
+    REAL creep = lengthRate * (NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f)) * radii);
     return gravityRate * radii + creep * creep;
+}
+
+REAL NAME(flightThreshold)(REAL radii, REAL restitution, float lengthRate) {
+    return NAME(bounceThreshold)(radii, restitution, 0.0f, lengthRate);
 }
 
 REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {
     return NAME(bounceThreshold)(radii, restitution, k->thresholdRate, k->restRate);
 }
 
-REAL NAME(pushSpeed)(REAL radii, float perLength, float perRoot) {
-    return NAME(greatest)(perLength * radii, perRoot * sqrt(radii));
+// The speed at which an overlap that is not deep is pushed out.
+REAL NAME(pushSpeed)(const StepConstants *k, REAL radii) { return k->pushRate * radii; }
+
+// The speed at which an overlap is pushed out, negative.
+REAL NAME(pushOut)(REAL separation, REAL pushSpeed, float biasRate) {
+    REAL deep = DEEP_RATE * separation + DEEP_OFFSET * pushSpeed;
+    return NAME(greatest)(biasRate * separation, NAME(least)(-pushSpeed, deep));
 }
 
-// The greatest speed at which an overlap is pushed out.
-REAL NAME(maxPushSpeed)(const StepConstants *k, REAL radii) {
-    return NAME(pushSpeed)(radii, k->pushPerLength, k->pushPerRoot);
+// What gravity adds to the normal speed of a pair in half a sub-step. fall: what it adds to that of a circle in a whole one.
+REAL NAME(halfFall)(REAL fall, REAL invMassA, REAL invMassB) {
+    REAL half_ = 0.5f * fall;
+    return NAME(choose)(invMassA == 0.0f, half_, NAME(choose)(invMassB == 0.0f, -half_, (REAL)(0.0f)));
+}
+
+// Whether surfaces overlap that would not part by themselves for long. squaredSpeed: of the relative velocity before any impulse.
+MASK NAME(lingers)(REAL separation, REAL squaredSpeed) {
+    REAL way = LINGER * LINGER * squaredSpeed;
+    return separation < 0.0f && way < separation * separation;
 }
 
 REAL NAME(effectiveMass)(REAL invMassA, REAL invMassB) { return 1.0f / (invMassA + invMassB); }
@@ -60,9 +76,15 @@ REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL
 typedef struct {
     REAL separation, restitution;
     REAL threshold; // see restitutionThreshold
+    REAL flight;    // the same where nothing carries the circles
     REAL mass;      // effective
     REAL normalImpulse;
     MASK loaded; // whether one of its circles is
+    // In the biased pass:
+    REAL pushSpeed;
+    REAL before;       // normal speed before any impulse
+    REAL squaredSpeed; // of the relative velocity before any impulse
+    REAL halfFall;     // see there
 } NAME(Found);
 
 // A contact made ready to be visited.
@@ -71,6 +93,8 @@ typedef struct {
     REAL scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
     REAL flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
     REAL gain;              // of the normal speed at a free bounce
+    REAL halfFall;          // taken from the normal speed at a free bounce
+    MASK lingers;           // in the biased pass: they are not left alone, even if they part
     REAL meeting;           // in the biased pass: they bounce freely if the sum of this and the normal speed is negative
     REAL bounce;            // target speed of a bounce
     REAL restingLimit;      // in the relaxing pass; see carries
@@ -85,21 +109,23 @@ typedef struct {
     MASK solved;        // neither left alone nor bounced freely
 } NAME(Visited);
 
-// Makes a contact ready for the biased pass. before: normal speed before any impulse.
-INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, const NAME(Found) *f, REAL maxPushSpeed,
-                                   REAL before, NAME(Ready) *c) {
-    REAL bounce = NAME(bounceSpeed)(f->restitution, before, f->separation, k->h, f->threshold);
+// Makes a contact ready for the biased pass.
+INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, const NAME(Found) *f, NAME(Ready) *c) {
+    REAL bounce = NAME(bounceSpeed)(f->restitution, f->before, f->separation, k->h, f->threshold);
     bounce = NAME(choose)(f->restitution > 0.0f && f->loaded, bounce, (REAL)(0.0f));
     REAL speculative = f->separation * k->inverseH;
-    REAL push = softness.massScale * NAME(greatest)(softness.biasRate * f->separation, -maxPushSpeed);
+    REAL push = softness.massScale * NAME(pushOut)(f->separation, f->pushSpeed, softness.biasRate);
     MASK rigid = bounce > 0.0f || f->separation > 0.0f;
     c->mass = f->mass;
     c->normalImpulse = f->normalImpulse;
     c->scale = NAME(choose)(rigid, (REAL)(1.0f), (REAL)(softness.massScale));
     c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, speculative, push));
     c->less = NAME(choose)(rigid, (REAL)(0.0f), softness.impulseScale * f->normalImpulse);
-    c->flight = NAME(choose)(f->restitution > 0.0f && !f->loaded && f->normalImpulse == 0.0f, f->threshold, (REAL)(INFINITY));
+    MASK flies = f->restitution > 0.0f && !f->loaded && f->normalImpulse == 0.0f;
+    c->flight = NAME(choose)(flies, f->flight, (REAL)(INFINITY));
     c->gain = -(1.0f + f->restitution);
+    c->halfFall = f->halfFall;
+    c->lingers = NAME(lingers)(f->separation, f->squaredSpeed);
     c->meeting = speculative;
     c->bounce = bounce;
     c->restingLimit = (REAL)(-1.0f);
@@ -115,8 +141,10 @@ INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f,
     c->scale = (REAL)(1.0f);
     c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, f->separation * k->inverseH, (REAL)(0.0f)));
     c->less = (REAL)(0.0f);
-    c->flight = NAME(choose)(idle && f->restitution > 0.0f && !f->loaded, f->threshold, (REAL)(INFINITY));
+    c->flight = NAME(choose)(idle && f->restitution > 0.0f && !f->loaded, f->flight, (REAL)(INFINITY));
     c->gain = -(1.0f + f->restitution);
+    c->halfFall = (REAL)(0.0f);
+    c->lingers = (MASK)(0);
     c->meeting = (REAL)(0.0f);
     c->bounce = bounce;
     c->restingLimit = NAME(restingLimit)(f->separation, f->threshold);
@@ -126,12 +154,13 @@ INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f,
 // Visits a contact. vn: its normal speed; relaxing: in the relaxing pass, where the impulse of a bounce is not kept.
 INLINE void NAME(visit)(const NAME(Ready) *c, REAL vn, bool relaxing, NAME(Visited) *v) {
     MASK flies = vn * vn > c->flight;
-    MASK leaves = c->still || (flies && vn > 0.0f);
-    MASK bounces = flies; // unless it leaves
-    if (!relaxing) bounces = flies && c->meeting + vn < 0.0f;
+    MASK parts = flies && vn > 0.0f;
+    MASK leaves = c->still || (parts && !c->lingers);
+    MASK bounces = flies && !parts;
+    if (!relaxing) bounces = bounces && c->meeting + vn < 0.0f;
     MASK solved = !(leaves || bounces);
     REAL next = NAME(greatest)((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, (REAL)(0.0f));
-    v->impulse = NAME(choose)(bounces, c->gain * vn * c->mass, next - c->normalImpulse);
+    v->impulse = NAME(choose)(bounces, c->gain * (vn - c->halfFall) * c->mass, next - c->normalImpulse);
     if (relaxing) next = NAME(choose)(c->bounce > 0.0f, (REAL)(0.0f), next);
     v->normalImpulse = NAME(choose)(solved, next, c->normalImpulse);
     v->leaves = leaves;

@@ -31,10 +31,11 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
     float target[2];
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
+    float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
         next[axis] = solveWall(k, x[axis], &dx[axis], v[axis], next[axis], c.z, t->y, *loaded, low[axis], high[axis],
-                               &wall[axis], &target[axis]);
+                               rate[axis], &wall[axis], &target[axis]);
     }
     *bounce = (float2)(target[0], target[1]);
     *m = (float4)(dx[0], dx[1], next[0], next[1]);
@@ -116,6 +117,9 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
         // a static circle that is stopped has stopped: what lies on it must not see it go on
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
+    } else {
+        vx = stopAtFarWall(vx, d.x, dx, wallSide(c.x, k->minX, k->maxX));
+        vy = stopAtFarWall(vy, d.y, dy, wallSide(c.y, k->minY, k->maxY));
     }
     return (float4)(dx, dy, vx, vy);
 }
@@ -131,10 +135,11 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
     float target[2] = {bounce.x, bounce.y};
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
+    float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
         v[axis] = relaxWall(k, x[axis], dx[axis], v[axis], c.z, t->y, loaded, target[axis], low[axis], high[axis],
-                            &wall[axis]);
+                            rate[axis], &wall[axis]);
     }
     m->z = v[0];
     m->w = v[1];

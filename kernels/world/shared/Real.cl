@@ -30,6 +30,8 @@
 
 REAL NAME(greatest)(REAL a, REAL b) { return NAME(choose)(a > b, a, b); }
 
+REAL NAME(least)(REAL a, REAL b) { return NAME(choose)(a < b, a, b); }
+
 REAL NAME(norm)(REAL x, REAL y) { return sqrt(x * x + y * y); }
 
 REAL NAME(along)(REAL nx, REAL ny, REAL vx, REAL vy) { return nx * vx + ny * vy; }

@@ -12,6 +12,10 @@ float leftBehind(float gap, float vn, float gain, float dt, float r) {
     return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
 }
 
+float stopAtFarWall(float v, float displacement, float kept, float side) {
+    return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
+}
+
 float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
 
 float within(float base, float displacement, float low, float high) {
@@ -20,27 +24,32 @@ float within(float base, float displacement, float low, float high) {
 }
 
 // A circle and the nearer wall of an axis, as a pass finds them.
-Found foundWall(const StepConstants *k, float x, float dx, float r, float e, bool loaded, float min, float max, float stored,
-                float *side) {
+Found foundWall(const StepConstants *k, float x, float dx, float r, float e, bool loaded, float min, float max,
+                float thresholdRate, float stored, float *side) {
     *side = wallSide(x, min, max);
     Found f;
     f.separation = wallGap(x, dx, r, *side, min, max);
     f.restitution = e;
-    f.threshold = restitutionThreshold(k, 2.0f * r, e);
+    f.threshold = bounceThreshold(2.0f * r, e, thresholdRate, k->restRate);
+    f.flight = f.threshold;
     f.mass = 1.0f;
     f.normalImpulse = wallImpulse(stored, *side);
     f.loaded = loaded;
+    f.pushSpeed = pushSpeed(k, 2.0f * r);
+    f.squaredSpeed = INFINITY;
+    f.halfFall = 0.0f;
     return f;
 }
 
 // The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
 // contacts; stored: the wall's impulse. Returns the new velocity along the axis.
 float solveWall(const StepConstants *k, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
-                float max, float *stored, float *bounce) {
+                float max, float thresholdRate, float *stored, float *bounce) {
     float side;
-    Found f = foundWall(k, x, *dx, r, e, loaded, min, max, *stored, &side);
+    Found f = foundWall(k, x, *dx, r, e, loaded, min, max, thresholdRate, *stored, &side);
+    f.before = side * before;
     Ready c;
-    makeReadyToSolve(k, wallSoftness(k), &f, maxPushSpeed(k, 2.0f * r), side * before, &c);
+    makeReadyToSolve(k, wallSoftness(k), &f, &c);
     v += side * f.normalImpulse;
     float vn = side * v;
     Visited visited;
@@ -53,9 +62,9 @@ float solveWall(const StepConstants *k, float x, float *dx, float before, float 
 
 // The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.
 float relaxWall(const StepConstants *k, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
-                float max, float *stored) {
+                float max, float thresholdRate, float *stored) {
     float side;
-    Found f = foundWall(k, x, dx, r, e, loaded, min, max, *stored, &side);
+    Found f = foundWall(k, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side);
     Ready c;
     makeReadyToRelax(k, &f, bounce, &c);
     Visited visited;

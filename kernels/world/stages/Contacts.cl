@@ -363,7 +363,7 @@ void fillContact(const World *w, int c) {
     bool carrying;
     float4 n = newContact(w, p, w->key[c], b, &carrying);
     w->base[c] = b;
-    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, maxPushSpeed(&w->k, b.z), 0.0f);
+    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
     w->contact[c] = n;
     gatherLoad(w, p, n.x, n.y, n.w, carrying);
 }

@@ -25,6 +25,7 @@ Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
     f.separation = n.z;
     f.restitution = b.w;
     f.threshold = restitutionThreshold(&w->k, b.z, b.w);
+    f.flight = flightThreshold(b.z, b.w, w->k.restRate);
     f.mass = effectiveMass(q.x, q.y);
     f.normalImpulse = n.w;
     f.loaded = loads > 0.0f;
@@ -56,8 +57,13 @@ void solveContact(const World *w, int c) {
     float4 li = w->load[pr.x];
     float4 lj = w->load[pr.y];
     Found found = foundContact(w, w->base[c], q, n, li.z + lj.z);
+    float2 before = lj.xy - li.xy;
+    found.pushSpeed = q.z;
+    found.before = along(n.x, n.y, before.x, before.y);
+    found.squaredSpeed = before.x * before.x + before.y * before.y;
+    found.halfFall = halfFall(along(n.x, n.y, w->k.gravityStepX, w->k.gravityStepY), q.x, q.y);
     Ready ready;
-    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, q.z, along(n.x, n.y, lj.x - li.x, lj.y - li.y), &ready);
+    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, &ready);
     Visited visited;
     visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
     w->masses[c].w = ready.bounce;

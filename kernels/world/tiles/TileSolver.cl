@@ -117,6 +117,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     f.separation = r->normal.z;
     f.restitution = r->shape.y;
     f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
+    f.flight = flightThreshold(r->shape.x, r->shape.y, w->k.restRate);
     f.mass = r->normal.w;
     f.normalImpulse = r->impulse.x;
     f.loaded = isLoaded(wi) || isLoaded(wj);
@@ -130,8 +131,12 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     } else {
         float2 bi = t->load[i];
         float2 bj = t->load[j];
-        float before = along(r->normal.x, r->normal.y, bj.x - bi.x, bj.y - bi.y);
-        makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, maxPushSpeed(&w->k, r->shape.x), before, &v->ready);
+        float2 before = bj - bi;
+        f.pushSpeed = pushSpeed(&w->k, r->shape.x);
+        f.before = along(r->normal.x, r->normal.y, before.x, before.y);
+        f.squaredSpeed = before.x * before.x + before.y * before.y;
+        f.halfFall = halfFall(along(r->normal.x, r->normal.y, w->k.gravityStepX, w->k.gravityStepY), v->invMassA, v->invMassB);
+        makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);
     }
 }
 

@@ -1,7 +1,6 @@
 package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.max;
-import static io.github.circles2d.reference.Numbers.sqrt;
 
 import java.util.function.Function;
 
@@ -10,12 +9,15 @@ import java.util.function.Function;
  * is never negative. (Soft constraints: E. Catto, "Solver2D", 2024.)
  */
 abstract class Constraint {
-    private static final float DAMPING = 4f;
-    private static final float FREQUENCY = 0.28f;
-    private static final float PUSH = 4f;
-    private static final float PUSH_GRAVITY = 2.7f;
-    private static final float BOUNCE_THRESHOLD = 1.2f;
-    private static final float REST_SPEED = 0.1f;
+    private static final float DAMPING = 20f;
+    private static final float FREQUENCY = 67f;
+    private static final float GREATEST_FREQUENCY = 0.3f;
+    private static final float PUSH = 0.4f;
+    private static final float DEEP = 0.2f;
+    private static final float DEEP_RATE = 15f;
+    private static final float BOUNCE_THRESHOLD = 0.4f;
+    private static final float REST_SPEED = 1f;
+    private static final float NEARLY_ELASTIC = 0.9f;
 
     final StepParameters step;
     final float radii;
@@ -25,6 +27,7 @@ abstract class Constraint {
     private final float inverseMasses;
 
     private final float squaredThreshold;
+    private final float squaredCreep;
     private final float pushSpeed;
     private final float biasRate;
     private final float massScale;
@@ -38,16 +41,23 @@ abstract class Constraint {
     /** The speed at which the surfaces part after a bounce in this sub-step; 0 if there is none. */
     float bounceSpeed;
 
-    Constraint(StepParameters step, float stiffness, float radii, float restitution, float inverseMasses) {
+    /**
+     * A constraint of a step.
+     *
+     * @param gravity of the size that counts for what is an impact
+     */
+    Constraint(
+            StepParameters step, float stiffness, float gravity, float radii, float restitution, float inverseMasses) {
         this.step = step;
         this.radii = radii;
         this.restitution = restitution;
         this.inverseMasses = inverseMasses;
-        float gravity = Numbers.length(step.gravity());
-        float creep = REST_SPEED * 0.5f * ((1f - restitution) * radii);
+        float inelastic = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
+        float creep = REST_SPEED * 0.5f * (inelastic * radii);
+        squaredCreep = creep * creep;
         squaredThreshold = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity * radii + creep * creep;
-        pushSpeed = max(PUSH * 0.5f * radii, (PUSH_GRAVITY * sqrt(0.5f * gravity)) * sqrt(radii));
-        float omega = stiffness * (2f * 3.14159265f * FREQUENCY);
+        pushSpeed = PUSH * radii;
+        float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
         float a1 = 2f * DAMPING + omega;
         float a2 = omega * a1;
         impulseScale = 1f / (1f + a2);
@@ -62,6 +72,26 @@ abstract class Constraint {
     abstract boolean isLoaded();
 
     abstract void apply(float impulse);
+
+    /** Whether surfaces overlap that would not part by themselves for long. */
+    boolean lingers() {
+        return false;
+    }
+
+    /** Whether free circles bounce at a speed, or fly apart. */
+    boolean isImpactInFlight(float vn) {
+        return isImpact(vn);
+    }
+
+    /** Whether a speed is greater than what circles creep with. */
+    final boolean isFasterThanCreep(float vn) {
+        return vn * vn > squaredCreep;
+    }
+
+    /** What gravity adds to the normal speed in half a sub-step. */
+    float halfFall() {
+        return 0f;
+    }
 
     /** Applies the impulse of a bounce in free flight. */
     void applyFreeBounce(float impulse) {
@@ -87,12 +117,14 @@ abstract class Constraint {
     private boolean visit(boolean biased) {
         float mass = 1f / inverseMasses;
         float vn = normalVelocity(c -> c.velocity);
-        if (restitution > 0f && !isLoaded() && normalImpulse == 0f && isImpact(vn)) {
+        boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
+        if (flies && isImpactInFlight(vn)) {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
             if (vn < 0f && meets) {
-                applyFreeBounce(-(1f + restitution) * vn * mass);
+                float speed = biased ? vn - halfFall() : vn;
+                applyFreeBounce(-(1f + restitution) * speed * mass);
             }
-            if (vn > 0f || meets) {
+            if (vn > 0f ? !(biased && lingers()) : meets) {
                 return false;
             }
         }
@@ -102,7 +134,8 @@ abstract class Constraint {
         } else if (separation > 0f) {
             normalImpulse = old - mass * (vn + separation * step.inverseH());
         } else if (biased) {
-            float bias = massScale * max(biasRate * separation, -pushSpeed);
+            float deep = DEEP_RATE * separation + (DEEP * DEEP_RATE / PUSH - 1f) * pushSpeed;
+            float bias = massScale * max(biasRate * separation, Numbers.min(-pushSpeed, deep));
             normalImpulse = (old - mass * (massScale * vn + bias)) - impulseScale * old;
         } else {
             normalImpulse = old - mass * vn;

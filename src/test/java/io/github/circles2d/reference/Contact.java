@@ -10,6 +10,7 @@ import java.util.function.Function;
 /** Two circles that may meet within the step. The normal is a unit vector from the circle of lower id to the other. */
 final class Contact extends Constraint {
     private static final float COINCIDENT = 1e-6f;
+    private static final float LINGER = 1f;
 
     /** Two circles in the order of their ids. */
     record Pair(Circle lower, Circle higher) {
@@ -35,6 +36,7 @@ final class Contact extends Constraint {
         super(
                 step,
                 1f,
+                length(step.gravity()),
                 pair.lower.radius + pair.higher.radius,
                 Numbers.max(pair.lower.restitution, pair.higher.restitution),
                 pair.lower.inverseMass() + pair.higher.inverseMass());
@@ -68,6 +70,26 @@ final class Contact extends Constraint {
     @Override
     float normalVelocity(Function<Circle, float[]> velocity) {
         return Numbers.dot(normal, minus(velocity.apply(higher), velocity.apply(lower)));
+    }
+
+    /** By the relative velocity before any impulse, against a time. */
+    @Override
+    boolean lingers() {
+        float[] v = minus(higher.velocityBeforeImpulses, lower.velocityBeforeImpulses);
+        return separation < 0f && LINGER * LINGER * Numbers.dot(v, v) < separation * separation;
+    }
+
+    /** Both fall, so gravity is no measure. */
+    @Override
+    boolean isImpactInFlight(float vn) {
+        return isFasterThanCreep(vn);
+    }
+
+    /** Only if one circle is static: else both fall. */
+    @Override
+    float halfFall() {
+        float half = 0.5f * Numbers.dot(normal, new float[] {step.gravityStep(0), step.gravityStep(1)});
+        return lower.inverseMass() == 0f ? half : higher.inverseMass() == 0f ? -half : 0f;
     }
 
     @Override

@@ -12,6 +12,8 @@ import java.util.Objects;
  * and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {
+    private static final float GREATEST_WARM_SCALE = 4f;
+
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
 
@@ -53,7 +55,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
-            float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, 1f);
+            float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             if (size() > 0) {
                 new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
             }

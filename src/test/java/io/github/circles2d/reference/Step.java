@@ -120,6 +120,7 @@ final class Step {
             float high = c.high(a, k);
             c.displacement[a] = x < low ? low - c.base[a] : x > high ? high - c.base[a] : to[a];
             if (!c.isStatic()) {
+                c.walls[a].stopAtFarWall(to[a]);
                 c.walls[a].measure();
                 c.walls[a].relax();
                 c.walls[a].storeImpulse();

@@ -16,7 +16,7 @@ final class Wall extends Constraint {
     private final float normal;
 
     Wall(Circle c, int axis, StepParameters step) {
-        super(step, WALL_STIFFNESS, 2f * c.radius, c.restitution, 1f);
+        super(step, WALL_STIFFNESS, Math.abs(step.gravity()[axis]), 2f * c.radius, c.restitution, 1f);
         this.c = c;
         this.axis = axis;
         float aboveMin = c.base[axis] - step.min()[axis];
@@ -28,6 +28,13 @@ final class Wall extends Constraint {
 
     void measure() {
         separation = (height - c.radius) + normal * c.displacement[axis];
+    }
+
+    /** Stops the circle if it has moved to a displacement at which the wall that it is not near to has held it. */
+    void stopAtFarWall(float displacement) {
+        if (normal > 0f ? c.displacement[axis] < displacement : c.displacement[axis] > displacement) {
+            c.velocity[axis] = 0f;
+        }
     }
 
     void storeImpulse() {

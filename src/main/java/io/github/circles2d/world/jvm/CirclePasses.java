@@ -104,6 +104,10 @@ final class CirclePasses {
         }
     }
 
+    private static float thresholdRate(int axis, StepConstants k) {
+        return axis == X ? k.thresholdRateX : k.thresholdRateY;
+    }
+
     /** The biased pass over the nearer wall of an axis: warm start, then a visit. */
     private void solveWall(int slot, int axis, float min, float max, StepConstants k) {
         int s = CircleRow.of(slot);
@@ -119,11 +123,11 @@ final class CirclePasses {
         float v = m[s + VX + axis] + side * impulse;
         float vn = side * v;
         float before = side * state.load[s + BEFORE_X + axis];
-        float threshold = CircleMath.bounceThreshold(2f * r, restitution, k.thresholdRate, k.restRate);
+        float threshold = CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate);
         float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold);
         state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
         int meets = Constraints.meets(gap, vn, k.inverseH);
-        int visit = Constraints.visitOf(restitution, loaded, impulse, vn, meets, threshold);
+        int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, meets, threshold);
         float next = impulse;
         float applied = 0f;
         if (visit == Constraints.SOLVE) {
@@ -133,7 +137,7 @@ final class CirclePasses {
                     vn,
                     gap,
                     bounce,
-                    CircleMath.pushSpeed(2f * r, k.pushPerLength, k.pushPerRoot),
+                    k.pushRate * (2f * r),
                     k.inverseH,
                     k.wallBiasRate,
                     k.wallMassScale,
@@ -187,6 +191,10 @@ final class CirclePasses {
                 m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
                 m[s + VY] = m[s + DY] == dy ? m[s + VY] : 0f;
             } else {
+                m[s + VX] = CircleMath.stopAtFarWall(
+                        m[s + VX], dx, m[s + DX], CircleMath.wallSide(circle[s + X], minX, maxX));
+                m[s + VY] = CircleMath.stopAtFarWall(
+                        m[s + VY], dy, m[s + DY], CircleMath.wallSide(circle[s + Y], minY, maxY));
                 relaxWall(slot, X, minX, maxX, k);
                 relaxWall(slot, Y, minY, maxY, k);
             }
@@ -249,8 +257,8 @@ final class CirclePasses {
         float loaded = state.load[s + LOADED];
         float restitution = traits[s + RESTITUTION];
         float radii = 2f * state.circle[s + RADIUS];
-        float threshold = CircleMath.bounceThreshold(radii, restitution, k.thresholdRate, k.restRate);
-        int visit = Constraints.visitOf(restitution, loaded, impulse, vn, Constraints.ALWAYS, threshold);
+        float threshold = CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate);
+        int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, threshold);
         if (visit == Constraints.SOLVE) {
             float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);
             m[s + VX + axis] = v + side * (next - impulse);

@@ -126,11 +126,14 @@ final class ContactPasses {
             // without restitution both stay so: this only spares the reads
             if (restitution > 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                float before = CircleMath.along(
-                        nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
+                float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
+                float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
+                float before = CircleMath.along(nx, ny, beforeX, beforeY);
+                int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
                 int meets = Constraints.meets(separation, vn, k.inverseH);
                 bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold);
-                visit = Constraints.visitOf(restitution, loaded, impulse, vn, meets, threshold);
+                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                visit = Constraints.visitOf(restitution, loaded, lingers, impulse, vn, meets, flight);
             }
             q[o + BOUNCE_SPEED] = bounce;
             float applied;
@@ -149,7 +152,9 @@ final class ContactPasses {
                 applied = next - impulse;
                 q[o + NORMAL_IMPULSE] = next;
             } else if (visit == Constraints.BOUNCE) {
-                applied = CircleMath.freeBounce(restitution, vn, mass);
+                float fall = CircleMath.along(nx, ny, k.gravityStepX, k.gravityStepY);
+                float halfFall = CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]);
+                applied = CircleMath.freeBounce(restitution, vn - halfFall, mass);
             } else {
                 continue;
             }
@@ -218,7 +223,8 @@ final class ContactPasses {
             // else it stays so: this only spares the reads
             if (restitution > 0f && impulse == 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                visit = Constraints.visitOf(restitution, loaded, impulse, vn, Constraints.ALWAYS, threshold);
+                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, flight);
             }
             if (visit != Constraints.SOLVE) {
                 if (visit == Constraints.BOUNCE) {

@@ -263,7 +263,7 @@ public final class Contacts {
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
-        contact[o + PUSH_SPEED] = CircleMath.pushSpeed(radii, constants.pushPerLength, constants.pushPerRoot);
+        contact[o + PUSH_SPEED] = constants.pushRate * radii;
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
             part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }

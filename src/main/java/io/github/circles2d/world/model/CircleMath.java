@@ -428,17 +428,29 @@ public final class CircleMath {
 
     /**
      * The speed below which an impact does not bounce: what gravity would give within a small part of a radius, so that piles
-     * come to rest; and without gravity a creeping speed, less the more elastic the pair is, so that clumps come to rest too.
+     * come to rest; and a creeping speed, which goes down to 0 for elastic pairs, so that clumps come to rest without gravity too.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
      * @param gravityRate square of the threshold per sum of radii, from gravity
-     * @param lengthRate threshold per sum of radii, of a pair without restitution
+     * @param lengthRate threshold per sum of radii, of a pair that is not nearly elastic
      * @return the square of the speed; 0 for an elastic pair without gravity
      */
     public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
-        float creep = lengthRate * ((1f - e) * sum);
+        float creep = lengthRate * (least((1f - e) * (1f / (1f - Tuning.NEARLY_ELASTIC)), 1f) * sum);
         return gravityRate * sum + creep * creep;
+    }
+
+    /**
+     * The same for two circles that nothing carries: what falls with another needs no gravity to come to rest on it.
+     *
+     * @param sum sum of the radii
+     * @param e restitution of the pair
+     * @param lengthRate as there
+     * @return the square of the speed
+     */
+    public static float flightThreshold(float sum, float e, float lengthRate) {
+        return bounceThreshold(sum, e, 0f, lengthRate);
     }
 
     /**
@@ -454,15 +466,17 @@ public final class CircleMath {
     }
 
     /**
-     * Greatest push-out speed of a pair.
+     * What gravity adds to the normal speed of a pair in half a sub-step: a free bounce takes it back, and then neither gains nor
+     * loses height. 0 for two circles that both fall.
      *
-     * @param sum sum of the radii
-     * @param perLength the part that grows with the radii, speed per length
-     * @param perRoot the part that grows with gravity, speed per root of a length
-     * @return the greater of the two
+     * @param fall component along the normal of what gravity adds to the velocity of a circle in a sub-step
+     * @param wLo inverse mass
+     * @param wHi inverse mass
+     * @return a speed, negative where gravity brings the two together
      */
-    public static float pushSpeed(float sum, float perLength, float perRoot) {
-        return greatest(perLength * sum, perRoot * (float) Math.sqrt(sum));
+    public static float halfFall(float fall, float wLo, float wHi) {
+        float half = 0.5f * fall;
+        return wLo == 0f ? half : wHi == 0f ? -half : 0f;
     }
 
     // ---- walls
@@ -532,5 +546,18 @@ public final class CircleMath {
     public static float within(float base, float displacement, float low, float high) {
         float x = base + displacement;
         return x < low ? low - base : x > high ? high - base : displacement;
+    }
+
+    /**
+     * The velocity of a circle that has moved: the wall that it is not near to stops it too. (In a tube of one diameter both are.)
+     *
+     * @param v velocity along the axis
+     * @param displacement as it would be without walls
+     * @param kept as it is
+     * @param side the nearer wall
+     * @return v, or 0
+     */
+    public static float stopAtFarWall(float v, float displacement, float kept, float side) {
+        return (side > 0f ? kept < displacement : kept > displacement) ? 0f : v;
     }
 }

@@ -75,18 +75,29 @@ public final class Constraints {
     }
 
     /**
-     * What to do with a constraint: circles in free flight are left alone if they part, and bounce if they meet, faster than
-     * the threshold.
+     * Whether surfaces overlap that would not part by themselves for long.
+     *
+     * @param squaredSpeed square of the relative speed at the start of the sub-step, before any impulse
+     */
+    public static int lingers(float separation, float squaredSpeed) {
+        float way = Tuning.LINGER * Tuning.LINGER * squaredSpeed;
+        return Branchless.isNegative(separation) & Branchless.isNegative(way - separation * separation);
+    }
+
+    /**
+     * What to do with a constraint: circles in free flight are left alone if they part, unless they linger, and bounce if they
+     * meet, faster than the threshold.
      *
      * @param loaded greater than 0 if something carries one of the circles
+     * @param lingers by {@link #lingers}
      * @param meets by {@link #meets}, or {@link #ALWAYS}
      * @return {@link #SOLVE}, {@link #LEAVE} or {@link #BOUNCE}
      */
     public static int visitOf(
-            float restitution, float loaded, float normalImpulse, float vn, int meets, float threshold) {
+            float restitution, float loaded, int lingers, float normalImpulse, float vn, int meets, float threshold) {
         int flies = isImpact(vn, threshold) & ~Branchless.isPositive(loaded);
         if (flies != 0 && normalImpulse == 0f && restitution > 0f) {
-            return vn > 0f ? LEAVE : meets != 0 ? BOUNCE : SOLVE;
+            return vn > 0f ? lingers != 0 ? SOLVE : LEAVE : meets != 0 ? BOUNCE : SOLVE;
         }
         return SOLVE;
     }
@@ -96,7 +107,7 @@ public final class Constraints {
      * sub-step; pushes an overlap out softly; or brings the surfaces to the bounce speed.
      *
      * @param mass effective mass
-     * @param pushSpeed greatest push-out speed
+     * @param pushSpeed push-out speed of what is not deep
      * @param biasRate push-out speed per depth
      * @param massScale softness: share of the impulse
      * @param impulseScale softness: decay of the impulse
@@ -113,10 +124,20 @@ public final class Constraints {
             float massScale,
             float impulseScale) {
         int rigid = Branchless.isPositive(separation) | Branchless.isPositive(bounceSpeed);
-        float soft = massScale * CircleMath.greatest(biasRate * separation, -pushSpeed);
+        float soft = massScale * pushOut(separation, pushSpeed, biasRate);
         float bias = bias(separation, bounceSpeed, inverseH, soft);
         float decay = Branchless.choose(rigid, 0f, impulseScale) * normalImpulse;
         return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, massScale), vn, bias, decay);
+    }
+
+    /**
+     * The speed at which an overlap is pushed out, negative: it grows with the depth, then stays the same for a while, and grows
+     * again where pairs are deep. (Slow in between, so that many pairs that begin to overlap at once do not burst; faster again, so
+     * that in a crowd no pair stays deeper than the others.)
+     */
+    private static float pushOut(float separation, float pushSpeed, float biasRate) {
+        float deep = Tuning.DEEP_RATE * separation + Tuning.DEEP_OFFSET * pushSpeed;
+        return CircleMath.greatest(biasRate * separation, CircleMath.least(-pushSpeed, deep));
     }
 
     /** The normal impulse after a visit without bias, which takes the speed of the push-out away again. */

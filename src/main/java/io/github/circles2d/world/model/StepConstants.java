@@ -47,17 +47,20 @@ public final class StepConstants {
     /** Softness of walls. */
     public float wallImpulseScale;
 
-    /** Square of the bounce threshold per sum of radii. */
+    /** Square of the bounce threshold per sum of radii, from gravity. */
     public float thresholdRate;
+
+    /** The same for a wall across the x axis: from gravity along it. */
+    public float thresholdRateX;
+
+    /** The same for a wall across the y axis. */
+    public float thresholdRateY;
 
     /** Bounce threshold per sum of radii, without gravity and restitution. */
     public float restRate;
 
-    /** Greatest push-out speed per sum of radii. */
-    public float pushPerLength;
-
-    /** Greatest push-out speed per root of the sum of radii. */
-    public float pushPerRoot;
+    /** Push-out speed per sum of radii. */
+    public float pushRate;
 
     /** What impulses of the step before are multiplied by: the ratio of the lengths of the steps. */
     public float warmScale;
@@ -88,10 +91,9 @@ public final class StepConstants {
         gravityStepY = gravityY * h;
         fallX = gravityStepX * h * (0.5f * subSteps * (subSteps + 1));
         fallY = gravityStepY * h * (0.5f * subSteps * (subSteps + 1));
-        // Not more than it was: after a short step most of an impulse is what the change of length itself has caused.
-        warmScale = Math.min(1f, dt / previousDt);
+        warmScale = Math.min(Tuning.GREATEST_WARM_SCALE, dt / previousDt);
 
-        float omega = 2f * 3.14159265f * Tuning.FREQUENCY; // times h: a pure number, the same for every step
+        float omega = 2f * 3.14159265f * Math.min(Tuning.FREQUENCY * h, Tuning.GREATEST_FREQUENCY); // times h
         biasRate = (omega / (2f * Tuning.DAMPING + omega)) * inverseH;
         float a2 = omega * (2f * Tuning.DAMPING + omega);
         impulseScale = 1f / (1f + a2);
@@ -104,9 +106,11 @@ public final class StepConstants {
         wallMassScale = wallA2 * wallImpulseScale;
 
         float gravity = CircleMath.norm(gravityX, gravityY);
-        thresholdRate = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f * gravity;
+        float half = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f;
+        thresholdRate = half * gravity;
+        thresholdRateX = half * Math.abs(gravityX);
+        thresholdRateY = half * Math.abs(gravityY);
         restRate = Tuning.REST_SPEED * 0.5f;
-        pushPerLength = Tuning.PUSH * 0.5f;
-        pushPerRoot = Tuning.PUSH_GRAVITY * (float) Math.sqrt(0.5f * gravity);
+        pushRate = Tuning.PUSH;
     }
 }

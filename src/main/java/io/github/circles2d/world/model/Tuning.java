@@ -38,25 +38,43 @@ public final class Tuning {
     static final int JOIN = 2;
 
     /** Damping ratio of a soft contact. */
-    static final float DAMPING = 4f;
+    static final float DAMPING = 20f;
 
-    /** Stiffness of a soft contact: its frequency is this over the length of a sub-step. */
-    static final float FREQUENCY = 0.28f;
+    /** Frequency of a soft contact, hertz. It does not depend on the length of a step, so nor does the depth of a pile at rest. */
+    static final float FREQUENCY = 67f;
+
+    /** The frequency is no higher than this over the length of a sub-step: what is stiffer trembles. */
+    static final float GREATEST_FREQUENCY = 0.3f;
+
+    /** Impulses of the step before are multiplied by no more than this, however much longer the step is. */
+    static final float GREATEST_WARM_SCALE = 4f;
 
     /** Walls are stiffer than contacts by this factor. */
     static final float WALL_STIFFNESS = 2f;
 
-    /** Greatest push-out speed without gravity, in mean radii of the pair a second. */
-    static final float PUSH = 4f;
+    /** Push-out speed up to {@link #DEEP}, in sums of the radii a second: slow, so that what overlaps at once does not burst. */
+    static final float PUSH = 0.4f;
 
-    /** Greatest push-out speed under gravity, in units of sqrt(gravity x mean radius of the pair). */
-    static final float PUSH_GRAVITY = 2.7f;
+    /** Deeper than this, in sums of the radii, the push-out speed grows with the depth, so that no pair stays so. */
+    static final float DEEP = 0.2f;
+
+    /** Push-out speed per depth beyond {@link #DEEP}, 1/s. */
+    public static final float DEEP_RATE = 15f;
+
+    /** The line of {@link #DEEP_RATE} begins above 0 by so many times the push-out speed: it meets that speed at {@link #DEEP}. */
+    public static final float DEEP_OFFSET = DEEP * DEEP_RATE / PUSH - 1f;
 
     /** Slower impacts do not bounce, in units of sqrt(gravity x mean radius of the pair). */
-    static final float BOUNCE_THRESHOLD = 1.2f;
+    static final float BOUNCE_THRESHOLD = 0.4f;
 
-    /** Slower impacts do not bounce, in mean radii of the pair a second, where the restitution is 0; at 1 all bounce. */
-    static final float REST_SPEED = 0.1f;
+    /** Slower impacts do not bounce, in mean radii of the pair a second; see {@link #NEARLY_ELASTIC}. */
+    static final float REST_SPEED = 1f;
+
+    /** From here on to a restitution of 1, at which all impacts bounce, that speed goes down to 0. */
+    public static final float NEARLY_ELASTIC = 0.9f;
+
+    /** Free elastic circles that overlap are pushed apart if they do not move apart within this time, seconds. */
+    public static final float LINGER = 1f;
 
     /** Centres nearer than this, in sums of radii, count as one point. */
     public static final float COINCIDENT = 1e-6f;

@@ -30,7 +30,11 @@ class LaneMathTest {
         "return NAME(along)(A, B, C, D);",
         "return NAME(isNear)(A, B, C) ? (REAL)(1.0f) : (REAL)(0.0f);",
         "return NAME(restitutionThreshold)(k, A, B);",
-        "return NAME(maxPushSpeed)(k, fabs(A));",
+        "return NAME(least)(A, B);",
+        "return NAME(pushSpeed)(k, fabs(A));",
+        "return NAME(pushOut)(A, fabs(B), k->biasRate);",
+        "return NAME(halfFall)(A, B, C);",
+        "return NAME(lingers)(A, fabs(B)) ? (REAL)(1.0f) : (REAL)(0.0f);",
         "return NAME(effectiveMass)(A, B);",
         "return NAME(velocityChange)(A, B, C);",
         "return NAME(carries)(A, B, NAME(restingLimit)(C, D)) ? (REAL)(1.0f) : (REAL)(0.0f);",
@@ -48,13 +52,16 @@ class LaneMathTest {
     /** A contact of separation A, restitution B, impulse C and target speed or speed before D, visited at E; loaded if F is positive. */
     private static final String VISITS =
             "NAME(Found) NAME(found)(const StepConstants *k, REAL A, REAL B, REAL C, REAL F) {\n"
-                    + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B), fabs(F), C, F > 0.0f};\n"
+                    + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B),\n"
+                    + "                     NAME(flightThreshold)(fabs(A), B, k->restRate), fabs(F), C, F > 0.0f,\n"
+                    + "                     fabs(C), B, fabs(A * B), A};\n"
                     + "    return f;\n"
                     + "}\n"
                     + "NAME(Visited) NAME(solved)(const StepConstants *k, REAL A, REAL B, REAL C, REAL D, REAL E, REAL F) {\n"
                     + "    NAME(Found) f = NAME(found)(k, A, B, C, F);\n"
                     + "    NAME(Ready) c;\n"
-                    + "    NAME(makeReadyToSolve)(k, contactSoftness(k), &f, fabs(C), D, &c);\n"
+                    + "    f.before = D;\n"
+                    + "    NAME(makeReadyToSolve)(k, contactSoftness(k), &f, &c);\n"
                     + "    NAME(Visited) v;\n"
                     + "    NAME(visit)(&c, E, false, &v);\n"
                     + "    return v;\n"
@@ -117,7 +124,7 @@ class LaneMathTest {
                         + "    global const float *x = in + 24 * i;\n"
                         + "    StepConstants k;\n"
                         + "    k.h = 0x1p-8f; k.inverseH = 240.0f;\n"
-                        + "    k.thresholdRate = 0.3f; k.restRate = 0.7f; k.pushPerLength = 4.0f; k.pushPerRoot = 3.0f;\n"
+                        + "    k.thresholdRate = 0.3f; k.restRate = 0.7f; k.pushRate = 4.0f;\n"
                         + "    k.biasRate = 45.0f; k.massScale = 0.9f; k.impulseScale = 0.1f;\n"
                         + "    float lanes[4];\n");
         for (int formula = 0; formula < FORMULAS.length; formula++) {

@@ -28,7 +28,7 @@ class ConstraintsTest {
             if (bounce == 0f) {
                 next = separation > 0f
                         ? impulse - mass * (vn + separation * 240f)
-                        : (impulse - mass * (0.9f * vn + 0.9f * max(45f * separation, -push))) - 0.1f * impulse;
+                        : (impulse - mass * (0.9f * vn + 0.9f * pushOut(separation, push))) - 0.1f * impulse;
                 relaxed = separation > 0f ? next : impulse - mass * vn;
             }
             same(Constraints.solve(impulse, mass, vn, separation, bounce, push, 240f, 45f, 0.9f, 0.1f), max(next, 0f));
@@ -40,13 +40,23 @@ class ConstraintsTest {
                     Constraints.bounceSpeed(restitution, loaded, vn, separation, 0.004f, threshold),
                     bounces ? -restitution * vn : 0f);
             boolean meets = separation * 240f + vn < 0f;
+            float squaredSpeed = positive();
+            boolean lingers = separation < 0f && Tuning.LINGER * Tuning.LINGER * squaredSpeed < separation * separation;
+            int lingering = Constraints.lingers(separation, squaredSpeed);
+            assertThat(lingering).isEqualTo(lingers ? -1 : 0);
             boolean flies = restitution > 0f && loaded == 0f && impulse == 0f && impact;
             assertThat(Constraints.visitOf(
-                            restitution, loaded, impulse, vn, Constraints.meets(separation, vn, 240f), threshold))
+                            restitution,
+                            loaded,
+                            lingering,
+                            impulse,
+                            vn,
+                            Constraints.meets(separation, vn, 240f),
+                            threshold))
                     .isEqualTo(
-                            flies && vn > 0f
+                            flies && vn > 0f && !lingers
                                     ? Constraints.LEAVE
-                                    : flies && meets ? Constraints.BOUNCE : Constraints.SOLVE);
+                                    : flies && !(vn > 0f) && meets ? Constraints.BOUNCE : Constraints.SOLVE);
             assertThat(Constraints.carries(impulse, separation, vn, threshold))
                     .isEqualTo(impulse > 0f || separation < 0f && !impact ? -1 : 0);
             boolean idle = separation > 0f && impulse == 0f && bounce == 0f;
@@ -56,6 +66,11 @@ class ConstraintsTest {
 
     private static void same(float actual, float expected) {
         assertThat(Float.floatToRawIntBits(actual)).isEqualTo(Float.floatToRawIntBits(expected));
+    }
+
+    private static float pushOut(float separation, float push) {
+        float deep = Tuning.DEEP_RATE * separation + Tuning.DEEP_OFFSET * push;
+        return max(45f * separation, deep < -push ? deep : -push);
     }
 
     private static float max(float a, float b) {

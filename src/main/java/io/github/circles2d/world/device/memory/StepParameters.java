@@ -23,9 +23,14 @@ public final class StepParameters {
             .field("float", "wallMassScale", (k, to) -> to.put(k.wallMassScale), "the same")
             .field("float", "wallImpulseScale", (k, to) -> to.put(k.wallImpulseScale), "the same")
             .field("float", "thresholdRate", (k, to) -> to.put(k.thresholdRate), "bounce threshold")
+            .field(
+                    "float",
+                    "thresholdRateX",
+                    (k, to) -> to.put(k.thresholdRateX),
+                    "the same, of walls across the x axis")
+            .field("float", "thresholdRateY", (k, to) -> to.put(k.thresholdRateY), "the same, across the y axis")
             .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity and restitution")
-            .field("float", "pushPerLength", (k, to) -> to.put(k.pushPerLength), "greatest push-out speed")
-            .field("float", "pushPerRoot", (k, to) -> to.put(k.pushPerRoot), "the same")
+            .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
             .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
             .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
