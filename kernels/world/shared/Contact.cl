@@ -9,7 +9,8 @@ REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, floa
 }
 
 REAL NAME(flightThreshold)(REAL radii, REAL restitution, float lengthRate) {
-    return NAME(bounceThreshold)(radii, restitution, 0.0f, lengthRate);
+    REAL creep = lengthRate * ((1.0f - restitution) * radii);
+    return creep * creep;
 }
 
 REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {

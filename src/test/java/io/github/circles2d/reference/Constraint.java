@@ -21,13 +21,12 @@ abstract class Constraint {
 
     final StepParameters step;
     final float radii;
-    private final float restitution;
+    final float restitution;
 
     /** The sum of the inverse masses of the two sides. */
     private final float inverseMasses;
 
     private final float squaredThreshold;
-    private final float squaredCreep;
     private final float pushSpeed;
     private final float biasRate;
     private final float massScale;
@@ -54,7 +53,6 @@ abstract class Constraint {
         this.inverseMasses = inverseMasses;
         float inelastic = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
         float creep = REST_SPEED * 0.5f * (inelastic * radii);
-        squaredCreep = creep * creep;
         squaredThreshold = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity * radii + creep * creep;
         pushSpeed = PUSH * radii;
         float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
@@ -81,11 +79,6 @@ abstract class Constraint {
     /** Whether free circles bounce at a speed, or fly apart. */
     boolean isImpactInFlight(float vn) {
         return isImpact(vn);
-    }
-
-    /** Whether a speed is greater than what circles creep with. */
-    final boolean isFasterThanCreep(float vn) {
-        return vn * vn > squaredCreep;
     }
 
     /** What gravity adds to the normal speed in half a sub-step. */

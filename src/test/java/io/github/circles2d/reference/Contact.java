@@ -10,6 +10,7 @@ import java.util.function.Function;
 /** Two circles that may meet within the step. The normal is a unit vector from the circle of lower id to the other. */
 final class Contact extends Constraint {
     private static final float COINCIDENT = 1e-6f;
+    private static final float FLIGHT_REST_SPEED = 0.1f;
     private static final float LINGER = 1f;
 
     /** Two circles in the order of their ids. */
@@ -82,7 +83,8 @@ final class Contact extends Constraint {
     /** Both fall, so gravity is no measure. */
     @Override
     boolean isImpactInFlight(float vn) {
-        return isFasterThanCreep(vn);
+        float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
+        return vn * vn > creep * creep;
     }
 
     /** Only if one circle is static: else both fall. */

@@ -132,7 +132,7 @@ final class ContactPasses {
                 int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
                 int meets = Constraints.meets(separation, vn, k.inverseH);
                 bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold);
-                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.flightRestRate);
                 visit = Constraints.visitOf(restitution, loaded, lingers, impulse, vn, meets, flight);
             }
             q[o + BOUNCE_SPEED] = bounce;
@@ -223,7 +223,7 @@ final class ContactPasses {
             // else it stays so: this only spares the reads
             if (restitution > 0f && impulse == 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.flightRestRate);
                 visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, flight);
             }
             if (visit != Constraints.SOLVE) {

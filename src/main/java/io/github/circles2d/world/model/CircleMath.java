@@ -442,15 +442,16 @@ public final class CircleMath {
     }
 
     /**
-     * The same for two circles that nothing carries: what falls with another needs no gravity to come to rest on it.
+     * The same for two circles that nothing carries: a small part of the creeping speed, and none of gravity, with which both fall.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
-     * @param lengthRate as there
-     * @return the square of the speed
+     * @param lengthRate threshold per sum of radii, of a pair without restitution
+     * @return the square of the speed; 0 for an elastic pair
      */
     public static float flightThreshold(float sum, float e, float lengthRate) {
-        return bounceThreshold(sum, e, 0f, lengthRate);
+        float creep = lengthRate * ((1f - e) * sum);
+        return creep * creep;
     }
 
     /**

@@ -59,6 +59,9 @@ public final class StepConstants {
     /** Bounce threshold per sum of radii, without gravity and restitution. */
     public float restRate;
 
+    /** The same for two circles that nothing carries. */
+    public float flightRestRate;
+
     /** Push-out speed per sum of radii. */
     public float pushRate;
 
@@ -111,6 +114,7 @@ public final class StepConstants {
         thresholdRateX = half * Math.abs(gravityX);
         thresholdRateY = half * Math.abs(gravityY);
         restRate = Tuning.REST_SPEED * 0.5f;
+        flightRestRate = Tuning.FLIGHT_REST_SPEED * 0.5f;
         pushRate = Tuning.PUSH;
     }
 }

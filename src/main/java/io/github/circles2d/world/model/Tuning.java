@@ -73,6 +73,9 @@ public final class Tuning {
     /** From here on to a restitution of 1, at which all impacts bounce, that speed goes down to 0. */
     public static final float NEARLY_ELASTIC = 0.9f;
 
+    /** The same for two circles that nothing carries, where the restitution is 0; at 1 all bounce. */
+    static final float FLIGHT_REST_SPEED = 0.1f;
+
     /** Free elastic circles that overlap are pushed apart if they do not move apart within this time, seconds. */
     public static final float LINGER = 1f;
 
