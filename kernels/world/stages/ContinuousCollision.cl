@@ -69,7 +69,7 @@ void meet(const World *w, const Runner *s, int other) {
     if (!pushes && !stands && !sweeps(s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    if (stands && isNear(dx, dy, (s->r + s->r) + c.z)) {
+    if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
     }
     bool carries = (pushes && isFast(s->path, c.z)) || (stands && isFast(plan.w, s->r));
@@ -83,7 +83,7 @@ void meet(const World *w, const Runner *s, int other) {
     if (!carries && isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
         if (pushes || s->pushers) return;
         w->near[s->slot].x = least(t, w->near[s->slot].x);
-        float most = stands ? CLAMP_ALLOWANCE * s->r : c.z < s->r ? CLAMP_ALLOWANCE * c.z : s->r;
+        float most = holdAllowance(s->r, s->path, c.z, stands);
         restrain(w, s->slot, most, stands || w->near[s->slot].y < 0.0f);
     } else if (s->pushers) {
         if (pushes && w->timeOfImpact[other] == as_int(t)) {
