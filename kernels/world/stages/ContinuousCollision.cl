@@ -63,8 +63,7 @@ void meet(const World *w, const Runner *s, int other) {
     float uy = s->py - plan.y;
     if (!isLonger(ux, uy, s->least)) return;
     bool pushes = s->isStatic;
-    float4 sight = w->sight[other];
-    bool stands = sight.w == 0.0f;
+    bool stands = inverseMass(c.w) == 0.0f; // spares a read
     if (pushes && stands) return;
     if (!pushes && !stands && !sweeps(s->r, c.z)) return;
     float dx = c.x - s->x;
@@ -72,13 +71,14 @@ void meet(const World *w, const Runner *s, int other) {
     if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
     }
+    // First what most pairs fail.
+    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
+    if (!(t < 1.0f)) return;
     bool carries = (pushes && isFast(s->path, c.z)) || (stands && isFast(plan.w, s->r));
-    if (isNear(dx, dy, s->speculativeDistance + sight.z) && !carries &&
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !carries &&
         !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
         return;
     }
-    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
-    if (!(t < 1.0f)) return;
     float slack = pushes || stands ? MARGIN : HOLD;
     if (!carries && isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
         if (pushes || s->pushers) return;

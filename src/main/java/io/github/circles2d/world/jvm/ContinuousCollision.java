@@ -286,14 +286,15 @@ public final class ContinuousCollision {
         if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
         }
+        // first what most pairs fail
+        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
+        if (!(t < 1f)) {
+            return;
+        }
         boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
         if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
                 && !carries
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
-            return;
-        }
-        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
-        if (!(t < 1f)) {
             return;
         }
         float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
