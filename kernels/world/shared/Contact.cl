@@ -2,15 +2,21 @@
 // The physics of a contact, of two circles or of a circle and a wall. It is measured, made ready, which is everything that does
 // not depend on velocities, and then visited, without branches. Schedules load, call and store.
 
+// 1 for a restitution that is not nearly 1, from there down to 0.
+REAL NAME(inelasticity)(REAL restitution) {
+    return NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f));
+}
+
 // The square of the normal speed beyond which a contact bounces. radii: their sum.
 REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
-    REAL creep = lengthRate * (NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f)) * radii);
+    REAL creep = lengthRate * (NAME(inelasticity)(restitution) * radii);
     return gravityRate * radii + creep * creep;
 }
 
-REAL NAME(flightThreshold)(REAL radii, REAL restitution, float lengthRate) {
+// The same where nothing carries the circles.
+REAL NAME(flightThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
     REAL creep = lengthRate * ((1.0f - restitution) * radii);
-    return creep * creep;
+    return gravityRate * (NAME(inelasticity)(restitution) * radii) + creep * creep;
 }
 
 REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {

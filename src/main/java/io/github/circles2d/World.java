@@ -45,13 +45,14 @@ import java.util.Objects;
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
  *
- * <p><b>Fast circles</b>, which move farther than their radius in a step, look ahead and stop at what they would pass through.
- * Of 12,600 circles of restitution 1 that flew for 300 steps at a fence of static circles, or between two, none slipped through
- * at 5 radii a step, 2 did at 10, up to 1.2 % of a scene at 20, and 0.3 to 7 % at 40 to 100, most of them between fences 100
- * radii apart: at most 1.3 in a thousand turns. With restitution 0.8, at most 1 % did at any speed. Circles do not stop at what
- * is so much smaller that it is pushed aside (a sixteenth of the radius; a pebble of a tenth may be run over at somewhat less
- * than a radius a step), nor at static circles that move. In one step a circle moves at most 64 of its radii, whatever its
- * velocity: do not make circles tiny that are to fly far.
+ * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
+ * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
+ * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
+ * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius, or at
+ * gaps of 0.9 and 0.95 of their diameter. Static circles that move take along what they meet, whatever its size. Circles do not
+ * stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over
+ * about one in a hundred. In one step a circle moves at most 64 of its radii, whatever its velocity: do not make circles tiny that
+ * are to fly far.
  *
  * <p><b>Time steps</b> had better all have one length: take real time into an accumulator and make whole steps. Piles settle for
  * one length, and a step of another stirs them up a little.

@@ -27,6 +27,13 @@ abstract class Constraint {
     private final float inverseMasses;
 
     private final float squaredThreshold;
+
+    /** 1 for a restitution that is not nearly 1, from there down to 0. */
+    final float inelasticity;
+
+    /** The square of the threshold per sum of radii, from gravity. */
+    final float gravityRate;
+
     private final float pushSpeed;
     private final float biasRate;
     private final float massScale;
@@ -51,9 +58,10 @@ abstract class Constraint {
         this.radii = radii;
         this.restitution = restitution;
         this.inverseMasses = inverseMasses;
-        float inelastic = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
-        float creep = REST_SPEED * 0.5f * (inelastic * radii);
-        squaredThreshold = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity * radii + creep * creep;
+        inelasticity = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
+        float creep = REST_SPEED * 0.5f * (inelasticity * radii);
+        gravityRate = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity;
+        squaredThreshold = gravityRate * radii + creep * creep;
         pushSpeed = PUSH * radii;
         float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
         float a1 = 2f * DAMPING + omega;

@@ -80,11 +80,11 @@ final class Contact extends Constraint {
         return separation < 0f && LINGER * LINGER * Numbers.dot(v, v) < separation * separation;
     }
 
-    /** Both fall, so gravity is no measure. */
+    /** Elastic ones bounce at any speed. */
     @Override
     boolean isImpactInFlight(float vn) {
         float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
-        return vn * vn > creep * creep;
+        return vn * vn > gravityRate * (inelasticity * radii) + creep * creep;
     }
 
     /** Only if one circle is static: else both fall. */

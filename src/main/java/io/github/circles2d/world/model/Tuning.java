@@ -7,7 +7,7 @@ public final class Tuning {
     /** A pair is listed as a contact from this gap on, in mean radii of the pair, even if nothing moves; half of it here. */
     public static final float MARGIN = 0.025f;
 
-    /** Motion within a step that is looked ahead for, in radii of the circle that moves. */
+    /** Motion within a step that the speculative distance covers, in radii of the circle that moves; a faster one looks ahead. */
     public static final float CAP = 0.25f;
 
     /** A circle goes no farther in a step, in its own radii. */
@@ -22,7 +22,7 @@ public final class Tuning {
     /** A fast circle nearer than this to one that it will touch, in sums of radii, does not stop there: their contact has it. */
     public static final float HOLD = 0.075f;
 
-    /** Share of that allowance that is left beside the path of a circle that is at a static one. */
+    /** What is left of its allowance to a circle that stands at a static one, unless it flies back. */
     public static final float ASIDE = 0.1f;
 
     /** Circles that would graze each other no deeper than this do not stop each other, in sums of radii. */

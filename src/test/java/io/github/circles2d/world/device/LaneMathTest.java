@@ -53,7 +53,7 @@ class LaneMathTest {
     private static final String VISITS =
             "NAME(Found) NAME(found)(const StepConstants *k, REAL A, REAL B, REAL C, REAL F) {\n"
                     + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B),\n"
-                    + "                     NAME(flightThreshold)(fabs(A), B, k->flightRestRate), fabs(F), C, F > 0.0f,\n"
+                    + "                     NAME(flightThreshold)(fabs(A), B, k->thresholdRate, k->flightRestRate), fabs(F), C, F > 0.0f,\n"
                     + "                     fabs(C), B, fabs(A * B), A};\n"
                     + "    return f;\n"
                     + "}\n"
