@@ -1,0 +1,39 @@
+package io.github.circles2d.bench.physics;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** What was measured: the figure of each seed. */
+record Figure(Row row, Case scene, Measure measure, double[] values) {
+    /** Runs a case as often as the effort says. */
+    static List<Figure> of(Row row, Case scene, Physics physics, Effort effort) {
+        int runs = scene.random() ? effort.seeds() : 1;
+        int measures = scene.measures().size();
+        double[][] values = new double[measures][runs];
+        for (int run = 0; run < runs; run++) {
+            double[] figures = scene.run().figures(physics, run + 1, effort);
+            if (figures.length != measures) {
+                throw new IllegalStateException(scene.name() + " has " + measures + " measures, not " + figures.length);
+            }
+            for (int m = 0; m < measures; m++) {
+                values[m][run] = figures[m];
+            }
+        }
+        List<Figure> all = new ArrayList<>();
+        for (int m = 0; m < measures; m++) {
+            all.add(new Figure(row, scene, scene.measures().get(m), values[m]));
+        }
+        return all;
+    }
+
+    double median() {
+        double[] sorted = values.clone();
+        Arrays.sort(sorted);
+        return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
+    }
+
+    boolean met() {
+        return measure.bound().met(median());
+    }
+}
