@@ -8,7 +8,9 @@ import java.util.Random;
 /** Elastic balls under gravity, which are to keep their energy and to bounce however slow they are. */
 final class ElasticBalls {
     private static final int BALLS = 100;
-    private static final double BOX = 20;
+    private static final double WIDTH = 20;
+    private static final double HEIGHT = 40;
+    private static final double SPEED = 10;
     private static final double[] SPEEDS = {0.5, 1, 2, 4};
     private static final double DROP = 0.36;
 
@@ -19,7 +21,7 @@ final class ElasticBalls {
                 8,
                 "elastic balls under gravity",
                 Case.random(
-                        "100 balls in a box of 20 x 20, 3,000 steps",
+                        "100 balls at 10 m/s in a box of 20 x 40, 3,000 steps",
                         ElasticBalls::crowd,
                         new Measure("energy over the first", Bound.between(0.97, 1.01))),
                 Case.fixed(
@@ -34,12 +36,13 @@ final class ElasticBalls {
 
     private static double[] crowd(Physics physics, long seed, Effort effort) {
         Random random = new Random(seed);
-        Setup setup = Setup.box(BOX, BOX).withGravity(GRAVITY).withRestitution(1);
+        Setup setup = Setup.box(WIDTH, HEIGHT).withGravity(GRAVITY).withRestitution(1);
         try (Arena arena = physics.open(setup)) {
+            Scatter scatter = new Scatter(WIDTH, HEIGHT, random);
             for (int i = 0; i < BALLS; i++) {
-                double x = 1 + 2 * (i % 10) + 0.8 * (random.nextDouble() - 0.5);
-                double y = 1 + 2 * (i / 10) + 0.8 * (random.nextDouble() - 0.5);
-                arena.add(x, y, R, Scenery.mass(R));
+                double[] place = scatter.place(R);
+                double angle = 2 * Math.PI * random.nextDouble();
+                arena.add(place[0], place[1], R, Scenery.mass(R), SPEED * Math.cos(angle), SPEED * Math.sin(angle));
             }
             double before = arena.state().energy();
             arena.step(effort.of(3000));

@@ -24,9 +24,11 @@ final class Fences {
     static Row narrow() {
         return Row.of(
                 12,
-                "gaps between static circles of the balls' size, 150 balls (e = 0.5) at each of 0.5 to 200 r a step",
-                fence("gap of 0.9 diameters", R, 2 * R * 1.9, 0.5, 0.15),
-                fence("gap of 0.95 diameters", R, 2 * R * 1.95, 0.5, 0.15));
+                "gaps between static circles of the balls' size, 150 balls at each of 0.5 to 200 r a step",
+                fence("gap of 0.9 diameters, e = 0", R, 2 * R * 1.9, 0, 0.15),
+                fence("gap of 0.95 diameters, e = 0", R, 2 * R * 1.95, 0, 0.15),
+                fence("gap of 0.9 diameters, e = 0.5", R, 2 * R * 1.9, 0.5, 0.15),
+                fence("gap of 0.95 diameters, e = 0.5", R, 2 * R * 1.95, 0.5, 0.15));
     }
 
     private static Case fence(String name, double post, double pitch, double restitution, double slope) {
@@ -48,7 +50,7 @@ final class Fences {
     }
 
     /**
-     * Balls that fly to the right at a fence along x = 0, each at the middle between two posts or a little beside it.
+     * Balls that fly to the right at a fence along x = 0, most of them near the middle between two posts.
      *
      * @param slope greatest slope of their paths
      */
@@ -63,7 +65,7 @@ final class Fences {
                     double gap = -half + lane * (i + 1) + pitch / 2;
                     double way = R + post + (0.1 + random.nextDouble()) * Math.min(speed * Scenery.TIME_STEP, 64 * R);
                     double rise = slope * (2 * random.nextDouble() - 1);
-                    double aside = 0.5 * R * (2 * random.nextDouble() - 1) - rise * Math.min(way, 2 * R);
+                    double aside = 0.5 * R * Math.pow(2 * random.nextDouble() - 1, 3) - rise * Math.min(way, 2 * R);
                     arena.add(-way, gap + aside, R, Scenery.mass(R), speed, rise * speed);
                 }
                 for (double y = -half; y <= half; y += pitch) {

@@ -9,8 +9,7 @@ import java.util.Random;
  * restitution 0.5, so whatever the speeds, a ball that is hit never comes behind what hits it.
  */
 final class Paddles {
-    private static final int LANES = 100;
-    private static final int STEPS = 30;
+    private static final int LANES = 64;
     private static final double[] SPEEDS = {0, 0.5, 1, 2, 5, 10};
     private static final double[] DRAGS = {0.1, 0.2, 0.5, 1, 2};
 
@@ -79,7 +78,7 @@ final class Paddles {
     private record Meeting(double moved, double ball, double rising, double falling) {
         double passed(Physics physics, Random random) {
             try (Arena arena = start(physics, rising / Scenery.TIME_STEP, random)) {
-                arena.step(STEPS);
+                arena.step(steps());
                 return behind(arena.state());
             }
         }
@@ -87,7 +86,7 @@ final class Paddles {
         double dragged(Physics physics, Random random) {
             try (Arena arena = start(physics, 0, random)) {
                 State start = arena.state();
-                for (int step = 1; step <= STEPS; step++) {
+                for (int step = 1; step <= steps(); step++) {
                     for (int lane = 0; lane < LANES; lane++) {
                         arena.setPosition(2 * lane, start.x[2 * lane], start.y[2 * lane] + step * rising);
                     }
@@ -97,9 +96,14 @@ final class Paddles {
             }
         }
 
+        /** Enough for a ball that nothing stops to come out behind, and not enough to reach another lane. */
+        private int steps() {
+            return 4 + (int) Math.ceil(2.2 * (moved + ball) / (rising + falling));
+        }
+
         private Arena start(Physics physics, double velocity, Random random) {
-            double lane = 4 * (moved + ball);
-            double height = 80 * (rising + falling) + 10 * (moved + ball);
+            double lane = 8 * (moved + ball + rising + falling);
+            double height = (steps() + 4) * (rising + 2 * falling) + 10 * (moved + ball);
             Arena arena = physics.open(Setup.around(LANES * lane / 2, height));
             for (int i = 0; i < LANES; i++) {
                 double x = (i + 0.5 - LANES / 2) * lane;
