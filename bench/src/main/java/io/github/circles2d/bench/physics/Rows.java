@@ -21,7 +21,8 @@ final class Rows {
             Masses.poured(),
             Tubes.oneDiameter(),
             OverlappingPair.parts(),
-            Masses.heavyOnLight());
+            Masses.heavyOnLight(),
+            Kept.today());
 
     private Rows() {}
 }
