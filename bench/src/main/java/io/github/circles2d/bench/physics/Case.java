@@ -9,8 +9,9 @@ import java.util.List;
  * @param random whether it draws random numbers, so that seeds make a difference
  * @param measures its figures, in the order in which the run gives them
  * @param run runs it
+ * @param check what the tests do with it
  */
-record Case(String name, boolean random, List<Measure> measures, Run run) {
+record Case(String name, boolean random, List<Measure> measures, Run run, Check check) {
     /** Runs a scene. */
     interface Run {
         /** The figures, one for each measure. */
@@ -23,10 +24,20 @@ record Case(String name, boolean random, List<Measure> measures, Run run) {
     }
 
     static Case random(String name, Run run, Measure... measures) {
-        return new Case(name, true, List.of(measures), run);
+        return new Case(name, true, List.of(measures), run, Check.RUNS);
     }
 
     static Case fixed(String name, FixedRun run, Measure... measures) {
-        return new Case(name, false, List.of(measures), (physics, seed, effort) -> run.figures(physics, effort));
+        return new Case(name, false, List.of(measures), (physics, seed, effort) -> run.figures(physics, effort), Check.RUNS);
+    }
+
+    /** This case, whose bounds the tests assert. */
+    Case holds() {
+        return new Case(name, random, measures, run, Check.HOLDS);
+    }
+
+    /** This case, which takes too long for the tests. */
+    Case harnessOnly() {
+        return new Case(name, random, measures, run, Check.HARNESS_ONLY);
     }
 }

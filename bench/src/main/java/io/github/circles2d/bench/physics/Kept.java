@@ -163,7 +163,7 @@ final class Kept {
 
     private static Arena load(Scene scene, Physics physics) {
         Setup setup = new Setup(
-                scene.minX(), scene.minY(), scene.maxX(), scene.maxY(), -scene.gravityY(), scene.restitution(), 4);
+                scene.minX(), scene.minY(), scene.maxX(), scene.maxY(), -scene.gravityY(), scene.restitution(), 4, false);
         Arena arena = physics.open(setup);
         for (int i = 0; i < scene.size(); i++) {
             arena.add(scene.x(i), scene.y(i), scene.radius(i), scene.mass(i), scene.vx(i), scene.vy(i));

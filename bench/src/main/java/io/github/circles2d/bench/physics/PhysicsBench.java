@@ -1,52 +1,87 @@
 package io.github.circles2d.bench.physics;
 
-import io.github.circles2d.Backend;
+import io.github.circles2d.bench.results.Table;
+import java.io.IOException;
 import java.io.PrintStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
-/** Runs the rows of the table and prints each figure as soon as it is known. */
+/** Runs the rows of the table, prints each figure as soon as it is known, and keeps it. */
 public final class PhysicsBench {
     private PhysicsBench() {}
 
     /**
-     * Runs rows.
+     * Runs {@link #run} alone, so that this package can be tried without the other benchmarks. Unless told otherwise it
+     * keeps its files in the system's temporary folder.
      *
      * @param arguments see {@code --help}
      */
-    public static void main(String[] arguments) {
-        run(List.of(arguments), System.out);
+    public static void main(String[] arguments) throws IOException {
+        System.setProperty("java.awt.headless", "true");
+        try {
+            List<String> all = new ArrayList<>(List.of(arguments));
+            if (!all.contains("--out")) {
+                all.addAll(List.of("--out", Path.of(System.getProperty("java.io.tmpdir"), "circles2d-physics").toString()));
+            }
+            run(all, System.out);
+        } catch (IllegalArgumentException e) {
+            System.err.println(e.getMessage());
+            System.exit(2);
+        }
     }
 
-    private static void run(List<String> arguments, PrintStream out) {
-        Effort effort = Effort.FULL;
-        Physics physics = new WorldPhysics(Backend.JVM, 1);
-        if (arguments.contains("--quick")) {
-            effort = Effort.QUICK;
+    /**
+     * Runs what the arguments ask for.
+     *
+     * @throws IllegalArgumentException with a sentence for the user if they are wrong
+     */
+    public static void run(List<String> arguments, PrintStream out) throws IOException {
+        PhysicsOptions options = PhysicsOptions.parse(arguments);
+        if (options.help()) {
+            out.println(PhysicsOptions.HELP);
+        } else if (options.page() != null) {
+            Files.writeString(options.page(), PhysicsPage.of(options.out()));
+            out.println("wrote " + options.page());
+        } else {
+            measure(options, out);
         }
+    }
+
+    private static void measure(PhysicsOptions options, PrintStream out) throws IOException {
+        PhysicsTable table = PhysicsTable.open(options.out());
+        Table baseline = new Table(Baseline.KEYS, Baseline.COLUMNS);
+        out.print(PhysicsTable.header());
         for (Row row : Rows.ALL) {
-            boolean named = arguments.contains(Integer.toString(row.number()));
-            if (named || arguments.stream().noneMatch(argument -> argument.matches("[0-9]+"))) {
-                run(row, physics, effort, out);
+            if (options.asksFor(row)) {
+                for (Case scene : row.cases()) {
+                    List<Figure> world = Figure.of(row, scene, options.world(), options.effort());
+                    List<Figure> box2d = row.box2d() && options.box2d() ? box2d(row, scene, options) : List.of();
+                    for (int i = 0; i < world.size(); i++) {
+                        Figure beside = box2d.isEmpty() ? null : box2d.get(i);
+                        out.print(PhysicsTable.line(table.put(world.get(i), beside)));
+                        if (row.number() == Baseline.ROW) {
+                            baseline.put(Baseline.row(world.get(i)));
+                        }
+                    }
+                }
             }
+        }
+        if (options.baseline() != null) {
+            baseline.save(options.baseline());
+        }
+        if (options.curves()) {
+            Curves.record(options, out);
         }
     }
 
-    private static void run(Row row, Physics physics, Effort effort, PrintStream out) {
-        out.printf("%n%d %s%n", row.number(), row.scene());
-        for (Case scene : row.cases()) {
-            long start = System.nanoTime();
-            for (Figure figure : Figure.of(row, scene, physics, effort)) {
-                out.printf(
-                        Locale.ROOT,
-                        "   %-60s %-55s %10.4g  %-14s %s%n",
-                        scene.name(),
-                        figure.measure().what(),
-                        figure.median(),
-                        figure.measure().bound(),
-                        figure.measure().bound().isNone() ? "" : figure.met() ? "met" : "NOT MET");
-            }
-            out.printf(Locale.ROOT, "   %.1f s%n", (System.nanoTime() - start) / 1e9);
+    /** Box2D's figures; none if the scene says nothing about it, or it does not run on this machine. */
+    private static List<Figure> box2d(Row row, Case scene, PhysicsOptions options) {
+        try {
+            return Figure.of(row, scene, new Box2dPhysics(), options.effort());
+        } catch (UnsupportedOperationException | LinkageError e) {
+            return List.of();
         }
     }
 }
