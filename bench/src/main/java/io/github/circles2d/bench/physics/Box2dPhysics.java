@@ -24,7 +24,8 @@ record Box2dPhysics() implements Physics {
     @Override
     public Arena open(Setup setup) {
         if (setup.subSteps() != SUB_STEPS) {
-            throw new UnsupportedOperationException("Box2D has no sub-steps, and World has " + setup.subSteps() + " here");
+            throw new UnsupportedOperationException(
+                    "Box2D has no sub-steps, and World has " + setup.subSteps() + " here");
         }
         return new Box2dArena(setup);
     }

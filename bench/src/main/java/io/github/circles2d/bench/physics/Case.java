@@ -28,7 +28,8 @@ record Case(String name, boolean random, List<Measure> measures, Run run, Check 
     }
 
     static Case fixed(String name, FixedRun run, Measure... measures) {
-        return new Case(name, false, List.of(measures), (physics, seed, effort) -> run.figures(physics, effort), Check.RUNS);
+        return new Case(
+                name, false, List.of(measures), (physics, seed, effort) -> run.figures(physics, effort), Check.RUNS);
     }
 
     /** This case, whose bounds the tests assert. */

@@ -22,7 +22,8 @@ final class CurveCharts {
     /** What is smaller is drawn here on the logarithmic axes, which have no zero. */
     private static final double LEAST = 1e-5;
 
-    private static final Map<String, Color> COLOURS = Map.of("World", new Color(0x0072B2), "Box2D", new Color(0xD55E00));
+    private static final Map<String, Color> COLOURS =
+            Map.of("World", new Color(0x0072B2), "Box2D", new Color(0xD55E00));
 
     private CurveCharts() {}
 

@@ -20,8 +20,20 @@ final class Curves {
     /** Those drawn. */
     static final List<Curve> ALL = List.of(
             new Curve("jam", "Jam without gravity, fill 0.86, e = 0.5", Jams.boiling(), 1, 0, 20),
-            new Curve("time-step", "Pile of 1,250 at rest, steps of 1/240 s from 50 s on", TimeSteps.changed(), 0, 49.5, 52.5),
-            new Curve("growth", "Pile of 1,250 at rest, every tenth radius 0.8 from 50 s on", Growth.sudden(), 0, 49.5, 60),
+            new Curve(
+                    "time-step",
+                    "Pile of 1,250 at rest, steps of 1/240 s from 50 s on",
+                    TimeSteps.changed(),
+                    0,
+                    49.5,
+                    52.5),
+            new Curve(
+                    "growth",
+                    "Pile of 1,250 at rest, every tenth radius 0.8 from 50 s on",
+                    Growth.sudden(),
+                    0,
+                    49.5,
+                    60),
             new Curve("elastic", "100 elastic balls under gravity", ElasticBalls.keepMoving(), 0, 0, 50),
             new Curve("poured", "Poured pile of 1,250", Resting.soon(), 0, 0, 25));
 

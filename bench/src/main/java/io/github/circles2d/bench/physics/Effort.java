@@ -9,6 +9,9 @@ package io.github.circles2d.bench.physics;
 record Effort(int seeds, double share) {
     static final Effort FULL = new Effort(3, 1);
 
+    /** What the tests run: one seed, at full length. */
+    static final Effort TEST = new Effort(1, 1);
+
     /** For a look: a figure of fewer steps may lie elsewhere. */
     static final Effort QUICK = new Effort(1, 0.25);
 

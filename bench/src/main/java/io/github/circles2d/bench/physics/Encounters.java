@@ -22,8 +22,14 @@ final class Encounters {
         return Row.withBox2d(
                 4,
                 "two equal elastic circles, 400 offsets, 0.3 to 1.1 r a step",
-                Case.random("one flies, one is at rest", (physics, seed, effort) -> worst(physics, false, seed), measures()),
-                Case.random("both fly, each at this speed", (physics, seed, effort) -> worst(physics, true, seed), measures()));
+                Case.random(
+                        "one flies, one is at rest",
+                        (physics, seed, effort) -> worst(physics, false, seed),
+                        measures()),
+                Case.random(
+                        "both fly, each at this speed",
+                        (physics, seed, effort) -> worst(physics, true, seed),
+                        measures()));
     }
 
     private static Measure[] measures() {
@@ -53,7 +59,9 @@ final class Encounters {
         int pairs = SIDE * SIDE;
         double[] offsets = new double[pairs];
         double deepest = 0;
-        try (Arena arena = physics.open(Setup.around(SIDE * CELL / 2, SIDE * CELL / 2).withRestitution(1).withFastCircles())) {
+        try (Arena arena = physics.open(Setup.around(SIDE * CELL / 2, SIDE * CELL / 2)
+                .withRestitution(1)
+                .withFastCircles())) {
             for (int i = 0; i < pairs; i++) {
                 double x = (i % SIDE - SIDE / 2 + 0.5) * CELL;
                 double y = (i / SIDE - SIDE / 2 + 0.5) * CELL;

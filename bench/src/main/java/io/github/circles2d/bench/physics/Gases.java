@@ -26,10 +26,12 @@ final class Gases {
 
     private static Case temperatures(double speed) {
         return Case.random(
-                "light ones at " + speed + " radii of the heavy a step (rms)",
-                (physics, seed, effort) -> run(physics, speed * HEAVY_RADIUS / Scenery.TIME_STEP, seed, effort.of(STEPS)),
-                new Measure("temperature of the light over that of the heavy", Bound.between(0.97, 1.03)),
-                Measure.shown("energy over the first"));
+                        "light ones at " + speed + " radii of the heavy a step (rms)",
+                        (physics, seed, effort) ->
+                                run(physics, speed * HEAVY_RADIUS / Scenery.TIME_STEP, seed, effort.of(STEPS)),
+                        new Measure("temperature of the light over that of the heavy", Bound.between(0.97, 1.03)),
+                        Measure.shown("energy over the first"))
+                .harnessOnly();
     }
 
     /** The temperatures are means over the last three quarters of the steps. */
@@ -44,7 +46,8 @@ final class Gases {
                 double mass = heavy ? HEAVY_MASS : 1;
                 double[] place = scatter.place(radius);
                 double sigma = speed / Math.sqrt(2 * mass);
-                arena.add(place[0], place[1], radius, mass, sigma * random.nextGaussian(), sigma * random.nextGaussian());
+                arena.add(
+                        place[0], place[1], radius, mass, sigma * random.nextGaussian(), sigma * random.nextGaussian());
             }
             double before = arena.state().kineticEnergy();
             double[] temperature = new double[2];

@@ -22,11 +22,7 @@ final class Jams {
 
     static Row boiling() {
         return Row.withBox2d(
-                1,
-                "jam without gravity, fill 0.86, 4,000 steps",
-                boiling(0.2),
-                boiling(0.5),
-                boiling(0.9));
+                1, "jam without gravity, fill 0.86, 4,000 steps", boiling(0.2), boiling(0.5), boiling(0.9));
     }
 
     private static Case boiling(double restitution) {
@@ -47,7 +43,8 @@ final class Jams {
         return Row.withBox2d(
                 2,
                 "over-full box",
-                Case.random("fill 1.1 with gravity, 2,000 steps", Jams::overFull, Measure.atMost("deepest pair, r", 0.4)),
+                Case.random(
+                        "fill 1.1 with gravity, 2,000 steps", Jams::overFull, Measure.atMost("deepest pair, r", 0.4)),
                 Case.random(
                         "walls close at 6 r/s without gravity",
                         Jams::closing,
@@ -86,8 +83,7 @@ final class Jams {
     /** Circles of 0.4 to 0.6 at random places in a square: most overlap at first. */
     static Arena jam(Physics physics, double fill, double gravity, double restitution, long seed) {
         double side = Math.sqrt(AREA / fill);
-        Arena arena =
-                physics.open(Setup.box(side, side).withGravity(gravity).withRestitution(restitution));
+        Arena arena = physics.open(Setup.box(side, side).withGravity(gravity).withRestitution(restitution));
         spread(arena, side, side, seed);
         return arena;
     }

@@ -11,7 +11,7 @@ final class OverlappingPair {
         return Row.of(
                 16,
                 "two elastic circles without gravity, r = 1, centres 0.2 apart",
-                parts("relative speed 0", 0),
+                parts("relative speed 0", 0).holds(),
                 parts("parting at 1e-6 m/s", 1e-6),
                 parts("parting at 1e-3 m/s", 1e-3),
                 parts("closing at 1e-6 m/s", -1e-6),

@@ -38,7 +38,8 @@ final class Paddles {
                     for (double rising : SPEEDS) {
                         for (double falling : SPEEDS) {
                             if (rising + falling > 0) {
-                                double passed = new Meeting(1, ball, rising * ball, falling * ball).passed(physics, random);
+                                double passed =
+                                        new Meeting(1, ball, rising * ball, falling * ball).passed(physics, random);
                                 total += passed;
                                 worst = Math.max(worst, passed);
                                 pairs++;

@@ -22,7 +22,8 @@ final class Pebbles {
                     (physics, seed, effort) -> run(physics, speed, seed),
                     Measure.atMost("pebbles in its way that were wholly inside it, share", 0.02));
         }
-        return Row.of(5, "ball of radius R into pebbles of R / 10 (one in each square of R), density 1, e = 0.5", cases);
+        return Row.of(
+                5, "ball of radius R into pebbles of R / 10 (one in each square of R), density 1, e = 0.5", cases);
     }
 
     private static double[] run(Physics physics, double speed, long seed) {

@@ -23,7 +23,10 @@ public final class PhysicsBench {
         try {
             List<String> all = new ArrayList<>(List.of(arguments));
             if (!all.contains("--out")) {
-                all.addAll(List.of("--out", Path.of(System.getProperty("java.io.tmpdir"), "circles2d-physics").toString()));
+                all.addAll(List.of(
+                        "--out",
+                        Path.of(System.getProperty("java.io.tmpdir"), "circles2d-physics")
+                                .toString()));
             }
             run(all, System.out);
         } catch (IllegalArgumentException e) {

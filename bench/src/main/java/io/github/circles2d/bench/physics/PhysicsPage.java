@@ -69,7 +69,12 @@ final class PhysicsPage {
         StringBuilder text = new StringBuilder();
         for (Curves.Curve curve : Curves.ALL) {
             if (Files.exists(folder.resolve(curve.name() + ".png"))) {
-                text.append("![").append(curve.title()).append("](").append(LINK).append(curve.name()).append(".png)\n\n");
+                text.append("![")
+                        .append(curve.title())
+                        .append("](")
+                        .append(LINK)
+                        .append(curve.name())
+                        .append(".png)\n\n");
             }
         }
         return text.toString().stripTrailing() + "\n";

@@ -33,7 +33,9 @@ final class PhysicsTable {
         Path file = folder.resolve(FILE);
         Table table = new Table(KEYS, COLUMNS);
         if (Files.exists(file)) {
-            Table.parse(Files.readString(file, StandardCharsets.UTF_8), KEYS).rows().forEach(table::put);
+            Table.parse(Files.readString(file, StandardCharsets.UTF_8), KEYS)
+                    .rows()
+                    .forEach(table::put);
         }
         return new PhysicsTable(file, table);
     }

@@ -42,7 +42,8 @@ final class Scatter {
             double y = radius + random.nextDouble() * (height - 2 * radius);
             if (free(x, y, radius)) {
                 double[] circle = {x, y, radius};
-                forEachCell(circle, key -> taken.computeIfAbsent(key, k -> new ArrayList<>()).add(circle));
+                forEachCell(circle, key -> taken.computeIfAbsent(key, k -> new ArrayList<>())
+                        .add(circle));
                 return circle;
             }
         }

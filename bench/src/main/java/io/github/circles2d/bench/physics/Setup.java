@@ -9,14 +9,7 @@ package io.github.circles2d.bench.physics;
  * @param fast whether Box2D is to treat the circles as bullets
  */
 record Setup(
-        float minX,
-        float minY,
-        float maxX,
-        float maxY,
-        float gravity,
-        float restitution,
-        int subSteps,
-        boolean fast) {
+        float minX, float minY, float maxX, float maxY, float gravity, float restitution, int subSteps, boolean fast) {
     /** A box with its lower left corner at the origin, without gravity, with restitution 0.5 and 4 sub-steps. */
     static Setup box(double width, double height) {
         return new Setup(0, 0, (float) width, (float) height, 0, 0.5f, 4, false);
@@ -24,7 +17,8 @@ record Setup(
 
     /** A box around the origin, without gravity, with restitution 0.5 and 4 sub-steps. */
     static Setup around(double halfWidth, double halfHeight) {
-        return new Setup((float) -halfWidth, (float) -halfHeight, (float) halfWidth, (float) halfHeight, 0, 0.5f, 4, false);
+        return new Setup(
+                (float) -halfWidth, (float) -halfHeight, (float) halfWidth, (float) halfHeight, 0, 0.5f, 4, false);
     }
 
     Setup withGravity(double gravity) {

@@ -26,9 +26,9 @@ final class StaticBounces {
                 bounces(1, 4),
                 bounces(1, 8),
                 bounces(0.95, 1),
-                bounces(0.95, 2),
-                bounces(0.95, 4),
-                bounces(0.95, 8));
+                bounces(0.95, 2).holds(),
+                bounces(0.95, 4).holds(),
+                bounces(0.95, 8).holds());
     }
 
     private static Case bounces(double restitution, int subSteps) {
@@ -71,7 +71,8 @@ final class StaticBounces {
             }
         }
         return new double[] {
-            Arrays.stream(greatest).max().orElseThrow(), Arrays.stream(last).min().orElseThrow()
+            Arrays.stream(greatest).max().orElseThrow(),
+            Arrays.stream(last).min().orElseThrow()
         };
     }
 }

@@ -13,8 +13,8 @@ final class Tubes {
                 "tube of exactly one diameter, 2,000 steps",
                 tube("one circle, upright", 1, true),
                 tube("ten circles, upright", 10, true),
-                tube("one circle, lying", 1, false),
-                tube("ten circles, lying", 10, false));
+                tube("one circle, lying", 1, false).holds(),
+                tube("ten circles, lying", 10, false).holds());
     }
 
     private static Case tube(String name, int n, boolean upright) {
