@@ -12,11 +12,7 @@ interface Arena extends AutoCloseable {
 
     void setPosition(int circle, double x, double y);
 
-    void setVelocity(int circle, double vx, double vy);
-
     void setRadius(int circle, double radius);
-
-    void setRestitution(int circle, double restitution);
 
     /** Moves the walls within the next step, which has this length. */
     void setBounds(double minX, double minY, double maxX, double maxY, double timeStep);

@@ -24,8 +24,8 @@ final class Box2dArena implements Arena {
     private static final class Circle {
         private final Body body;
         private final double mass;
+        private final double restitution;
         private double radius;
-        private double restitution;
 
         Circle(Body body, double radius, double mass, double restitution) {
             this.body = body;
@@ -77,19 +77,8 @@ final class Box2dArena implements Arena {
     }
 
     @Override
-    public void setVelocity(int circle, double vx, double vy) {
-        circles.get(circle).body.setLinearVelocity((float) vx, (float) vy);
-    }
-
-    @Override
     public void setRadius(int circle, double radius) {
         circles.get(circle).radius = radius;
-        circles.get(circle).shape();
-    }
-
-    @Override
-    public void setRestitution(int circle, double restitution) {
-        circles.get(circle).restitution = restitution;
         circles.get(circle).shape();
     }
 

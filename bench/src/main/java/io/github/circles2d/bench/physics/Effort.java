@@ -15,10 +15,6 @@ record Effort(int seeds, double share) {
     /** For a look: a figure of fewer steps may lie elsewhere. */
     static final Effort QUICK = new Effort(1, 0.25);
 
-    boolean quick() {
-        return share < 1;
-    }
-
     /** The number of steps, or samples, to run instead of the full number. */
     int of(int full) {
         return (int) Math.ceil(full * share);

@@ -15,7 +15,7 @@ final class Fences {
     static Row fine() {
         return Row.of(
                 11,
-                "fence of small static circles, one each radius of the ball, 150 balls (e = 1) at each of 0.5 to 200 r a step",
+                "fence of small static circles, one every r, 150 balls (e = 1) at each of 0.5 to 200 r a step",
                 fence("posts of r / 20", R / 20, R, 1, 0.5),
                 fence("posts of r / 50", R / 50, R, 1, 0.5),
                 fence("posts of r / 200", R / 200, R, 1, 0.5));
@@ -68,8 +68,9 @@ final class Fences {
                     double aside = 0.5 * R * Math.pow(2 * random.nextDouble() - 1, 3) - rise * Math.min(way, 2 * R);
                     arena.add(-way, gap + aside, R, Scenery.mass(R), speed, rise * speed);
                 }
-                for (double y = -half; y <= half; y += pitch) {
-                    arena.add(0, y, post, Double.POSITIVE_INFINITY);
+                long posts = Math.round(2 * half / pitch);
+                for (int i = 0; i <= posts; i++) {
+                    arena.add(0, -half + i * pitch, post, Double.POSITIVE_INFINITY);
                 }
                 boolean[] passed = new boolean[BALLS];
                 for (int step = 0; step < STEPS; step++) {

@@ -44,18 +44,23 @@ final class Jams {
                 2,
                 "over-full box",
                 Case.random(
-                        "fill 1.1 with gravity, 2,000 steps", Jams::overFull, Measure.atMost("deepest pair, r", 0.4)),
+                        "fill 1.1 with gravity, 2,000 steps",
+                        Jams::overFull,
+                        Measure.atMost("deepest pair, r", 0.4),
+                        Measure.atMost("deepest in a wall, r", 0.001)),
                 Case.random(
                         "walls close at 6 r/s without gravity",
                         Jams::closing,
                         Measure.atMost("deepest pair while they close, r", 0.4),
+                        Measure.atMost("deepest in a wall while they close, r", 0.001),
                         Measure.shown("deepest pair a second later, r")));
     }
 
     private static double[] overFull(Physics physics, long seed, Effort effort) {
         try (Arena arena = jam(physics, 1.1, GRAVITY, 0.5, seed)) {
             arena.step(effort.of(2000));
-            return new double[] {arena.state().deepest() / R};
+            State state = arena.state();
+            return new double[] {state.deepest() / R, state.deepestInWall() / R};
         }
     }
 
@@ -69,14 +74,17 @@ final class Jams {
             spread(arena, open, height, seed);
             arena.step(600);
             double deepest = 0;
+            double inWall = 0;
             for (int step = 1; step <= steps; step++) {
                 double moved = step * CLOSING * Scenery.TIME_STEP / 2;
                 arena.setBounds(moved, 0, open - moved, height, Scenery.TIME_STEP);
                 arena.step(1);
-                deepest = Math.max(deepest, arena.state().deepest());
+                State state = arena.state();
+                deepest = Math.max(deepest, state.deepest());
+                inWall = Math.max(inWall, state.deepestInWall());
             }
             arena.step(Scenery.SECOND);
-            return new double[] {deepest / R, arena.state().deepest() / R};
+            return new double[] {deepest / R, inWall / R, arena.state().deepest() / R};
         }
     }
 

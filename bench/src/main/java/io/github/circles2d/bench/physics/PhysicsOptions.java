@@ -25,8 +25,8 @@ final class PhysicsOptions {
             "  --no-box2d           World alone",
             "  --curves             also keeps and draws energy, depth and rest over time (as without numbers of rows)",
             "  --baseline FILE      writes the figures of row 18 as its new baseline",
-            "  --out DIR            where the CSV files and charts go (default: bench/results/physics, or results/physics; for a",
-            "                       quick look quick/physics in place of physics)",
+            "  --out DIR            folder of the CSV files and charts (default: bench/results/physics, or results/physics; for",
+            "                       a quick look quick/physics in place of physics)",
             "  --page FILE          writes the page from what is in that folder, and runs nothing",
             "",
             "Rows that are run again replace those that are in the files; the others stay.");

@@ -75,18 +75,8 @@ final class Recorder implements Physics {
         }
 
         @Override
-        public void setVelocity(int circle, double vx, double vy) {
-            arena.setVelocity(circle, vx, vy);
-        }
-
-        @Override
         public void setRadius(int circle, double radius) {
             arena.setRadius(circle, radius);
-        }
-
-        @Override
-        public void setRestitution(int circle, double restitution) {
-            arena.setRestitution(circle, restitution);
         }
 
         @Override

@@ -28,18 +28,8 @@ final class WorldArena implements Arena {
     }
 
     @Override
-    public void setVelocity(int circle, double vx, double vy) {
-        world.setVelocity(handles[circle], (float) vx, (float) vy);
-    }
-
-    @Override
     public void setRadius(int circle, double radius) {
         world.setRadius(handles[circle], (float) radius);
-    }
-
-    @Override
-    public void setRestitution(int circle, double restitution) {
-        world.setRestitution(handles[circle], (float) restitution);
     }
 
     @Override
