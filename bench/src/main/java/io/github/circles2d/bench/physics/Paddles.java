@@ -104,7 +104,7 @@ final class Paddles {
 
         private Arena start(Physics physics, double velocity, Random random) {
             double lane = 8 * (moved + ball + rising + falling);
-            double height = (steps() + 4) * (rising + 2 * falling) + 10 * (moved + ball);
+            double height = 2 * (steps() + 4) * (rising + falling) + 10 * (moved + ball);
             Arena arena = physics.open(Setup.around(LANES * lane / 2, height).withFastCircles());
             for (int i = 0; i < LANES; i++) {
                 double x = (i + 0.5 - LANES / 2) * lane;
