@@ -8,6 +8,7 @@ import java.awt.Font;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.BitmapEncoder;
@@ -69,6 +70,23 @@ final class CurveCharts {
                 series.setMarker(SeriesMarkers.NONE);
             }
         }
+        if (logarithmic) {
+            toWholeDecades(chart);
+        }
         return chart;
+    }
+
+    /** Only whole powers of ten get labels: the axis runs from one to another. */
+    private static void toWholeDecades(XYChart chart) {
+        double[] values = chart.getSeriesMap().values().stream()
+                .flatMapToDouble(series -> Arrays.stream(series.getYData()))
+                .toArray();
+        if (values.length > 0) {
+            double least = Math.log10(Arrays.stream(values).min().orElseThrow());
+            double greatest = Math.log10(Arrays.stream(values).max().orElseThrow());
+            chart.getStyler()
+                    .setYAxisMin(Math.pow(10, Math.floor(least)))
+                    .setYAxisMax(Math.pow(10, Math.max(Math.ceil(greatest), Math.floor(least) + 1)));
+        }
     }
 }

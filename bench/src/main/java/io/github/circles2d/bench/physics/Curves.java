@@ -78,8 +78,11 @@ final class Curves {
         }
     }
 
-    /** Draws what the folder's file has; says so if this JVM cannot draw (a machine without fonts). */
+    /** Draws what the folder's file has, if there is one; says so if this JVM cannot draw (a machine without fonts). */
     static void draw(Path folder, PrintStream out) throws IOException {
+        if (!Files.exists(folder.resolve(FILE))) {
+            return;
+        }
         Table table = Table.parse(Files.readString(folder.resolve(FILE), StandardCharsets.UTF_8), KEYS);
         try {
             for (Curve curve : ALL) {

@@ -1,7 +1,7 @@
 package io.github.circles2d.bench.physics;
 
+import io.github.circles2d.bench.results.Statistics;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 
 /** What was measured: the figure of each seed. */
@@ -28,9 +28,7 @@ record Figure(Row row, Case scene, Measure measure, double[] values) {
     }
 
     double median() {
-        double[] sorted = values.clone();
-        Arrays.sort(sorted);
-        return (sorted[(sorted.length - 1) / 2] + sorted[sorted.length / 2]) / 2;
+        return Statistics.of(values).median();
     }
 
     boolean met() {

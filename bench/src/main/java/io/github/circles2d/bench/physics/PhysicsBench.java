@@ -45,6 +45,7 @@ public final class PhysicsBench {
         if (options.help()) {
             out.println(PhysicsOptions.HELP);
         } else if (options.page() != null) {
+            Curves.draw(options.out(), out);
             Files.writeString(options.page(), PhysicsPage.of(options.out()));
             out.println("wrote " + options.page());
         } else {

@@ -27,7 +27,7 @@ final class PhysicsOptions {
             "  --baseline FILE      writes the figures of row 18 as its new baseline",
             "  --out DIR            folder of the CSV files and charts (default: bench/results/physics, or results/physics; for",
             "                       a quick look quick/physics in place of physics)",
-            "  --page FILE          writes the page from what is in that folder, and runs nothing",
+            "  --page FILE          draws the curves and writes the page from what is in that folder, and runs nothing",
             "",
             "Rows that are run again replace those that are in the files; the others stay.");
 

@@ -6,7 +6,6 @@ import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 
 /** Writes the page on the physics: a template, in which {@code {{name}}} stands for what comes from the kept files. */
@@ -16,14 +15,17 @@ final class PhysicsPage {
     /** The folder of the files, seen from the page. */
     private static final String LINK = "../bench/results/physics/";
 
+    /** Smaller figures are rounding. */
+    private static final double LEAST = 1e-6;
+
     private PhysicsPage() {}
 
     /** The page for the files in a folder. */
     static String of(Path folder) throws IOException {
         PhysicsTable table = PhysicsTable.open(folder);
         return template()
-                .replace("{{summary}}\n", summary(table.rows()))
-                .replace("{{table}}\n", table(table.rows()))
+                .replace("{{summary}}\n", summary(table))
+                .replace("{{table}}\n", table(table))
                 .replace("{{charts}}\n", charts(folder));
     }
 
@@ -33,36 +35,62 @@ final class PhysicsPage {
         }
     }
 
-    private static String summary(List<Map<String, String>> rows) {
-        long asked = rows.stream().filter(row -> !row.get("bound").isEmpty()).count();
-        long met = rows.stream().filter(row -> row.get("met").equals("yes")).count();
+    private static String summary(PhysicsTable table) {
+        int asked = 0;
+        int met = 0;
+        for (Row row : Rows.ALL) {
+            for (Case scene : row.cases()) {
+                for (Measure measure : scene.measures()) {
+                    String answer = table.row(row, scene, measure).getOrDefault("met", "");
+                    asked += answer.isEmpty() ? 0 : 1;
+                    met += answer.equals("yes") ? 1 : 0;
+                }
+            }
+        }
         return "World meets " + met + " of the " + asked + " bounds.\n";
     }
 
-    private static String table(List<Map<String, String>> rows) {
+    private static String table(PhysicsTable table) {
         StringBuilder text = new StringBuilder("| row | scene | figure | World | asked | met | Box2D |\n");
         text.append("|--:|---|---|--:|---|---|--:|\n");
         for (Row row : Rows.ALL) {
-            String number = Integer.toString(row.number());
-            boolean first = true;
-            for (Map<String, String> figure : rows) {
-                if (figure.get("row").equals(number)) {
-                    text.append(first ? "| " + number + " | **" + row.scene() + "** | | | | | |\n" : "");
-                    text.append("| | ").append(figure.get("scene"));
-                    text.append(" | ").append(figure.get("figure"));
-                    text.append(" | ").append(brief(figure.get("world")));
-                    text.append(" | ").append(figure.get("bound"));
-                    text.append(" | ").append(figure.get("met").equals("no") ? "**no**" : figure.get("met"));
-                    text.append(" | ").append(brief(figure.get("box2d"))).append(" |\n");
-                    first = false;
+            text.append("| ")
+                    .append(row.number())
+                    .append(" | **")
+                    .append(row.scene())
+                    .append("** | | | | | |\n");
+            for (Case scene : row.cases()) {
+                String name = scene.name();
+                for (Measure measure : scene.measures()) {
+                    Map<String, String> figure = table.row(row, scene, measure);
+                    if (!figure.isEmpty()) {
+                        text.append("| | ").append(name).append(line(figure));
+                        name = "";
+                    }
                 }
             }
         }
         return text.toString();
     }
 
+    private static String line(Map<String, String> figure) {
+        String met = figure.get("met").equals("no") ? "**no**" : figure.get("met");
+        return String.join(
+                " | ",
+                "",
+                figure.get("figure"),
+                brief(figure.get("world")),
+                figure.get("bound"),
+                met,
+                brief(figure.get("box2d")) + " |\n");
+    }
+
     private static String brief(String value) {
-        return value.isEmpty() ? "" : Numbers.brief(Numbers.parse(value));
+        if (value.isEmpty()) {
+            return "";
+        }
+        double number = Numbers.parse(value);
+        return number != 0 && Math.abs(number) < LEAST ? "< " + Numbers.brief(LEAST) : Numbers.brief(number);
     }
 
     private static String charts(Path folder) {

@@ -40,8 +40,11 @@ final class PhysicsTable {
         return new PhysicsTable(file, table);
     }
 
-    List<Map<String, String>> rows() {
-        return table.rows();
+    /** What is known of a figure; empty if it was not measured. */
+    Map<String, String> row(Row row, Case scene, Measure measure) {
+        List<Map<String, String>> found =
+                table.rows("row", Integer.toString(row.number()), "scene", scene.name(), "figure", measure.what());
+        return found.isEmpty() ? Map.of() : found.get(0);
     }
 
     /** Takes a figure of World, and Box2D's beside it, which may be null, and writes the file. */

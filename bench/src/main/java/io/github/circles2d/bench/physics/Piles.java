@@ -10,8 +10,12 @@ final class Piles {
     /** Width of the box for 1,250 circles: the pile is about as high as three quarters of it. */
     private static final double WIDTH = 40;
 
+    /** The greatest circles just have room side by side. */
     private static final double PITCH_X = 2.5 * R;
-    private static final double PITCH_Y = 2.4 * R;
+
+    private static final double PITCH_Y = 3 * R;
+    private static final double JITTER_X = 0.1 * R;
+    private static final double JITTER_Y = 0.6 * R;
 
     /** Steps after which any pile of 1,250 is at rest. */
     private static final int SETTLE = 3000;
@@ -33,8 +37,8 @@ final class Piles {
         int columns = (int) (width(n) / PITCH_X);
         for (int i = 0; i < n; i++) {
             double radius = anyRadius(random);
-            double x = (i % columns + 0.5) * PITCH_X + 0.05 * (random.nextDouble() - 0.5);
-            double y = 1.3 * R + (i / columns + 0.5 * random.nextDouble()) * PITCH_Y;
+            double x = (i % columns + 0.5) * PITCH_X + JITTER_X * (random.nextDouble() - 0.5);
+            double y = 1.5 * R + i / columns * PITCH_Y + JITTER_Y * (random.nextDouble() - 0.5);
             arena.add(x, y, radius, Scenery.mass(radius));
         }
     }
