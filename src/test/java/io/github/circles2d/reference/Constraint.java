@@ -44,7 +44,7 @@ abstract class Constraint {
     /**
      * A constraint of a step.
      *
-     * @param gravity of the size that counts for what is an impact
+     * @param gravity the part of gravity that decides which impacts bounce, at least 0
      */
     Constraint(
             StepParameters step, float stiffness, float gravity, float radii, float restitution, float inverseMasses) {
@@ -73,22 +73,22 @@ abstract class Constraint {
 
     abstract void apply(float impulse);
 
-    /** Whether surfaces overlap that would not part by themselves for long. */
+    /** Whether surfaces overlap and would not part by themselves for long; in the biased pass they are not left alone then. */
     boolean lingers() {
         return false;
     }
 
-    /** Whether free circles bounce at a speed, or fly apart. */
+    /** Whether a speed is an impact, or a parting, of circles that nothing carries. */
     boolean isImpactInFlight(float vn) {
         return isImpact(vn);
     }
 
-    /** Whether a speed is greater than what circles creep with. */
+    /** Whether a speed is greater than the creeping speed, which is the threshold without gravity's part. */
     final boolean isFasterThanCreep(float vn) {
         return vn * vn > squaredCreep;
     }
 
-    /** What gravity adds to the normal speed in half a sub-step. */
+    /** What gravity adds to the normal speed in half a sub-step; a free bounce leaves it out. */
     float halfFall() {
         return 0f;
     }
