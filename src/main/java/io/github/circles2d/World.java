@@ -42,14 +42,14 @@ import java.util.Objects;
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
  * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's at a wall. g is
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's at a wall. g is
  * gravity; at a wall only its component along that axis counts, and between two circles that nothing carries g is 0. c is r per
  * second up to a restitution of 0.9, and goes down from there to 0 at 1. So an elastic ball bounces if it has fallen by more than
- * 0.08 of its radius.
+ * about 0.08 of its radius.
  *
  * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
  * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones
- * shrink by a factor of e in about a tenth of a second. Circles that fill more than the arena stay in each other.
+ * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
  *
  * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
  * by 0.4 radii. From about ten thousand times its mass on, it sinks through.

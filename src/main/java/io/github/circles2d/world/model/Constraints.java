@@ -76,8 +76,7 @@ public final class Constraints {
 
     /**
      * Whether surfaces overlap and would need longer than {@link Tuning#LINGER} to move as far as they are deep. The speed is the
-     * whole relative one, not only that along the normal, and from before impulses: so a pair that a third circle has just hit does
-     * not count.
+     * whole relative one: by that along the normal alone, more pairs of an elastic gas would be pushed out, and it would lose energy.
      *
      * @param squaredSpeed square of the relative speed at the start of the sub-step, before any impulse
      */
