@@ -42,7 +42,7 @@ float travelShare(float path, float r) {
 }
 
 float sightMargin(float r, float path, float top) {
-    return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+    return 1.125f * ((r + top) + greatest(path, CAP * top));
 }
 
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
@@ -68,6 +68,11 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
 float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
     float deep = timeOfTouch(dx, dy, ux, uy, sum - GRAZE * sum);
     return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
+}
+
+float holdAllowance(float r, float path, float other, bool stands) {
+    if (stands) return CLAMP_ALLOWANCE * r;
+    return other < r ? CLAMP_ALLOWANCE * other : bounded(path, CLAMP_ALLOWANCE * r, r);
 }
 
 float nearest(float dx, float dy, float px, float py) {

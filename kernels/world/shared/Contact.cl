@@ -2,16 +2,22 @@
 // The physics of a contact, of two circles or of a circle and a wall. It is measured, made ready, which is everything that does
 // not depend on velocities, and then visited, without branches. Schedules load, call and store.
 
+// 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1.
+REAL NAME(inelasticity)(REAL restitution) {
+    return NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f));
+}
+
 // The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed that goes down to 0 for
 // elastic pairs. radii: their sum.
 REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
-    REAL creep = lengthRate * (NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f)) * radii);
+    REAL creep = lengthRate * (NAME(inelasticity)(restitution) * radii);
     return gravityRate * radii + creep * creep;
 }
 
-// The same for two circles that nothing carries, which fall alike.
-REAL NAME(flightThreshold)(REAL radii, REAL restitution, float lengthRate) {
-    return NAME(bounceThreshold)(radii, restitution, 0.0f, lengthRate);
+// The same for two circles that nothing carries: for elastic pairs all of it goes down to 0.
+REAL NAME(flightThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
+    REAL creep = lengthRate * ((1.0f - restitution) * radii);
+    return gravityRate * (NAME(inelasticity)(restitution) * radii) + creep * creep;
 }
 
 // The same for circles of which one is carried.
@@ -82,7 +88,7 @@ REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL
 typedef struct {
     REAL separation, restitution;
     REAL threshold; // see restitutionThreshold
-    REAL flight;    // see flightThreshold; of a wall the threshold
+    REAL flight;    // see flightThreshold; a wall has the threshold
     REAL mass;      // effective
     REAL normalImpulse;
     MASK loaded; // whether one of its circles is

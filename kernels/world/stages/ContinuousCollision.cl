@@ -62,28 +62,28 @@ void meet(const World *w, const Runner *s, int other) {
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
     if (!isLonger(ux, uy, s->least)) return;
-    float4 sight = w->sight[other];
-    if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, sight.w)) return;
     bool pushes = s->isStatic;
-    bool stands = sight.w == 0.0f;
+    bool stands = inverseMass(c.w) == 0.0f; // spares a read
+    if (!mayMeet(w, s->slot, pushes ? 0.0f : 1.0f, other, stands ? 0.0f : 1.0f)) return;
     if (!pushes && !stands && !sweeps(s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
-    if (stands && isNear(dx, dy, (s->r + s->r) + c.z)) {
+    if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
     }
+    // First what most pairs fail.
+    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
+    if (!(t < 1.0f)) return;
     bool carries = (pushes && isFast(s->path, c.z)) || (stands && isFast(plan.w, s->r));
-    if (isNear(dx, dy, s->speculativeDistance + sight.z) && !carries &&
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !carries &&
         !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
         return;
     }
-    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
-    if (!(t < 1.0f)) return;
     float slack = pushes || stands ? MARGIN : HOLD;
     if (!carries && isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
         if (pushes || s->pushers) return;
         w->near[s->slot].x = least(t, w->near[s->slot].x);
-        float most = stands ? CLAMP_ALLOWANCE * s->r : c.z < s->r ? CLAMP_ALLOWANCE * c.z : s->r;
+        float most = holdAllowance(s->r, s->path, c.z, stands);
         restrain(w, s->slot, most, stands || w->near[s->slot].y < 0.0f);
     } else if (s->pushers) {
         if (pushes && w->timeOfImpact[other] == as_int(t)) {

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
 import io.github.circles2d.scenes.Scenes;
@@ -11,24 +12,27 @@ import java.util.SplittableRandom;
  *
  * @param name the name on record
  * @param scene the start
- * @param churned whether circles come, go and are pushed every few steps
+ * @param change what a caller does every few steps
  */
-record GoldenScene(String name, Scene scene, boolean churned) {
-    private static final int STEPS_BETWEEN_CHANGES = 7;
-
+record GoldenScene(String name, Scene scene, GoldenChange change) {
     static List<GoldenScene> all() {
         return List.of(
-                new GoldenScene("thesis", Scenes.thesis(1250, Scenes.SEED), false),
-                new GoldenScene("packed-100000", Scenes.packed(100_000, Scenes.SEED), false),
-                new GoldenScene("packed-5000-churned", Scenes.packed(5_000, Scenes.SEED), true),
-                new GoldenScene("gas", Scenes.gas(2_500, Scenes.SEED), false),
-                new GoldenScene("barrel", Scenes.barrel(Scenes.SEED), false),
-                new GoldenScene("balls2", Scenes.balls2(), false),
-                new GoldenScene("mixed-churned", Scenes.mixed(4_000, Scenes.SEED), true),
-                new GoldenScene("no-collide", Scenes.noCollide(), false),
-                new GoldenScene("billiards", Scenes.billiards(20), false),
-                new GoldenScene("bouncy-churned", Scenes.bouncy(Scenes.SEED), true),
-                new GoldenScene("one-point", Scenes.onePoint(2_000, Scenes.SEED), false));
+                new GoldenScene("thesis", Scenes.thesis(1250, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("packed-100000", Scenes.packed(100_000, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("packed-5000-churned", Scenes.packed(5_000, Scenes.SEED), GoldenChange::churn),
+                new GoldenScene("gas", Scenes.gas(2_500, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("barrel", Scenes.barrel(Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("balls2", Scenes.balls2(), GoldenChange.NONE),
+                new GoldenScene("mixed-churned", Scenes.mixed(4_000, Scenes.SEED), GoldenChange::churn),
+                new GoldenScene("no-collide", Scenes.noCollide(), GoldenChange.NONE),
+                new GoldenScene("billiards", Scenes.billiards(20), GoldenChange.NONE),
+                new GoldenScene("bouncy-churned", Scenes.bouncy(Scenes.SEED), GoldenChange::churn),
+                new GoldenScene("one-point", Scenes.onePoint(2_000, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("jam", HardScenes.jam(1_500, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("pile-time-steps", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::timeStep),
+                new GoldenScene("pile-growth", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::growth),
+                new GoldenScene("fence", HardScenes.fence(24, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("paddles", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::paddles));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
@@ -56,8 +60,7 @@ record GoldenScene(String name, Scene scene, boolean churned) {
         private final World owned;
         private final WorldCalls world;
         private final SplittableRandom random = new SplittableRandom(Scenes.SEED);
-        private long[] handles = new long[0];
-        private float[] circles = new float[0];
+        private float timeStep = scene.timeStep();
         private int steps;
 
         private Run(World owned, WorldCalls world) {
@@ -73,6 +76,7 @@ record GoldenScene(String name, Scene scene, boolean churned) {
             return world.hash();
         }
 
+        /** The steps made since the start. */
         int steps() {
             return steps;
         }
@@ -80,58 +84,47 @@ record GoldenScene(String name, Scene scene, boolean churned) {
         /** Goes on until so many steps have been made since the start. */
         void advanceTo(int target) {
             while (steps < target) {
-                int next = target;
-                if (churned) {
-                    if (steps > 0 && steps % STEPS_BETWEEN_CHANGES == 0) {
-                        change();
-                    }
-                    next = Math.min(target, steps - steps % STEPS_BETWEEN_CHANGES + STEPS_BETWEEN_CHANGES);
+                if (steps > 0 && steps % GoldenChange.PERIOD == 0) {
+                    change.apply(this);
                 }
-                world.step(scene.timeStep(), next - steps);
+                int next = target;
+                if (change != GoldenChange.NONE) {
+                    next = Math.min(target, steps - steps % GoldenChange.PERIOD + GoldenChange.PERIOD);
+                }
+                world.step(timeStep, next - steps);
                 steps = next;
             }
         }
 
-        /** Some circles go, as many come, some are pushed, moved, resized or get another restitution. */
-        private void change() {
-            int n = world.size();
-            if (handles.length < n) {
-                handles = new long[n];
-                circles = new float[4 * n];
-            }
-            world.readHandles(handles);
-            world.read(circles);
-            float width = scene.maxX() - scene.minX();
-            float height = scene.maxY() - scene.minY();
-            for (int k = 0; k < 5; k++) {
-                int gone = random.nextInt(n);
-                if (world.contains(handles[gone])) {
-                    world.remove(handles[gone]);
-                    float x = scene.minX() + unit() * width;
-                    float y = scene.minY() + unit() * height;
-                    world.add(x, y, circles[4 * gone + 2], circles[4 * gone + 3], 0, 0);
-                }
-            }
-            int some = random.nextInt(n);
-            if (world.contains(handles[some])) {
-                float mass = circles[4 * some + 3];
-                world.applyImpulse(handles[some], 0.1f * (unit() - 0.5f) * mass, 0.1f * unit() * mass);
-            }
-            some = random.nextInt(n);
-            if (world.contains(handles[some])) {
-                world.setPosition(handles[some], scene.minX() + unit() * width, scene.minY() + unit() * height);
-                world.setVelocity(handles[some], 0.5f * width * (unit() - 0.5f), 0.5f * height * (unit() - 0.5f));
-            }
-            some = random.nextInt(n);
-            if (world.contains(handles[some])) {
-                world.setRadius(handles[some], circles[4 * some + 2] * (0.75f + 0.25f * unit()));
-                world.setMass(handles[some], 0.5f * circles[4 * some + 3]);
-                world.setRestitution(handles[some], unit());
-            }
+        Scene scene() {
+            return scene;
         }
 
-        private float unit() {
-            return random.nextInt(1 << 24) * 0x1p-24f;
+        /** What a change calls: the world, or what it is compared with. */
+        WorldCalls calls() {
+            return world;
+        }
+
+        /** The random numbers of the changes. */
+        SplittableRandom random() {
+            return random;
+        }
+
+        void setTimeStep(float timeStep) {
+            this.timeStep = timeStep;
+        }
+
+        long[] readHandles() {
+            long[] handles = new long[world.size()];
+            world.readHandles(handles);
+            return handles;
+        }
+
+        /** Position, radius and mass of every circle, in the order of the handles. */
+        float[] readCircles() {
+            float[] circles = new float[4 * world.size()];
+            world.read(circles);
+            return circles;
         }
 
         @Override

@@ -49,26 +49,25 @@ class WorldTunnellingTest {
         }
     }
 
-    /** As the documentation of World says: the same circles slip through everywhere, so the bounds can be close. */
     @ParameterizedTest
-    @CsvSource({"10, 0", "20, 8"})
-    void fewBulletsLeaveACorridor(float radiiPerStep, int mostOfThreeHundred) {
-        assertFewLeaveACorridor(radiiPerStep, mostOfThreeHundred);
+    @ValueSource(floats = {20, 60})
+    void noBulletLeavesACorridor(float radiiPerStep) {
+        assertNoneLeavesACorridor(radiiPerStep);
     }
 
     @ParameterizedTest
-    @CsvSource({"5, 0", "60, 30", "200, 30"})
+    @ValueSource(floats = {5, 10, 100, 200})
     @Tag("exhaustive")
-    void fewBulletsLeaveACorridorAtAnySpeed(float radiiPerStep, int mostOfThreeHundred) {
-        assertFewLeaveACorridor(radiiPerStep, mostOfThreeHundred);
+    void noBulletLeavesACorridorAtAnySpeed(float radiiPerStep) {
+        assertNoneLeavesACorridor(radiiPerStep);
     }
 
-    private static void assertFewLeaveACorridor(float radiiPerStep, int mostOfThreeHundred) {
-        int slipped = 0;
+    private static void assertNoneLeavesACorridor(float radiiPerStep) {
         for (int seed = 100; seed < 103; seed++) {
-            slipped += bulletsThatLeaveACorridor(radiiPerStep, new Random(seed));
+            assertThat(bulletsThatLeaveACorridor(radiiPerStep, new Random(seed)))
+                    .as("seed %d", seed)
+                    .isZero();
         }
-        assertThat(slipped).isLessThanOrEqualTo(mostOfThreeHundred);
     }
 
     /** Shoots 100 bullets of restitution 1 between two fences for 300 steps; counts those that have been outside. */
@@ -198,7 +197,8 @@ class WorldTunnellingTest {
                 float aside = 0.5f * r * (2 * random.nextFloat() - 1) - slope * Math.min(way, 2 * r);
                 world.add(-way, (3 * (i - 30) + 0.5f) * pitch + aside, r, 1, speed, slope * speed);
             }
-            for (int k = -102; k <= 102; k++) {
+            int posts = (int) (200 / pitch); // up to the walls
+            for (int k = -posts; k <= posts; k++) {
                 world.add(0, k * pitch, r, Float.POSITIVE_INFINITY);
             }
             assertStayLeft(world, balls, 1.5f * r);

@@ -14,8 +14,8 @@
  *       ({@link io.github.circles2d.world.model.GridLevels}). A counting sort gives it a new slot: circles of one bucket are
  *       neighbours in memory, ascending by id. Then the circle gets its speculative distance: how far it looks for contacts in
  *       this step.
- *   <li><b>Continuous collision.</b> If a circle moves farther than its radius in the step, it looks along its path
- *       for what it would pass through, and its path ends there.
+ *   <li><b>Continuous collision.</b> If a circle moves farther in the step than its speculative distance covers, it looks along
+ *       its path for what it would meet. It stops where it touches that, or, if it touches it already, leaves it to their contact.
  *   <li><b>Contacts.</b> The circle finds the circles that its speculative distance meets, in 3 x 3 cells of its own level and of
  *       each coarser one that has circles. Pairs of static circles are left out. A pair is a contact of the level of its larger
  *       circle, and belongs to the group of its lesser column and row there. All contacts are sorted by (level, colour, group,

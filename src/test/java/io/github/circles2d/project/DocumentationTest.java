@@ -105,7 +105,8 @@ class DocumentationTest {
                 "docs/determinism.md",
                 "docs/glossary.md",
                 "docs/how-to-extend.md",
-                "docs/notes.md"
+                "docs/notes.md",
+                "docs/physics.md"
             })
     void everyLinkToAFileLeadsToOne(String document) throws IOException {
         Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));

@@ -21,13 +21,19 @@ abstract class Constraint {
 
     final StepParameters step;
     final float radii;
-    private final float restitution;
+    final float restitution;
 
     /** The sum of the inverse masses of the two sides. */
     private final float inverseMasses;
 
     private final float squaredThreshold;
-    private final float squaredCreep;
+
+    /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
+    final float inelasticity;
+
+    /** Gravity's part of the square of the threshold, per sum of radii. */
+    final float gravityRate;
+
     private final float pushSpeed;
     private final float biasRate;
     private final float massScale;
@@ -52,10 +58,10 @@ abstract class Constraint {
         this.radii = radii;
         this.restitution = restitution;
         this.inverseMasses = inverseMasses;
-        float inelastic = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
-        float creep = REST_SPEED * 0.5f * (inelastic * radii);
-        squaredCreep = creep * creep;
-        squaredThreshold = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity * radii + creep * creep;
+        inelasticity = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
+        float creep = REST_SPEED * 0.5f * (inelasticity * radii);
+        gravityRate = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity;
+        squaredThreshold = gravityRate * radii + creep * creep;
         pushSpeed = PUSH * radii;
         float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
         float a1 = 2f * DAMPING + omega;
@@ -81,11 +87,6 @@ abstract class Constraint {
     /** Whether a speed is an impact, or a parting, of circles that nothing carries. */
     boolean isImpactInFlight(float vn) {
         return isImpact(vn);
-    }
-
-    /** Whether a speed is greater than the creeping speed, which is the threshold without gravity's part. */
-    final boolean isFasterThanCreep(float vn) {
-        return vn * vn > squaredCreep;
     }
 
     /** What gravity adds to the normal speed in half a sub-step; a free bounce leaves it out. */

@@ -10,6 +10,7 @@ import java.util.function.Function;
 /** Two circles that may meet within the step. The normal is a unit vector from the circle of lower id to the other. */
 final class Contact extends Constraint {
     private static final float COINCIDENT = 1e-6f;
+    private static final float FLIGHT_REST_SPEED = 0.1f;
     private static final float LINGER = 1f;
 
     /** Two circles in the order of their ids. */
@@ -79,10 +80,11 @@ final class Contact extends Constraint {
         return separation < 0f && LINGER * LINGER * Numbers.dot(v, v) < separation * separation;
     }
 
-    /** Both fall alike, so gravity has no part in the threshold. */
+    /** By a lower threshold than that of circles that are carried: elastic ones bounce at any speed. */
     @Override
     boolean isImpactInFlight(float vn) {
-        return isFasterThanCreep(vn);
+        float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
+        return vn * vn > gravityRate * (inelasticity * radii) + creep * creep;
     }
 
     /** Not 0 only if one circle is static, since circles that both fall gain no speed against each other. */

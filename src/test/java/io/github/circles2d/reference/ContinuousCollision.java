@@ -82,7 +82,7 @@ final class ContinuousCollision {
                 || !c.isStatic() && !other.isStatic() && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;
         }
-        float reachToStatic = (c.radius + c.radius) + other.radius;
+        float reachToStatic = (c.radius + c.pathLength) + other.radius;
         if (other.isStatic() && length2(d) < reachToStatic * reachToStatic) {
             c.allowance = min(CLAMP_ALLOWANCE * c.radius, c.allowance);
         }
@@ -120,9 +120,12 @@ final class ContinuousCollision {
     private static void hold(Circle c, Circle other, float t) {
         c.contactTime = min(t, c.contactTime);
         c.stands |= other.isStatic();
-        boolean large = other.isStatic() || !(other.radius < c.radius);
-        float allowance = large ? c.radius : other.radius;
-        c.allowance = min(other.isStatic() || !large ? CLAMP_ALLOWANCE * allowance : allowance, c.allowance);
+        float allowance = CLAMP_ALLOWANCE * c.radius;
+        if (!other.isStatic()) {
+            boolean small = other.radius < c.radius;
+            allowance = small ? CLAMP_ALLOWANCE * other.radius : Numbers.clamp(c.pathLength, allowance, c.radius);
+        }
+        c.allowance = min(allowance, c.allowance);
     }
 
     private static void stop(Circle c, float t) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.bench;
 
+import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
 import io.github.circles2d.bench.report.Page;
@@ -64,6 +65,9 @@ public final class Bench {
                 case "smoke":
                     smoke(WITHOUT_FORKS);
                     smoke(WITH_A_FORK);
+                    break;
+                case "physics":
+                    PhysicsBench.run(rest, System.out);
                     break;
                 case "table":
                     ConsoleTable.print(folder(rest), System.out);

@@ -92,6 +92,10 @@ final class ContactPasses {
         return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
     }
 
+    private static float flightThreshold(float radii, float restitution, StepConstants k) {
+        return CircleMath.flightThreshold(radii, restitution, k.thresholdRate, k.flightRestRate);
+    }
+
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
     private void warmStart(int a, int b, float nx, float ny, float impulse, int carries) {
         float[] load = state.load;
@@ -132,7 +136,7 @@ final class ContactPasses {
                 int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
                 int meets = Constraints.meets(separation, vn, k.inverseH);
                 bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold);
-                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                float flight = flightThreshold(q[o + RADII], restitution, k);
                 visit = Constraints.visitOf(restitution, loaded, lingers, impulse, vn, meets, flight);
             }
             q[o + BOUNCE_SPEED] = bounce;
@@ -223,7 +227,7 @@ final class ContactPasses {
             // else it stays so: this only spares the reads
             if (restitution > 0f && impulse == 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                float flight = CircleMath.flightThreshold(q[o + RADII], restitution, k.restRate);
+                float flight = flightThreshold(q[o + RADII], restitution, k);
                 visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, flight);
             }
             if (visit != Constraints.SOLVE) {

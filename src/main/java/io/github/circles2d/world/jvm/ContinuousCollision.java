@@ -23,15 +23,18 @@ import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
 /**
- * Continuous collision: keeps fast circles from passing through others. A circle is fast if its path in this step is
- * longer than its radius. If two circles are not near enough for a contact, but would touch on their straight paths, the fast ones
- * of them stop where they touch; in the next step they have a contact. If they have a contact already, the path of a fast one
- * ends where they touch. The motion clamp then holds every circle: a collision may lead it away from its path by at most
- * half its radius in this step.
+ * Continuous collision: keeps fast circles from passing through others, and makes them meet as rigid circles would. A circle is
+ * fast if its path in this step is longer than its speculative distance covers. It stops where it touches another on their straight
+ * paths, and another fast one stops there too. In the next step both are a contact with an exact normal. If they are so close
+ * already that their contact solves them in this step, their paths end where they touch, but they may bounce off. A static circle is
+ * never stopped: one that moves looks ahead too, and takes along what it comes upon for the rest of the step.
+ *
+ * <p>The motion clamp then holds every circle: a collision may lead it away from its path by a part of its radius. At a static
+ * circle it may not go on along its path at all, or it would squeeze through narrow gaps.
  *
  * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
- * half the sum of their radii, so a circle skips blocks of cells whose circles all move much like itself. No speed changes, so
- * energy and momentum stay; a circle that is stopped loses time, at most one step.
+ * speculative distances cover, so a circle skips blocks of cells whose circles all move much like itself. A circle that is stopped
+ * loses time, at most one step, and with it what gravity would give it in that time: so its energy stays.
  */
 public final class ContinuousCollision {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
@@ -58,10 +61,10 @@ public final class ContinuousCollision {
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
     private int[] timeOfImpact = new int[0];
 
-    /** By slot: the share of its path that a circle can go before it touches one that it has a contact with. */
+    /** By slot: the contact time, which is the share of its path that a circle can go before it touches one that it is close to. */
     private float[] near = new float[0];
 
-    /** By slot: how far such a one lets it leave its path, in the same step; negative if it must not go on along it. */
+    /** By slot: how far such a one lets it leave its path; negative if it stands at a static one, and may not go on. */
     private float[] allowance = new float[0];
 
     /** By slot: the static circle that moves and that a circle touches at the end of its share; {@link #NOBODY}. */
@@ -280,8 +283,13 @@ public final class ContinuousCollision {
         }
         float dx = circle[o + X] - circle[s + X];
         float dy = circle[o + Y] - circle[s + Y];
-        if (stands && PairRule.isNear(dx, dy, r + r, ro) != 0) {
+        if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
+        }
+        // first what most pairs fail
+        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
+        if (!(t < 1f)) {
+            return;
         }
         boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
         if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
@@ -289,14 +297,10 @@ public final class ContinuousCollision {
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
-        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
-        if (!(t < 1f)) {
-            return;
-        }
         float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
         if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
             if (!pushes && !forPushers) {
-                hold(slot, t, stands ? Tuning.CLAMP_ALLOWANCE * r : ro < r ? Tuning.CLAMP_ALLOWANCE * ro : r, stands);
+                hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, stands), stands);
             }
         } else if (forPushers) {
             if (pushes && timeOfImpact[other] == Float.floatToRawIntBits(t)) {

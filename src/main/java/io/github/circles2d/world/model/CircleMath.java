@@ -134,7 +134,7 @@ public final class CircleMath {
 
     /**
      * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
-     * Two circles are listed as a contact where the distance of their centres is less than the sum of their reaches.
+     * Two circles are listed as a contact where the distance of their centres is less than the sum of their speculative distances.
      *
      * @param r radius
      * @param path length of what it moves in a step
@@ -145,7 +145,8 @@ public final class CircleMath {
     }
 
     /**
-     * Whether a circle is fast: it moves farther in a step than its reach covers, so it might come upon another unseen.
+     * Whether a circle is fast: it moves farther in a step than its speculative distance covers, so it might come upon another
+     * unseen.
      *
      * @param path length of what it moves in a step
      * @param r radius
@@ -208,7 +209,7 @@ public final class CircleMath {
      * @return a length
      */
     public static float sightMargin(float r, float path, float top) {
-        return 1.125f * ((r + top) + greatest(path, greatest(r, top)));
+        return 1.125f * ((r + top) + greatest(path, Tuning.CAP * top));
     }
 
     /**
@@ -223,10 +224,10 @@ public final class CircleMath {
     }
 
     /**
-     * Whether two circles move against each other by more than a number of mean radii.
+     * Whether a vector is longer than a length.
      *
-     * @param ux motion of the first minus that of the second
-     * @param uy motion of the first minus that of the second
+     * @param ux vector
+     * @param uy vector
      * @param length the length
      * @return true where they do
      */
@@ -277,7 +278,7 @@ public final class CircleMath {
     }
 
     /**
-     * When two circles touch that move evenly, if they come closer than a graze; else as {@link #timeOfTouch}.
+     * When two circles touch that move evenly, as {@link #timeOfTouch}, if they would do more than graze each other.
      *
      * @param dx second position minus first
      * @param dy second position minus first
@@ -289,6 +290,23 @@ public final class CircleMath {
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
+     * How far a circle that meets another at once may leave its path: as far as it flies back, but no farther than its radius,
+     * and hardly at all where a static circle or a smaller one is in its way.
+     *
+     * @param r radius
+     * @param path length of what it moves in a step
+     * @param other radius of the other
+     * @param stands whether the other is static
+     * @return a length
+     */
+    public static float holdAllowance(float r, float path, float other, boolean stands) {
+        if (stands) {
+            return Tuning.CLAMP_ALLOWANCE * r;
+        }
+        return other < r ? Tuning.CLAMP_ALLOWANCE * other : bounded(path, Tuning.CLAMP_ALLOWANCE * r, r);
     }
 
     /**
@@ -438,20 +456,28 @@ public final class CircleMath {
      * @return the square of the speed; 0 for an elastic pair without gravity
      */
     public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
-        float creep = lengthRate * (least((1f - e) * (1f / (1f - Tuning.NEARLY_ELASTIC)), 1f) * sum);
+        float creep = lengthRate * (inelasticity(e) * sum);
         return gravityRate * sum + creep * creep;
     }
 
     /**
-     * The same for two circles that nothing carries. Both fall alike, so gravity has no part in how fast they meet.
+     * The same for two circles that nothing carries. There is no pile to bring to rest, so the creeping speed is small, and for
+     * elastic pairs gravity's part goes down to 0, too: they bounce at any speed.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
-     * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
+     * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
+     * @param lengthRate creeping speed per sum of radii, of a pair without restitution
      * @return the square of the speed
      */
-    public static float flightThreshold(float sum, float e, float lengthRate) {
-        return bounceThreshold(sum, e, 0f, lengthRate);
+    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate) {
+        float creep = lengthRate * ((1f - e) * sum);
+        return gravityRate * (inelasticity(e) * sum) + creep * creep;
+    }
+
+    /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
+    private static float inelasticity(float e) {
+        return least((1f - e) * (1f / (1f - Tuning.NEARLY_ELASTIC)), 1f);
     }
 
     /**

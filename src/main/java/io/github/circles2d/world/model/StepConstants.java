@@ -59,6 +59,9 @@ public final class StepConstants {
     /** Threshold per sum of radii without gravity, of pairs that are not nearly elastic, 1/s. */
     public float restRate;
 
+    /** The same, of pairs without restitution that nothing carries, 1/s. */
+    public float flightRestRate;
+
     /** Greatest push-out speed of overlaps that are not deep, per sum of radii, 1/s. */
     public float pushRate;
 
@@ -111,6 +114,7 @@ public final class StepConstants {
         thresholdRateX = half * Math.abs(gravityX);
         thresholdRateY = half * Math.abs(gravityY);
         restRate = Tuning.REST_SPEED * 0.5f;
+        flightRestRate = Tuning.FLIGHT_REST_SPEED * 0.5f;
         pushRate = Tuning.PUSH;
     }
 }

@@ -7,7 +7,7 @@ public final class Tuning {
     /** A pair is listed as a contact from this gap on, in mean radii of the pair, even if nothing moves; half of it here. */
     public static final float MARGIN = 0.025f;
 
-    /** Motion within a step that is looked ahead for, in radii of the circle that moves. */
+    /** Motion within a step that the speculative distance covers, in radii of the circle that moves; a faster one looks ahead. */
     public static final float CAP = 0.25f;
 
     /** A circle goes no farther in a step, in its own radii. */
@@ -22,7 +22,7 @@ public final class Tuning {
     /** A fast circle nearer than this to one that it will touch, in sums of radii, does not stop there: their contact has it. */
     public static final float HOLD = 0.075f;
 
-    /** Share of that allowance that is left beside the path of a circle that is at a static one. */
+    /** What is left of its allowance to a circle that stands at a static one, unless it flies back. */
     public static final float ASIDE = 0.1f;
 
     /** Circles that would graze each other no deeper than this do not stop each other, in sums of radii. */
@@ -76,8 +76,14 @@ public final class Tuning {
     /** The other part of that speed, in mean radii of the pair a second, up to a restitution of {@link #NEARLY_ELASTIC}. */
     static final float REST_SPEED = 1f;
 
-    /** From this restitution on, {@link #REST_SPEED} goes down, to 0 at a restitution of 1. */
+    /** From this restitution on, {@link #REST_SPEED} goes down, to 0 at a restitution of 1; so does gravity's part in free flight. */
     public static final float NEARLY_ELASTIC = 0.9f;
+
+    /**
+     * As {@link #REST_SPEED}, but for two circles that nothing carries and for a restitution of 0. It goes down evenly to 0 at a
+     * restitution of 1.
+     */
+    static final float FLIGHT_REST_SPEED = 0.1f;
 
     /** Circles in free flight that overlap are pushed out if they would not part by themselves within this time, seconds. */
     public static final float LINGER = 1f;

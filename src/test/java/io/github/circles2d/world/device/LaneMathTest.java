@@ -53,7 +53,7 @@ class LaneMathTest {
     private static final String VISITS =
             "NAME(Found) NAME(found)(const StepConstants *k, REAL A, REAL B, REAL C, REAL F) {\n"
                     + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B),\n"
-                    + "                     NAME(flightThreshold)(fabs(A), B, k->restRate), fabs(F), C, F > 0.0f,\n"
+                    + "                     NAME(flightThreshold)(fabs(A), B, k->thresholdRate, k->flightRestRate), fabs(F), C, F > 0.0f,\n"
                     + "                     fabs(C), B, fabs(A * B), A};\n"
                     + "    return f;\n"
                     + "}\n"
@@ -124,7 +124,7 @@ class LaneMathTest {
                         + "    global const float *x = in + 24 * i;\n"
                         + "    StepConstants k;\n"
                         + "    k.h = 0x1p-8f; k.inverseH = 240.0f;\n"
-                        + "    k.thresholdRate = 0.3f; k.restRate = 0.7f; k.pushRate = 4.0f;\n"
+                        + "    k.thresholdRate = 0.3f; k.restRate = 0.7f; k.flightRestRate = 0.2f; k.pushRate = 4.0f;\n"
                         + "    k.biasRate = 45.0f; k.massScale = 0.9f; k.impulseScale = 0.1f;\n"
                         + "    float lanes[4];\n");
         for (int formula = 0; formula < FORMULAS.length; formula++) {

@@ -35,6 +35,7 @@ public final class Options {
             "usage: benchmarks.jar [OPTIONS]            runs the sweep",
             "       benchmarks.jar jmh ARGUMENTS        runs JMH itself (jmh -h for its help)",
             "       benchmarks.jar smoke                executes every benchmark once at its smallest size",
+            "       benchmarks.jar physics ARGUMENTS    measures World's physics (physics --help for its help)",
             "       benchmarks.jar table DIR            prints the table of a results folder",
             "       benchmarks.jar charts DIR           draws the charts of a results folder, or of all in DIR/machines.txt",
             "       benchmarks.jar page RESULTS PAGE    writes the results page from the folders in RESULTS",

@@ -30,6 +30,11 @@ public final class StepParameters {
                     "the same, of walls across the x axis")
             .field("float", "thresholdRateY", (k, to) -> to.put(k.thresholdRateY), "the same, across the y axis")
             .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity and restitution")
+            .field(
+                    "float",
+                    "flightRestRate",
+                    (k, to) -> to.put(k.flightRestRate),
+                    "the same, of circles that nothing carries")
             .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
             .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
             .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")

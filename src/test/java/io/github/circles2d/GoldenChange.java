@@ -1,0 +1,93 @@
+package io.github.circles2d;
+
+import io.github.circles2d.scenes.Scene;
+import java.util.SplittableRandom;
+
+/** What a caller does to a scene every few steps while it runs. */
+@FunctionalInterface
+interface GoldenChange {
+    /** The steps between two changes. */
+    int PERIOD = 7;
+
+    /** No change: the steps up to a mark are made by one call. */
+    GoldenChange NONE = run -> {};
+
+    /** Changes the world of a run, or the time step of the steps to come. */
+    void apply(GoldenScene.Run run);
+
+    /** Some circles go, as many come, some are pushed, moved, resized or get another restitution. */
+    static void churn(GoldenScene.Run run) {
+        Scene scene = run.scene();
+        WorldCalls world = run.calls();
+        SplittableRandom random = run.random();
+        int n = world.size();
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        float width = scene.maxX() - scene.minX();
+        float height = scene.maxY() - scene.minY();
+        for (int k = 0; k < 5; k++) {
+            int gone = random.nextInt(n);
+            if (world.contains(handles[gone])) {
+                world.remove(handles[gone]);
+                float x = scene.minX() + unit(random) * width;
+                float y = scene.minY() + unit(random) * height;
+                world.add(x, y, circles[4 * gone + 2], circles[4 * gone + 3], 0, 0);
+            }
+        }
+        int some = random.nextInt(n);
+        if (world.contains(handles[some])) {
+            float mass = circles[4 * some + 3];
+            world.applyImpulse(handles[some], 0.1f * (unit(random) - 0.5f) * mass, 0.1f * unit(random) * mass);
+        }
+        some = random.nextInt(n);
+        if (world.contains(handles[some])) {
+            world.setPosition(handles[some], scene.minX() + unit(random) * width, scene.minY() + unit(random) * height);
+            world.setVelocity(
+                    handles[some], 0.5f * width * (unit(random) - 0.5f), 0.5f * height * (unit(random) - 0.5f));
+        }
+        some = random.nextInt(n);
+        if (world.contains(handles[some])) {
+            world.setRadius(handles[some], circles[4 * some + 2] * (0.75f + 0.25f * unit(random)));
+            world.setMass(handles[some], 0.5f * circles[4 * some + 3]);
+            world.setRestitution(handles[some], unit(random));
+        }
+    }
+
+    /** The time step becomes another one between 1/240 and 1/30 s. */
+    static void timeStep(GoldenScene.Run run) {
+        run.setTimeStep(1f / 240 + (1f / 30 - 1f / 240) * unit(run.random()));
+    }
+
+    /** The static circles set out for places that they reach by the next change; some of them lie outside the bounds. */
+    static void paddles(GoldenScene.Run run) {
+        Scene scene = run.scene();
+        float perSecond = 1 / (PERIOD * scene.timeStep());
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        for (int i = 0; i < run.calls().size(); i++) {
+            if (circles[4 * i + 3] == Float.POSITIVE_INFINITY) {
+                float x = scene.minX() + (1.1f * unit(run.random()) - 0.05f) * (scene.maxX() - scene.minX());
+                float y = scene.minY() + (1.1f * unit(run.random()) - 0.05f) * (scene.maxY() - scene.minY());
+                run.calls()
+                        .setVelocity(
+                                handles[i], (x - circles[4 * i]) * perSecond, (y - circles[4 * i + 1]) * perSecond);
+            }
+        }
+    }
+
+    /** Every tenth radius grows at once, early and again when the circles have come to rest, then another tenth of them. */
+    static void growth(GoldenScene.Run run) {
+        int first = run.steps() == 2 * PERIOD ? 0 : 5;
+        if (run.steps() == 2 * PERIOD || run.steps() == 30 * PERIOD) {
+            long[] handles = run.readHandles();
+            float[] circles = run.readCircles();
+            for (int i = first; i < run.calls().size(); i += 10) {
+                run.calls().setRadius(handles[i], 1.6f * circles[4 * i + 2]);
+            }
+        }
+    }
+
+    private static float unit(SplittableRandom random) {
+        return random.nextInt(1 << 24) * 0x1p-24f;
+    }
+}

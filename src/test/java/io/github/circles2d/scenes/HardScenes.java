@@ -1,0 +1,97 @@
+package io.github.circles2d.scenes;
+
+import java.util.Random;
+
+/** Scenes that ask more of the solver than published ones do. They fit in the unit arena; steps are of 1/60 s. */
+public final class HardScenes {
+    private static final float STEP = 1f / 60f;
+
+    private HardScenes() {}
+
+    /** A jam: circles with radii and masses as in {@link Scenes#packed}, no gravity, restitution 0.5, and a fill of 1.1. */
+    public static Scene jam(int n, long seed) {
+        Scene packed = Scenes.packed(n, seed);
+        Scene.Builder b = new Scene.Builder("jam", n).restitution(0.5f);
+        float larger = (float) Math.sqrt(1.1 / packed.fill());
+        for (int i = 0; i < n; i++) {
+            // x and y of packed run from 0.1 to 0.9
+            float x = (packed.x(i) - 0.1f) / 0.8f;
+            float y = (packed.y(i) - 0.1f) / 0.8f;
+            b.circle(i, x, y, packed.radius(i) * larger, packed.mass(i));
+        }
+        return b.build();
+    }
+
+    /** A pile: rows of circles that lie on the floor and on each other, almost at rest; gravity (0, -1), restitution 0.5. */
+    public static Scene pile(int columns, int rows, long seed) {
+        Scene.Builder b =
+                new Scene.Builder("pile", columns * rows).gravity(0, -1).restitution(0.5f);
+        Random random = new Random(seed);
+        float pitch = 1 / (columns + 0.5f);
+        for (int i = 0; i < columns * rows; i++) {
+            int row = i / columns;
+            float x = (i % columns + (row % 2 == 0 ? 0.5f : 1)) * pitch;
+            float y = (0.5f + 0.8660254f * row) * pitch;
+            float r = 0.5f * pitch * (0.95f + 0.05f * random.nextFloat());
+            b.circle(i, x, y, r, 1 + 9 * random.nextFloat());
+        }
+        return b.build();
+    }
+
+    /**
+     * A fence: side by side balls, r = 0.24 / side, that move 0.5 to 64 radii a step between two rows of static circles of a
+     * twentieth of the radius, a radius apart, which cross in the middle. No gravity, restitution 1.
+     *
+     * @param side the balls in a row, an even number
+     */
+    public static Scene fence(int side, long seed) {
+        float r = 0.24f / side;
+        int posts = (int) (1 / r);
+        Scene.Builder b = new Scene.Builder("fence", side * side + 2 * posts).restitution(1);
+        Random random = new Random(seed);
+        lattice(b, side, r, random);
+        for (int i = 0; i < side * side; i++) {
+            double speed = r / STEP * 0.5 * StrictMath.pow(128, random.nextDouble());
+            double angle = random.nextDouble() * 2 * Math.PI;
+            b.velocity(i, (float) (speed * StrictMath.cos(angle)), (float) (speed * StrictMath.sin(angle)));
+        }
+        for (int k = 0; k < posts; k++) {
+            int c = side * side + 2 * k;
+            b.circle(c, 0.5f, (k + 0.5f) * r, r / 20, 1);
+            b.circle(c + 1, (k + 0.5f) * r, 0.5f, r / 20, 1);
+            b.fixed[c] = true;
+            b.fixed[c + 1] = true;
+        }
+        return b.build();
+    }
+
+    /**
+     * Paddles: static circles, 2 to 5 times as wide as the side by side free balls around them, which fall; gravity (0, -1),
+     * restitution 0.5. The paddles move up at 0 to 6 of the balls' radii a step.
+     */
+    public static Scene paddles(int paddles, int side, long seed) {
+        float r = 0.3f / side;
+        int balls = side * side;
+        Scene.Builder b =
+                new Scene.Builder("paddles", balls + paddles).gravity(0, -1).restitution(0.5f);
+        Random random = new Random(seed);
+        lattice(b, side, r, random);
+        for (int k = 0; k < paddles; k++) {
+            float radius = r * (2 + 3 * random.nextFloat());
+            b.circle(balls + k, (k + 0.5f) / paddles, 0, radius, 1);
+            b.velocity(balls + k, 0, 6 * r / STEP * random.nextFloat());
+            b.fixed[balls + k] = true;
+        }
+        return b.build();
+    }
+
+    /** Puts balls into the unit arena, one into each of side by side squares, not quite in its middle. */
+    private static void lattice(Scene.Builder b, int side, float r, Random random) {
+        float room = 1f / side - 2 * r;
+        for (int i = 0; i < side * side; i++) {
+            float x = (i % side + 0.5f) / side + 0.9f * room * (random.nextFloat() - 0.5f);
+            float y = (i / side + 0.5f) / side + 0.9f * room * (random.nextFloat() - 0.5f);
+            b.circle(i, x, y, r, 1 + 9 * random.nextFloat());
+        }
+    }
+}
