@@ -31,7 +31,7 @@ Found foundWall(const StepConstants *k, float x, float dx, float r, float e, boo
     f.separation = wallGap(x, dx, r, *side, min, max);
     f.restitution = e;
     f.threshold = bounceThreshold(2.0f * r, e, thresholdRate, k->restRate);
-    f.flight = f.threshold; // a wall does not fall with the circle
+    f.flight = f.threshold; // walls have one threshold
     f.mass = 1.0f;
     f.normalImpulse = wallImpulse(stored, *side);
     f.loaded = loaded;

@@ -461,8 +461,8 @@ public final class CircleMath {
     }
 
     /**
-     * The same for two circles that nothing carries. There is no pile to bring to rest, so the creeping speed is small, and for
-     * elastic pairs gravity's part goes down to 0, too: they bounce at any speed.
+     * The same for two circles that nothing carries. The creeping speed is lower, and for elastic pairs gravity's part goes down to 0,
+     * too, so they bounce at any speed.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
