@@ -2,43 +2,48 @@
 // The physics of a contact, of two circles or of a circle and a wall. It is measured, made ready, which is everything that does
 // not depend on velocities, and then visited, without branches. Schedules load, call and store.
 
-// 1 for a restitution that is not nearly 1, from there down to 0.
+// 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1.
 REAL NAME(inelasticity)(REAL restitution) {
     return NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f));
 }
 
-// The square of the normal speed beyond which a contact bounces. radii: their sum.
+// The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed that goes down to 0 for
+// elastic pairs. radii: their sum.
 REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
     REAL creep = lengthRate * (NAME(inelasticity)(restitution) * radii);
     return gravityRate * radii + creep * creep;
 }
 
-// The same where nothing carries the circles.
+// The same for two circles that nothing carries: for elastic pairs all of it goes down to 0.
 REAL NAME(flightThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
     REAL creep = lengthRate * ((1.0f - restitution) * radii);
     return gravityRate * (NAME(inelasticity)(restitution) * radii) + creep * creep;
 }
 
+// The same for circles of which one is carried.
 REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {
     return NAME(bounceThreshold)(radii, restitution, k->thresholdRate, k->restRate);
 }
 
-// The speed at which an overlap that is not deep is pushed out.
+// The greatest speed at which an overlap that is not deep is pushed out.
 REAL NAME(pushSpeed)(const StepConstants *k, REAL radii) { return k->pushRate * radii; }
 
-// The speed at which an overlap is pushed out, negative.
+// The speed at which an overlap is pushed out, negative: in proportion to the depth, then constant, then growing again if the pair
+// is deep; it never exceeds the proportion.
 REAL NAME(pushOut)(REAL separation, REAL pushSpeed, float biasRate) {
     REAL deep = DEEP_RATE * separation + DEEP_OFFSET * pushSpeed;
     return NAME(greatest)(biasRate * separation, NAME(least)(-pushSpeed, deep));
 }
 
-// What gravity adds to the normal speed of a pair in half a sub-step. fall: what it adds to that of a circle in a whole one.
+// What gravity adds to the normal speed of a pair in half a sub-step; 0 if both circles fall. Velocities are half a sub-step ahead of
+// positions, so a free bounce leaves it out. fall: what gravity adds to a circle's speed along the normal in a whole sub-step.
 REAL NAME(halfFall)(REAL fall, REAL invMassA, REAL invMassB) {
     REAL half_ = 0.5f * fall;
     return NAME(choose)(invMassA == 0.0f, half_, NAME(choose)(invMassB == 0.0f, -half_, (REAL)(0.0f)));
 }
 
-// Whether surfaces overlap that would not part by themselves for long. squaredSpeed: of the relative velocity before any impulse.
+// Whether surfaces overlap and would need longer than LINGER to move as far as they are deep. squaredSpeed: of the relative velocity
+// before any impulse.
 MASK NAME(lingers)(REAL separation, REAL squaredSpeed) {
     REAL way = LINGER * LINGER * squaredSpeed;
     return separation < 0.0f && way < separation * separation;
@@ -83,7 +88,7 @@ REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL
 typedef struct {
     REAL separation, restitution;
     REAL threshold; // see restitutionThreshold
-    REAL flight;    // the same where nothing carries the circles
+    REAL flight;    // see flightThreshold; a wall has the threshold
     REAL mass;      // effective
     REAL normalImpulse;
     MASK loaded; // whether one of its circles is
@@ -91,7 +96,7 @@ typedef struct {
     REAL pushSpeed;
     REAL before;       // normal speed before any impulse
     REAL squaredSpeed; // of the relative velocity before any impulse
-    REAL halfFall;     // see there
+    REAL halfFall;     // see the function
 } NAME(Found);
 
 // A contact made ready to be visited.
@@ -101,7 +106,7 @@ typedef struct {
     REAL flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
     REAL gain;              // of the normal speed at a free bounce
     REAL halfFall;          // taken from the normal speed at a free bounce
-    MASK lingers;           // in the biased pass: they are not left alone, even if they part
+    MASK lingers;           // in the biased pass: they overlap for long, and are not left alone even if they part
     REAL meeting;           // in the biased pass: they bounce freely if the sum of this and the normal speed is negative
     REAL bounce;            // target speed of a bounce
     REAL restingLimit;      // in the relaxing pass; see carries

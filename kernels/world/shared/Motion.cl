@@ -114,7 +114,7 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
     if (isStatic) {
-        // a static circle that is stopped has stopped: what lies on it must not see it go on
+        // Circles that lie on a static one must not see it move on when the bounds have stopped it.
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     } else {

@@ -31,13 +31,13 @@ Found foundWall(const StepConstants *k, float x, float dx, float r, float e, boo
     f.separation = wallGap(x, dx, r, *side, min, max);
     f.restitution = e;
     f.threshold = bounceThreshold(2.0f * r, e, thresholdRate, k->restRate);
-    f.flight = f.threshold;
+    f.flight = f.threshold; // walls have one threshold
     f.mass = 1.0f;
     f.normalImpulse = wallImpulse(stored, *side);
     f.loaded = loaded;
     f.pushSpeed = pushSpeed(k, 2.0f * r);
-    f.squaredSpeed = INFINITY;
-    f.halfFall = 0.0f;
+    f.squaredSpeed = INFINITY; // never lingers
+    f.halfFall = 0.0f;         // leftBehind takes its place
     return f;
 }
 

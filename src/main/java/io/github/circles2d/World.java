@@ -39,8 +39,21 @@ import java.util.Objects;
  *
  * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
  * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
- * walls and each other, and they move only by the velocity set for them (none at first). <b>Restitution:</b> a pair has the
- * greater of its two circles' values; a wall takes the circle's.
+ * walls and each other, and they move only by the velocity set for them (none at first).
+ *
+ * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's at a wall. g is
+ * gravity; at a wall only its component along that axis counts. c is r per second up to a restitution of 0.9, and goes down from
+ * there to 0 at 1. So an elastic ball bounces off the floor if it has fallen by more than about 0.08 of its radius. Two circles that
+ * nothing carries bounce at lower speeds: c is 0.1 (1 - restitution) r per second, and the part of gravity, too, goes down to 0
+ * from a restitution of 0.9 to 1, so that elastic circles in flight bounce at any speed.
+ *
+ * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
+ * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones
+ * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
+ *
+ * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
+ * by 0.4 radii. From about ten thousand times its mass on, it sinks through.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare.
@@ -54,8 +67,10 @@ import java.util.Objects;
  * about one in a hundred. In one step a circle moves at most 64 of its radii, whatever its velocity: do not make circles tiny that
  * are to fly far.
  *
- * <p><b>Time steps</b> had better all have one length: take real time into an accumulator and make whole steps. Piles settle for
- * one length, and a step of another stirs them up a little.
+ * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
+ * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
+ * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays takes real time
+ * into an accumulator and makes whole steps of one length.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
  * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
@@ -100,8 +115,8 @@ public final class World implements AutoCloseable {
      *
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
-     * @param radius radius
-     * @param mass mass; positive infinity for a static circle
+     * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
      * @return its handle
      * @throws IllegalArgumentException where a value is out of range
      */
@@ -114,10 +129,10 @@ public final class World implements AutoCloseable {
      *
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
-     * @param radius radius
-     * @param mass mass; positive infinity for a static circle
-     * @param vx velocity
-     * @param vy velocity
+     * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
+     * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
+     * @param vy velocity along y, likewise
      * @return its handle
      * @throws IllegalArgumentException where a value is out of range
      */
@@ -180,7 +195,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle somewhere else.
+     * Puts a circle somewhere else; its velocity stays. It may overlap others there, which are pushed apart (see the class).
      *
      * @param handle the circle
      * @param x x of the centre, within the bounds
@@ -196,8 +211,8 @@ public final class World implements AutoCloseable {
      * bounds it stops, and has no velocity from there on.
      *
      * @param handle the circle
-     * @param vx velocity
-     * @param vy velocity
+     * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
+     * @param vy velocity along y, likewise
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
@@ -205,10 +220,11 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle another radius; its mass stays.
+     * Gives a circle another radius; its mass stays. Others that it overlaps then are pushed out slowly (see the class), so many
+     * circles may grow at once.
      *
      * @param handle the circle
-     * @param radius radius
+     * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
@@ -219,7 +235,8 @@ public final class World implements AutoCloseable {
      * Gives a circle another mass.
      *
      * @param handle the circle
-     * @param mass mass; positive infinity makes it a static circle, which keeps its velocity
+     * @param mass mass, 1e-9 to 1e9 (a circle can carry about a hundred times its own); positive infinity makes it a static circle,
+     *     which keeps its velocity
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
@@ -227,10 +244,10 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle a restitution of its own.
+     * Gives a circle another restitution than the world's.
      *
      * @param handle the circle
-     * @param restitution 0 (inelastic) to 1 (elastic)
+     * @param restitution 0 (inelastic) to 1 (elastic); slow impacts do not bounce (see the class)
      * @throws IllegalArgumentException where the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
@@ -250,11 +267,11 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes a circle: its velocity changes by the impulse over its mass. A static circle does not mind.
+     * Pushes a circle: its velocity changes by the impulse over its mass. That of a static circle stays.
      *
      * @param handle the circle
-     * @param x impulse, mass times velocity
-     * @param y impulse
+     * @param x impulse along x, mass times length per second, up to 1e18 in magnitude
+     * @param y impulse along y, likewise
      * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
@@ -267,8 +284,8 @@ public final class World implements AutoCloseable {
     /**
      * Changes gravity.
      *
-     * @param x acceleration
-     * @param y acceleration, negative downwards
+     * @param x acceleration along x, lengths per second squared, up to 1e9 in magnitude
+     * @param y acceleration along y, likewise; negative downwards
      * @throws IllegalArgumentException where a value is out of range
      */
     public void setGravity(float x, float y) {
@@ -363,7 +380,7 @@ public final class World implements AutoCloseable {
     /**
      * Makes one step.
      *
-     * @param timeStep its length in seconds, 1e-6 to 1; games use 1 / 60f
+     * @param timeStep its length in seconds, 1e-6 to 1; games use 1 / 60f. It may differ from that of the step before
      * @throws IllegalArgumentException where the value is out of range
      */
     public void step(float timeStep) {
@@ -698,8 +715,8 @@ public final class World implements AutoCloseable {
         /**
          * Gravity. By default none.
          *
-         * @param x acceleration
-         * @param y acceleration, negative downwards
+         * @param x acceleration along x, lengths per second squared, up to 1e9 in magnitude
+         * @param y acceleration along y, likewise; negative downwards
          * @return this
          * @throws IllegalArgumentException where a value is out of range
          */
@@ -710,7 +727,7 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * The restitution that new circles get. By default 0.5.
+         * The restitution that new circles get. By default 0.5. {@link World} says which impacts are too slow to bounce.
          *
          * @param restitution 0 (inelastic) to 1 (elastic)
          * @return this
@@ -722,7 +739,8 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * Sub-steps a step: more are stiffer and slower. By default 4.
+         * Sub-steps per step: more solve contacts more exactly and take more time. By default 4. Contacts have their full stiffness
+         * if a sub-step is at most 1/223 second long, as a quarter of 1/60 second is.
          *
          * @param subSteps 1 to 16
          * @return this

@@ -28,9 +28,10 @@
  *             loaded if one of its contacts, or a wall, carries. Apply the sum of its contacts' impulses at once (warm start), then
  *             visit the nearer wall of each axis with bias.
  *         <li><b>solve</b> (by contact, level after level, colour after colour). Stop the approach, or the part of it that would
- *             close the gap within h; push overlaps out softly; bounce.
+ *             close the gap within h; push overlaps out softly, slowly unless they are deep; bounce. Two circles that nothing
+ *             carries bounce at once, and are left alone while they part.
  *         <li><b>integratePositions</b> (by circle). Displacement += velocity x h, within the motion clamp and the walls; visit the
- *             walls without bias; clear the sums.
+ *             walls without bias; clear the sums. A circle that the farther wall of an axis holds stops there.
  *         <li><b>relax</b> (by contact, in the same order). Measure the contact again. Visit it without bias, which takes the speed
  *             of the push-out away again, and add its impulse to the sums of its circles. In the last sub-step the impulse goes to
  *             the impulse cache instead.

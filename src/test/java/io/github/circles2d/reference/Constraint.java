@@ -28,10 +28,10 @@ abstract class Constraint {
 
     private final float squaredThreshold;
 
-    /** 1 for a restitution that is not nearly 1, from there down to 0. */
+    /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
     final float inelasticity;
 
-    /** The square of the threshold per sum of radii, from gravity. */
+    /** Gravity's part of the square of the threshold, per sum of radii. */
     final float gravityRate;
 
     private final float pushSpeed;
@@ -50,7 +50,7 @@ abstract class Constraint {
     /**
      * A constraint of a step.
      *
-     * @param gravity of the size that counts for what is an impact
+     * @param gravity the part of gravity that decides which impacts bounce, at least 0
      */
     Constraint(
             StepParameters step, float stiffness, float gravity, float radii, float restitution, float inverseMasses) {
@@ -79,17 +79,17 @@ abstract class Constraint {
 
     abstract void apply(float impulse);
 
-    /** Whether surfaces overlap that would not part by themselves for long. */
+    /** Whether surfaces overlap and would not part by themselves for long; in the biased pass they are not left alone then. */
     boolean lingers() {
         return false;
     }
 
-    /** Whether free circles bounce at a speed, or fly apart. */
+    /** Whether a speed is an impact, or a parting, of circles that nothing carries. */
     boolean isImpactInFlight(float vn) {
         return isImpact(vn);
     }
 
-    /** What gravity adds to the normal speed in half a sub-step. */
+    /** What gravity adds to the normal speed in half a sub-step; a free bounce leaves it out. */
     float halfFall() {
         return 0f;
     }

@@ -73,21 +73,21 @@ final class Contact extends Constraint {
         return Numbers.dot(normal, minus(velocity.apply(higher), velocity.apply(lower)));
     }
 
-    /** By the relative velocity before any impulse, against a time. */
+    /** By the relative velocity before any impulse: it takes longer than LINGER to cover the depth. */
     @Override
     boolean lingers() {
         float[] v = minus(higher.velocityBeforeImpulses, lower.velocityBeforeImpulses);
         return separation < 0f && LINGER * LINGER * Numbers.dot(v, v) < separation * separation;
     }
 
-    /** Elastic ones bounce at any speed. */
+    /** By a lower threshold than that of circles that are carried: elastic ones bounce at any speed. */
     @Override
     boolean isImpactInFlight(float vn) {
         float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
         return vn * vn > gravityRate * (inelasticity * radii) + creep * creep;
     }
 
-    /** Only if one circle is static: else both fall. */
+    /** Not 0 only if one circle is static, since circles that both fall gain no speed against each other. */
     @Override
     float halfFall() {
         float half = 0.5f * Numbers.dot(normal, new float[] {step.gravityStep(0), step.gravityStep(1)});

@@ -30,7 +30,11 @@ final class Wall extends Constraint {
         separation = (height - c.radius) + normal * c.displacement[axis];
     }
 
-    /** Stops the circle if it has moved to a displacement at which the wall that it is not near to has held it. */
+    /**
+     * Stops the circle if the farther wall has cut its displacement.
+     *
+     * @param displacement the displacement before the walls cut it
+     */
     void stopAtFarWall(float displacement) {
         if (normal > 0f ? c.displacement[axis] < displacement : c.displacement[axis] > displacement) {
             c.velocity[axis] = 0f;

@@ -187,7 +187,7 @@ final class CirclePasses {
                 state.fresh[slot] = false;
             }
             if (w == 0f) {
-                // a static circle that is stopped has stopped: what lies on it must not see it go on
+                // circles that lie on a static one must not see it move on when the bounds have stopped it
                 m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
                 m[s + VY] = m[s + DY] == dy ? m[s + VY] : 0f;
             } else {

@@ -445,13 +445,14 @@ public final class CircleMath {
     }
 
     /**
-     * The speed below which an impact does not bounce: what gravity would give within a small part of a radius, so that piles
-     * come to rest; and a creeping speed, which goes down to 0 for elastic pairs, so that clumps come to rest without gravity too.
+     * The square of the speed up to which an impact does not bounce. One part is the speed of a fall from a small part of a radius, so
+     * that piles come to rest. The other is a creeping speed, so that clumps come to rest without gravity too; it goes down to 0 for
+     * elastic pairs.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
-     * @param gravityRate square of the threshold per sum of radii, from gravity
-     * @param lengthRate threshold per sum of radii, of a pair that is not nearly elastic
+     * @param gravityRate gravity's part, per sum of radii
+     * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
      * @return the square of the speed; 0 for an elastic pair without gravity
      */
     public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
@@ -460,12 +461,13 @@ public final class CircleMath {
     }
 
     /**
-     * The same for two circles that nothing carries: 0 for an elastic pair, with gravity too, and little without gravity.
+     * The same for two circles that nothing carries. The creeping speed is lower, and for elastic pairs gravity's part goes down to 0,
+     * too, so they bounce at any speed.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
-     * @param gravityRate square of the threshold per sum of radii, from gravity, of a pair that is not nearly elastic
-     * @param lengthRate threshold per sum of radii, of a pair without restitution
+     * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
+     * @param lengthRate creeping speed per sum of radii, of a pair without restitution
      * @return the square of the speed
      */
     public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate) {
@@ -473,6 +475,7 @@ public final class CircleMath {
         return gravityRate * (inelasticity(e) * sum) + creep * creep;
     }
 
+    /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
     private static float inelasticity(float e) {
         return least((1f - e) * (1f / (1f - Tuning.NEARLY_ELASTIC)), 1f);
     }
@@ -490,13 +493,14 @@ public final class CircleMath {
     }
 
     /**
-     * What gravity adds to the normal speed of a pair in half a sub-step: a free bounce takes it back, and then neither gains nor
-     * loses height. 0 for two circles that both fall.
+     * What gravity adds to the normal speed of a pair in half a sub-step. Sub-steps are a leapfrog, so velocities are half a
+     * sub-step ahead of positions. A free bounce turns round the velocity that belongs to the position, and so neither gains nor loses
+     * height.
      *
      * @param fall component along the normal of what gravity adds to the velocity of a circle in a sub-step
-     * @param wLo inverse mass
-     * @param wHi inverse mass
-     * @return a speed, negative where gravity brings the two together
+     * @param wLo inverse mass of the lower id's circle, 0 if it is static
+     * @param wHi inverse mass of the higher id's circle, 0 if it is static
+     * @return a speed, negative if gravity brings the two together; 0 if both circles fall
      */
     public static float halfFall(float fall, float wLo, float wHi) {
         float half = 0.5f * fall;
@@ -534,7 +538,8 @@ public final class CircleMath {
     }
 
     /**
-     * By how much a circle would end a sub-step too far from a wall, had it turned at its start: it flies on to the wall first.
+     * By how much a circle that bounces off a wall would end the sub-step too far from it, since it turns at the start of the sub-step
+     * and not when it reaches the wall.
      *
      * @param gap separation at the start
      * @param vn normal speed, negative where it bounces
@@ -573,12 +578,13 @@ public final class CircleMath {
     }
 
     /**
-     * The velocity of a circle that has moved: the wall that it is not near to stops it too. (In a tube of one diameter both are.)
+     * The velocity of a circle along an axis after it has moved: 0 if the farther wall has cut its displacement. Only the nearer wall
+     * is a constraint; in a tube of one diameter the circle is at both.
      *
      * @param v velocity along the axis
-     * @param displacement as it would be without walls
-     * @param kept as it is
-     * @param side the nearer wall
+     * @param displacement displacement along the axis before the walls cut it
+     * @param kept displacement after
+     * @param side the nearer wall, by {@link #wallSide}
      * @return v, or 0
      */
     public static float stopAtFarWall(float v, float displacement, float kept, float side) {

@@ -34,9 +34,8 @@ public final class CircleRow {
     public static final int LOADED = 2;
     public static final int LOADED_NEXT = 3;
 
-    // motionClamp: the path that is free, how far the circle may leave it, and for one that stands at a static circle
-    // the share of
-    // the path that it may go
+    // motionClamp: the path that is free; how far the circle may leave it; and, for a circle that stands at a
+    // static one, the share of the path that it may go
     public static final int PATH_X = 0;
     public static final int PATH_Y = 1;
     public static final int ALLOWANCE = 2;

@@ -75,7 +75,8 @@ public final class Constraints {
     }
 
     /**
-     * Whether surfaces overlap that would not part by themselves for long.
+     * Whether surfaces overlap and would need longer than {@link Tuning#LINGER} to move as far as they are deep. The speed is the
+     * whole relative one: by that along the normal alone, more pairs of an elastic gas would be pushed out, and it would lose energy.
      *
      * @param squaredSpeed square of the relative speed at the start of the sub-step, before any impulse
      */
@@ -85,8 +86,8 @@ public final class Constraints {
     }
 
     /**
-     * What to do with a constraint: circles in free flight are left alone if they part, unless they linger, and bounce if they
-     * meet, faster than the threshold.
+     * How to treat a constraint. Circles in free flight, which move against each other faster than the threshold, bounce if they
+     * meet, and are left alone if they part, unless they linger. All others are solved.
      *
      * @param loaded greater than 0 if something carries one of the circles
      * @param lingers by {@link #lingers}
@@ -107,8 +108,8 @@ public final class Constraints {
      * sub-step; pushes an overlap out softly; or brings the surfaces to the bounce speed.
      *
      * @param mass effective mass
-     * @param pushSpeed push-out speed of what is not deep
-     * @param biasRate push-out speed per depth
+     * @param pushSpeed greatest push-out speed of overlaps that are not deep
+     * @param biasRate push-out speed per depth, 1/s
      * @param massScale softness: share of the impulse
      * @param impulseScale softness: decay of the impulse
      */
@@ -131,9 +132,10 @@ public final class Constraints {
     }
 
     /**
-     * The speed at which an overlap is pushed out, negative: it grows with the depth, then stays the same for a while, and grows
-     * again where pairs are deep. (Slow in between, so that many pairs that begin to overlap at once do not burst; faster again, so
-     * that in a crowd no pair stays deeper than the others.)
+     * The speed at which an overlap is pushed out, negative. It has three pieces: in proportion to the depth, then constant, then
+     * growing again if the pair is deep; it never exceeds the proportion of the first. The constant piece is slow, so that a pile of
+     * which many pairs overlap at once does not burst. The last piece keeps single pairs from staying deep where there is too little
+     * space for all.
      */
     private static float pushOut(float separation, float pushSpeed, float biasRate) {
         float deep = Tuning.DEEP_RATE * separation + Tuning.DEEP_OFFSET * pushSpeed;

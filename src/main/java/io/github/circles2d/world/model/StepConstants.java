@@ -11,10 +11,10 @@ public final class StepConstants {
     /** Sub-steps a step. */
     public int subSteps;
 
-    /** Length of a sub-step. */
+    /** Length of a sub-step, seconds. */
     public float h;
 
-    /** 1 / length of a sub-step. */
+    /** 1 / length of a sub-step, 1/s. */
     public float inverseH;
 
     /** Gain of speed in a sub-step. */
@@ -29,43 +29,43 @@ public final class StepConstants {
     /** What gravity moves a circle in the sub-steps of a step. */
     public float fallY;
 
-    /** Softness of contacts: push-out speed per depth. */
+    /** Softness of contacts: push-out speed per depth, 1/s. */
     public float biasRate;
 
-    /** Softness of contacts: share of the impulse. */
+    /** Softness of contacts: share of the impulse of a rigid contact. */
     public float massScale;
 
-    /** Softness of contacts: decay of the impulse. */
+    /** Softness of contacts: share of the accumulated impulse that a visit takes away. */
     public float impulseScale;
 
-    /** Softness of walls. */
+    /** Softness of walls: push-out speed per depth, 1/s. */
     public float wallBiasRate;
 
-    /** Softness of walls. */
+    /** Softness of walls: share of the impulse of a rigid wall. */
     public float wallMassScale;
 
-    /** Softness of walls. */
+    /** Softness of walls: share of the accumulated impulse that a visit takes away. */
     public float wallImpulseScale;
 
-    /** Square of the bounce threshold per sum of radii, from gravity. */
+    /** Gravity's part of the square of the restitution threshold, per sum of radii. */
     public float thresholdRate;
 
-    /** The same for a wall across the x axis: from gravity along it. */
+    /** The same for the left and the right wall, from gravity along x. */
     public float thresholdRateX;
 
-    /** The same for a wall across the y axis. */
+    /** The same for the lower and the upper wall, from gravity along y. */
     public float thresholdRateY;
 
-    /** Bounce threshold per sum of radii, without gravity and restitution. */
+    /** Threshold per sum of radii without gravity, of pairs that are not nearly elastic, 1/s. */
     public float restRate;
 
-    /** The same for two circles that nothing carries. */
+    /** The same, of pairs without restitution that nothing carries, 1/s. */
     public float flightRestRate;
 
-    /** Push-out speed per sum of radii. */
+    /** Greatest push-out speed of overlaps that are not deep, per sum of radii, 1/s. */
     public float pushRate;
 
-    /** What impulses of the step before are multiplied by: the ratio of the lengths of the steps. */
+    /** Factor for the impulses of the step before: the ratio of the two steps' lengths, limited. */
     public float warmScale;
 
     /** The arena. */
@@ -82,7 +82,7 @@ public final class StepConstants {
      * @param gravityX gravity
      * @param gravityY gravity
      * @param bounds the arena
-     * @param previousDt length of the step before; of no meaning before the first
+     * @param previousDt length of the step before, seconds; without meaning in the first step
      */
     public void set(float dt, int subSteps, float gravityX, float gravityY, Bounds bounds, float previousDt) {
         this.dt = dt;

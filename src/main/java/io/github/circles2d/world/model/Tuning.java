@@ -37,46 +37,55 @@ public final class Tuning {
     /** A size class joins the level of the next larger class where it has at most this many times as many circles. */
     static final int JOIN = 2;
 
-    /** Damping ratio of a soft contact. */
+    /** Damping ratio of a soft contact. It is overdamped, so it does not swing. */
     static final float DAMPING = 20f;
 
-    /** Frequency of a soft contact, hertz. It does not depend on the length of a step, so nor does the depth of a pile at rest. */
+    /** Frequency of a soft contact, hertz: the same for every step, so that the depth of a pile at rest is, too. */
     static final float FREQUENCY = 67f;
 
-    /** The frequency is no higher than this over the length of a sub-step: what is stiffer trembles. */
+    /** The frequency times the length of a sub-step is at most this. Stiffer contacts tremble. */
     static final float GREATEST_FREQUENCY = 0.3f;
 
-    /** Impulses of the step before are multiplied by no more than this, however much longer the step is. */
+    /** Greatest ratio of the lengths of two steps by which the impulses of the first are scaled for the second. */
     static final float GREATEST_WARM_SCALE = 4f;
 
-    /** Walls are stiffer than contacts by this factor. */
+    /** Frequency of a wall, in frequencies of a contact. */
     static final float WALL_STIFFNESS = 2f;
 
-    /** Push-out speed up to {@link #DEEP}, in sums of the radii a second: slow, so that what overlaps at once does not burst. */
+    /**
+     * Greatest push-out speed up to a depth of {@link #DEEP}, in sums of the radii a second. It is slow, so that a pile of which many
+     * pairs overlap at once does not burst.
+     */
     static final float PUSH = 0.4f;
 
-    /** Deeper than this, in sums of the radii, the push-out speed grows with the depth, so that no pair stays so. */
+    /** Beyond this depth, in sums of the radii, the push-out speed grows again, so that no pair stays deep. */
     static final float DEEP = 0.2f;
 
-    /** Push-out speed per depth beyond {@link #DEEP}, 1/s. */
+    /** Gain of the push-out speed per depth beyond {@link #DEEP}, 1/s. */
     public static final float DEEP_RATE = 15f;
 
-    /** The line of {@link #DEEP_RATE} begins above 0 by so many times the push-out speed: it meets that speed at {@link #DEEP}. */
+    /**
+     * Beyond {@link #DEEP} the push-out speed is {@code DEEP_RATE * depth - DEEP_OFFSET * PUSH * sum of the radii}. With this offset it
+     * is {@link #PUSH} sums of the radii a second at {@link #DEEP}.
+     */
     public static final float DEEP_OFFSET = DEEP * DEEP_RATE / PUSH - 1f;
 
-    /** Slower impacts do not bounce, in units of sqrt(gravity x mean radius of the pair). */
+    /** Gravity's part of the speed up to which impacts do not bounce, in units of sqrt(gravity * mean radius of the pair). */
     static final float BOUNCE_THRESHOLD = 0.4f;
 
-    /** Slower impacts do not bounce, in mean radii of the pair a second; see {@link #NEARLY_ELASTIC}. */
+    /** The other part of that speed, in mean radii of the pair a second, up to a restitution of {@link #NEARLY_ELASTIC}. */
     static final float REST_SPEED = 1f;
 
-    /** From here on to a restitution of 1, at which all impacts bounce, that speed goes down to 0. */
+    /** From this restitution on, {@link #REST_SPEED} goes down, to 0 at a restitution of 1; so does gravity's part in free flight. */
     public static final float NEARLY_ELASTIC = 0.9f;
 
-    /** The same for two circles that nothing carries, where the restitution is 0; at 1 all bounce. */
+    /**
+     * As {@link #REST_SPEED}, but for two circles that nothing carries and for a restitution of 0. It goes down evenly to 0 at a
+     * restitution of 1.
+     */
     static final float FLIGHT_REST_SPEED = 0.1f;
 
-    /** Free elastic circles that overlap are pushed apart if they do not move apart within this time, seconds. */
+    /** Circles in free flight that overlap are pushed out if they would not part by themselves within this time, seconds. */
     public static final float LINGER = 1f;
 
     /** Centres nearer than this, in sums of radii, count as one point. */
