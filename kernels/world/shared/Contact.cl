@@ -79,8 +79,9 @@ MASK NAME(carries)(REAL normalImpulse, REAL vn, REAL restingLimit) {
 }
 
 // The target speed of a bounce, or 0. vn: the normal speed before any impulse.
-REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL threshold) {
-    MASK bounces = vn < 0.0f && vn * vn > threshold && separation + vn * h < 0.0f;
+REAL NAME(bounceSpeed)(REAL restitution, REAL vn, REAL separation, float h, REAL threshold, REAL pushSpeed) {
+    MASK bounces = vn < 0.0f && vn * vn > threshold && separation + vn * h < 0.0f &&
+                   separation + BOUNCE_DEPTH * pushSpeed >= 0.0f;
     return NAME(choose)(bounces, -restitution * vn, (REAL)(0.0f));
 }
 
@@ -123,7 +124,7 @@ typedef struct {
 
 // Makes a contact ready for the biased pass.
 INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, const NAME(Found) *f, NAME(Ready) *c) {
-    REAL bounce = NAME(bounceSpeed)(f->restitution, f->before, f->separation, k->h, f->threshold);
+    REAL bounce = NAME(bounceSpeed)(f->restitution, f->before, f->separation, k->h, f->threshold, f->pushSpeed);
     bounce = NAME(choose)(f->restitution > 0.0f && f->loaded, bounce, (REAL)(0.0f));
     REAL speculative = f->separation * k->inverseH;
     REAL push = softness.massScale * NAME(pushOut)(f->separation, f->pushSpeed, softness.biasRate);

@@ -15,6 +15,7 @@ abstract class Constraint {
     private static final float PUSH = 0.4f;
     private static final float DEEP = 0.2f;
     private static final float DEEP_RATE = 15f;
+    private static final float BOUNCE_DEPTH = 0.01f / PUSH;
     private static final float BOUNCE_THRESHOLD = 0.4f;
     private static final float REST_SPEED = 1f;
     private static final float NEARLY_ELASTIC = 0.9f;
@@ -102,8 +103,9 @@ abstract class Constraint {
     /** The biased visit: decides whether there is a bounce, stops an approach, pushes an overlap out. */
     final void solve() {
         float v0 = normalVelocity(c -> c.velocityBeforeImpulses);
-        boolean bounces = restitution > 0f && isLoaded() && v0 < 0f && isImpact(v0) && separation + v0 * step.h() < 0f;
-        bounceSpeed = bounces ? -restitution * v0 : 0f;
+        boolean isDeep = separation + BOUNCE_DEPTH * pushSpeed < 0f;
+        boolean meets = v0 < 0f && isImpact(v0) && separation + v0 * step.h() < 0f;
+        bounceSpeed = restitution > 0f && isLoaded() && meets && !isDeep ? -restitution * v0 : 0f;
         visit(true);
     }
 

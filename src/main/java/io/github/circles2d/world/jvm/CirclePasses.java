@@ -124,7 +124,8 @@ final class CirclePasses {
         float vn = side * v;
         float before = side * state.load[s + BEFORE_X + axis];
         float threshold = CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate);
-        float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold);
+        float pushSpeed = k.pushRate * (2f * r);
+        float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
         state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
         int meets = Constraints.meets(gap, vn, k.inverseH);
         int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, meets, threshold);
@@ -137,7 +138,7 @@ final class CirclePasses {
                     vn,
                     gap,
                     bounce,
-                    k.pushRate * (2f * r),
+                    pushSpeed,
                     k.inverseH,
                     k.wallBiasRate,
                     k.wallMassScale,

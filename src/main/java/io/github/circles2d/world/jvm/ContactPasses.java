@@ -135,7 +135,8 @@ final class ContactPasses {
                 float before = CircleMath.along(nx, ny, beforeX, beforeY);
                 int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
                 int meets = Constraints.meets(separation, vn, k.inverseH);
-                bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold);
+                bounce = Constraints.bounceSpeed(
+                        restitution, loaded, before, separation, k.h, threshold, q[o + PUSH_SPEED]);
                 float flight = flightThreshold(q[o + RADII], restitution, k);
                 visit = Constraints.visitOf(restitution, loaded, lingers, impulse, vn, meets, flight);
             }

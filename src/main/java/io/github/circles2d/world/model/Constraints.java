@@ -48,10 +48,18 @@ public final class Constraints {
      *
      * @param loaded greater than 0 if something does
      * @param before normal speed at the start of the sub-step, before any impulse
+     * @param pushSpeed push-out speed of what is not deep
      */
     public static float bounceSpeed(
-            float restitution, float loaded, float before, float separation, float h, float threshold) {
+            float restitution,
+            float loaded,
+            float before,
+            float separation,
+            float h,
+            float threshold,
+            float pushSpeed) {
         int strikes = isImpact(before, threshold)
+                & ~Branchless.isNegative(separation + Tuning.BOUNCE_DEPTH * pushSpeed)
                 & Branchless.isPositive(loaded)
                 & Branchless.isNegative(before)
                 & overlapAfter(h, separation, before);

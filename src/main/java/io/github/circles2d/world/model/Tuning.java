@@ -85,6 +85,12 @@ public final class Tuning {
      */
     static final float FLIGHT_REST_SPEED = 0.1f;
 
+    /**
+     * Surfaces that overlap by more than this do not bounce if something carries one of the circles, in units of the push-out speed:
+     * this is 0.01 sums of the radii. In a crowd without room, push-out speeds would else count as impacts for ever.
+     */
+    public static final float BOUNCE_DEPTH = 0.01f / PUSH;
+
     /** Circles in free flight that overlap are pushed out if they would not part by themselves within this time, seconds. */
     public static final float LINGER = 1f;
 

@@ -35,9 +35,14 @@ class ConstraintsTest {
             same(Constraints.relax(impulse, mass, vn, separation, bounce, 240f), max(relaxed, 0f));
 
             boolean impact = vn * vn > threshold;
-            boolean bounces = restitution > 0f && loaded > 0f && vn < 0f && impact && separation + vn * 0.004f < 0f;
+            boolean bounces = restitution > 0f
+                    && loaded > 0f
+                    && vn < 0f
+                    && impact
+                    && separation + vn * 0.004f < 0f
+                    && separation + Tuning.BOUNCE_DEPTH * push >= 0f;
             same(
-                    Constraints.bounceSpeed(restitution, loaded, vn, separation, 0.004f, threshold),
+                    Constraints.bounceSpeed(restitution, loaded, vn, separation, 0.004f, threshold, push),
                     bounces ? -restitution * vn : 0f);
             boolean meets = separation * 240f + vn < 0f;
             float squaredSpeed = positive();

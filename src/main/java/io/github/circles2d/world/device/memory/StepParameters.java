@@ -29,7 +29,7 @@ public final class StepParameters {
                     (k, to) -> to.put(k.thresholdRateX),
                     "the same, of walls across the x axis")
             .field("float", "thresholdRateY", (k, to) -> to.put(k.thresholdRateY), "the same, across the y axis")
-            .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity and restitution")
+            .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity")
             .field(
                     "float",
                     "flightRestRate",

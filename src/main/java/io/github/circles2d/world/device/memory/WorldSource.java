@@ -41,6 +41,7 @@ public final class WorldSource {
                 .define("DEEP_RATE", Tuning.DEEP_RATE)
                 .define("DEEP_OFFSET", Tuning.DEEP_OFFSET)
                 .define("NEARLY_ELASTIC", Tuning.NEARLY_ELASTIC)
+                .define("BOUNCE_DEPTH", Tuning.BOUNCE_DEPTH)
                 .define("LINGER", Tuning.LINGER)
                 .define("CROWD", Tuning.CROWD)
                 .define("COINCIDENT", Tuning.COINCIDENT)
