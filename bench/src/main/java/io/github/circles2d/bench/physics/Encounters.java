@@ -25,11 +25,11 @@ final class Encounters {
                 Case.random(
                         "one flies, one is at rest",
                         (physics, seed, effort) -> worst(physics, false, seed),
-                        measures()),
+                        measures()).holds(),
                 Case.random(
                         "both fly, each at this speed",
                         (physics, seed, effort) -> worst(physics, true, seed),
-                        measures()));
+                        measures()).holds());
     }
 
     private static Measure[] measures() {

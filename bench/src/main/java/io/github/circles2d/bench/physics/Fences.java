@@ -16,19 +16,19 @@ final class Fences {
         return Row.of(
                 11,
                 "fence of small static circles, one every r, 150 balls (e = 1) at each of 0.5 to 200 r a step",
-                fence("posts of r / 20", R / 20, R, 1, 0.5),
-                fence("posts of r / 50", R / 50, R, 1, 0.5),
-                fence("posts of r / 200", R / 200, R, 1, 0.5));
+                fence("posts of r / 20", R / 20, R, 1, 0.5).holds(),
+                fence("posts of r / 50", R / 50, R, 1, 0.5).holds(),
+                fence("posts of r / 200", R / 200, R, 1, 0.5).holds());
     }
 
     static Row narrow() {
         return Row.of(
                 12,
                 "gaps between static circles of the balls' size, 150 balls at each of 0.5 to 200 r a step",
-                fence("gap of 0.9 diameters, e = 0", R, 2 * R * 1.9, 0, 0.15),
+                fence("gap of 0.9 diameters, e = 0", R, 2 * R * 1.9, 0, 0.15).holds(),
                 fence("gap of 0.95 diameters, e = 0", R, 2 * R * 1.95, 0, 0.15),
-                fence("gap of 0.9 diameters, e = 0.5", R, 2 * R * 1.9, 0.5, 0.15),
-                fence("gap of 0.95 diameters, e = 0.5", R, 2 * R * 1.95, 0.5, 0.15));
+                fence("gap of 0.9 diameters, e = 0.5", R, 2 * R * 1.9, 0.5, 0.15).holds(),
+                fence("gap of 0.95 diameters, e = 0.5", R, 2 * R * 1.95, 0.5, 0.15).holds());
     }
 
     private static Case fence(String name, double post, double pitch, double restitution, double slope) {

@@ -17,7 +17,7 @@ final class Growth {
                         Growth::run,
                         Measure.atMost("rise of the centre of mass, r", 8),
                         Measure.atMost("deepest pair after 2 s, r", 0.1),
-                        Measure.shown("rise that stays, r")));
+                        Measure.shown("rise that stays, r")).holds());
     }
 
     private static double[] run(Physics physics, long seed, Effort effort) {

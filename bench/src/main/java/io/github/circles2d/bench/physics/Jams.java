@@ -36,7 +36,8 @@ final class Jams {
                     }
                 },
                 Measure.atMost("rms speed, m/s", 0.005),
-                Measure.shown("deepest pair, r"));
+                Measure.shown("deepest pair, r"))
+                .holds();
     }
 
     static Row deep() {

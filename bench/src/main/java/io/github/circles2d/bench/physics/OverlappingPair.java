@@ -5,13 +5,16 @@ final class OverlappingPair {
     private static final double RADIUS = 1;
     private static final double CENTRES = 0.2;
 
+    /** Less counts as apart: piles at rest overlap as much. */
+    private static final double TOUCHING = 0.005;
+
     private OverlappingPair() {}
 
     static Row parts() {
         return Row.of(
                 16,
                 "two elastic circles without gravity, r = 1, centres 0.2 apart",
-                parts("relative speed 0", 0).holds(),
+                parts("relative speed 0", 0),
                 parts("parting at 1e-6 m/s", 1e-6),
                 parts("parting at 1e-3 m/s", 1e-3),
                 parts("closing at 1e-6 m/s", -1e-6),
@@ -22,9 +25,10 @@ final class OverlappingPair {
         return Case.fixed(
                 name,
                 (physics, effort) -> run(physics, speed),
-                Measure.atMost("overlap after 1 s, r", 0.001),
+                Measure.atMost("overlap after 1 s, r", TOUCHING),
                 Measure.atMost("relative speed gained after 2 s, r/s", 0.01),
-                Measure.shown("greatest relative speed on the way, r/s"));
+                Measure.shown("greatest relative speed on the way, r/s"))
+                .holds();
     }
 
     private static double[] run(Physics physics, double speed) {

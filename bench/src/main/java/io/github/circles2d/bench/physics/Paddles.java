@@ -49,7 +49,7 @@ final class Paddles {
                     return new double[] {total / pairs, worst};
                 },
                 Measure.atMost("share that comes behind it", 0),
-                Measure.shown("at the worst speeds"));
+                Measure.shown("at the worst speeds")).holds();
     }
 
     private static Case dragged(double ratio) {

@@ -20,7 +20,7 @@ final class Pebbles {
             cases[i] = Case.random(
                     speed + " R a step",
                     (physics, seed, effort) -> run(physics, speed, seed),
-                    Measure.atMost("pebbles in its way that were wholly inside it, share", 0.02));
+                    Measure.atMost("pebbles in its way that were wholly inside it, share", 0.02)).holds();
         }
         return Row.of(
                 5, "ball of radius R into pebbles of R / 10 (one in each square of R), density 1, e = 0.5", cases);

@@ -24,7 +24,7 @@ final class Resting {
                 Case.fixed(
                         "column of 100 in a tube of 1.05 diameters",
                         (physics, effort) -> column(physics),
-                        Measure.atMost("step of rest", 900)));
+                        Measure.atMost("step of rest", 900)).holds());
     }
 
     /** The median over some piles: a late slide of a few circles makes a single one rest hundreds of steps later. */

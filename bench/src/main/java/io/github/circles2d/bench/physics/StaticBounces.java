@@ -26,9 +26,9 @@ final class StaticBounces {
                 bounces(1, 4),
                 bounces(1, 8),
                 bounces(0.95, 1),
-                bounces(0.95, 2).holds(),
-                bounces(0.95, 4).holds(),
-                bounces(0.95, 8).holds());
+                bounces(0.95, 2),
+                bounces(0.95, 4),
+                bounces(0.95, 8));
     }
 
     private static Case bounces(double restitution, int subSteps) {
@@ -39,7 +39,7 @@ final class StaticBounces {
                 "e = " + restitution + ", " + subSteps + (subSteps == 1 ? " sub-step" : " sub-steps"),
                 (physics, effort) -> run(physics, restitution, subSteps, effort.of(STEPS)),
                 Measure.atMost("greatest height after the first bounce over the drop", 1.01),
-                kept);
+                kept).holds();
     }
 
     /** Each drop has a column of the world to itself. Heights are seen at the ends of steps. */

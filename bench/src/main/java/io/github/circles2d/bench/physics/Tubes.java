@@ -13,15 +13,15 @@ final class Tubes {
                 "tube of exactly one diameter, 2,000 steps",
                 tube("one circle, upright", 1, true),
                 tube("ten circles, upright", 10, true),
-                tube("one circle, lying", 1, false).holds(),
-                tube("ten circles, lying", 10, false).holds());
+                tube("one circle, lying", 1, false),
+                tube("ten circles, lying", 10, false));
     }
 
     private static Case tube(String name, int n, boolean upright) {
         return Case.fixed(
                 name,
                 (physics, effort) -> run(physics, n, upright, effort.of(2000)),
-                Measure.atMost("greatest speed at the end, m/s", 0.001));
+                Measure.atMost("greatest speed at the end, m/s", 0.001)).holds();
     }
 
     /** The circles start at 1 r/s towards a wall, with gaps of a tenth of a radius. */
