@@ -7,14 +7,15 @@ REAL NAME(inelasticity)(REAL restitution) {
     return NAME(least)((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), (REAL)(1.0f));
 }
 
-// The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed that goes down to 0 for
-// elastic pairs. radii: their sum.
+// The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed. Both go down to 0 for elastic
+// pairs. radii: their sum.
 REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
-    REAL creep = lengthRate * (NAME(inelasticity)(restitution) * radii);
-    return gravityRate * radii + creep * creep;
+    REAL length = NAME(inelasticity)(restitution) * radii;
+    REAL creep = lengthRate * length;
+    return gravityRate * length + creep * creep;
 }
 
-// The same for two circles that nothing carries: for elastic pairs all of it goes down to 0.
+// The same for two circles that nothing carries, whose creeping speed is lower.
 REAL NAME(flightThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
     REAL creep = lengthRate * ((1.0f - restitution) * radii);
     return gravityRate * (NAME(inelasticity)(restitution) * radii) + creep * creep;

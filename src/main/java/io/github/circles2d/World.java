@@ -42,11 +42,10 @@ import java.util.Objects;
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
  * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's at a wall. g is
- * gravity; at a wall only its component along that axis counts. c is r per second up to a restitution of 0.9, and goes down from
- * there to 0 at 1. So an elastic ball bounces off the floor if it has fallen by more than about 0.08 of its radius. Two circles that
- * nothing carries bounce at lower speeds: c is 0.1 (1 - restitution) r per second, and the part of gravity, too, goes down to 0
- * from a restitution of 0.9 to 1, so that elastic circles in flight bounce at any speed.
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's
+ * at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
+ * 0.1 (1 - restitution) r per second for two circles that nothing carries. From a restitution of 0.9 on all of it goes down, to 0
+ * at 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
  * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
  * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones

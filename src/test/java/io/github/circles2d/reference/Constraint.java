@@ -62,7 +62,7 @@ abstract class Constraint {
         inelasticity = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
         float creep = REST_SPEED * 0.5f * (inelasticity * radii);
         gravityRate = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity;
-        squaredThreshold = gravityRate * radii + creep * creep;
+        squaredThreshold = gravityRate * (inelasticity * radii) + creep * creep;
         pushSpeed = PUSH * radii;
         float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
         float a1 = 2f * DAMPING + omega;

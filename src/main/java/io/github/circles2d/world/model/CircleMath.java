@@ -446,23 +446,23 @@ public final class CircleMath {
 
     /**
      * The square of the speed up to which an impact does not bounce. One part is the speed of a fall from a small part of a radius, so
-     * that piles come to rest. The other is a creeping speed, so that clumps come to rest without gravity too; it goes down to 0 for
+     * that piles come to rest. The other is a creeping speed, so that clumps come to rest without gravity too. Both go down to 0 for
      * elastic pairs.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair
-     * @param gravityRate gravity's part, per sum of radii
+     * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
-     * @return the square of the speed; 0 for an elastic pair without gravity
+     * @return the square of the speed; 0 for an elastic pair
      */
     public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
-        float creep = lengthRate * (inelasticity(e) * sum);
-        return gravityRate * sum + creep * creep;
+        float length = inelasticity(e) * sum;
+        float creep = lengthRate * length;
+        return gravityRate * length + creep * creep;
     }
 
     /**
-     * The same for two circles that nothing carries. The creeping speed is lower, and for elastic pairs gravity's part goes down to 0,
-     * too, so they bounce at any speed.
+     * The same for two circles that nothing carries, whose creeping speed is lower.
      *
      * @param sum sum of the radii
      * @param e restitution of the pair

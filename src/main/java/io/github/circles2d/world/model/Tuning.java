@@ -76,7 +76,7 @@ public final class Tuning {
     /** The other part of that speed, in mean radii of the pair a second, up to a restitution of {@link #NEARLY_ELASTIC}. */
     static final float REST_SPEED = 1f;
 
-    /** From this restitution on, {@link #REST_SPEED} goes down, to 0 at a restitution of 1; so does gravity's part in free flight. */
+    /** From this restitution on, both parts of that speed go down, to 0 at a restitution of 1. */
     public static final float NEARLY_ELASTIC = 0.9f;
 
     /**

@@ -23,7 +23,8 @@ final class ElasticBalls {
                 Case.random(
                         "100 balls at 10 m/s in a box of 20 x 40, 3,000 steps",
                         ElasticBalls::crowd,
-                        new Measure("energy over the first", Bound.between(0.97, 1.01))),
+                        new Measure("energy over the first", Bound.between(0.97, 1.01)))
+.holds(),
                 Case.fixed(
                         "one on the floor at 0.5, 1, 2 and 4 r/s against a side wall",
                         (physics, effort) -> sideWall(physics),
