@@ -21,18 +21,21 @@ final class ElasticBalls {
                 8,
                 "elastic balls under gravity",
                 Case.random(
-                        "100 balls at 10 m/s in a box of 20 x 40, 3,000 steps",
-                        ElasticBalls::crowd,
-                        new Measure("energy over the first", Bound.between(0.97, 1.01)))
-.holds(),
+                                "100 balls at 10 m/s in a box of 20 x 40, 3,000 steps",
+                                ElasticBalls::crowd,
+                                new Measure("energy over the first", Bound.between(0.97, 1.01)))
+                        .holds(),
                 Case.fixed(
-                        "one on the floor at 0.5, 1, 2 and 4 r/s against a side wall",
-                        (physics, effort) -> sideWall(physics),
-                        new Measure("least speed after over before", Bound.between(0.95, 1.01))).holds(),
+                                "one on the floor at 0.5, 1, 2 and 4 r/s against a side wall",
+                                (physics, effort) -> sideWall(physics),
+                                new Measure("least speed after over before", Bound.between(0.95, 1.01)))
+                        .holds(),
                 Case.fixed(
-                        "one dropped from 0.36 m",
-                        (physics, effort) -> drop(physics),
-                        new Measure("height of the first bounce over that of the drop", Bound.between(0.95, 1.01))).holds());
+                                "one dropped from 0.36 m",
+                                (physics, effort) -> drop(physics),
+                                new Measure(
+                                        "height of the first bounce over that of the drop", Bound.between(0.95, 1.01)))
+                        .holds());
     }
 
     private static double[] crowd(Physics physics, long seed, Effort effort) {

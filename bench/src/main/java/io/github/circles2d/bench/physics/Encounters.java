@@ -23,13 +23,15 @@ final class Encounters {
                 4,
                 "two equal elastic circles, 400 offsets, 0.3 to 1.1 r a step",
                 Case.random(
-                        "one flies, one is at rest",
-                        (physics, seed, effort) -> worst(physics, false, seed),
-                        measures()).holds(),
+                                "one flies, one is at rest",
+                                (physics, seed, effort) -> worst(physics, false, seed),
+                                measures())
+                        .holds(),
                 Case.random(
-                        "both fly, each at this speed",
-                        (physics, seed, effort) -> worst(physics, true, seed),
-                        measures()).holds());
+                                "both fly, each at this speed",
+                                (physics, seed, effort) -> worst(physics, true, seed),
+                                measures())
+                        .holds());
     }
 
     private static Measure[] measures() {

@@ -27,8 +27,10 @@ final class Fences {
                 "gaps between static circles of the balls' size, 150 balls at each of 0.5 to 200 r a step",
                 fence("gap of 0.9 diameters, e = 0", R, 2 * R * 1.9, 0, 0.15).holds(),
                 fence("gap of 0.95 diameters, e = 0", R, 2 * R * 1.95, 0, 0.15),
-                fence("gap of 0.9 diameters, e = 0.5", R, 2 * R * 1.9, 0.5, 0.15).holds(),
-                fence("gap of 0.95 diameters, e = 0.5", R, 2 * R * 1.95, 0.5, 0.15).holds());
+                fence("gap of 0.9 diameters, e = 0.5", R, 2 * R * 1.9, 0.5, 0.15)
+                        .holds(),
+                fence("gap of 0.95 diameters, e = 0.5", R, 2 * R * 1.95, 0.5, 0.15)
+                        .holds());
     }
 
     private static Case fence(String name, double post, double pitch, double restitution, double slope) {

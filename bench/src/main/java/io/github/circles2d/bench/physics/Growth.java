@@ -13,11 +13,12 @@ final class Growth {
                 7,
                 "pile of 1,250 at rest, every tenth radius 0.5 -> 0.8 at once",
                 Case.random(
-                        "300 steps",
-                        Growth::run,
-                        Measure.atMost("rise of the centre of mass, r", 8),
-                        Measure.atMost("deepest pair after 2 s, r", 0.1),
-                        Measure.shown("rise that stays, r")).holds());
+                                "300 steps",
+                                Growth::run,
+                                Measure.atMost("rise of the centre of mass, r", 8),
+                                Measure.atMost("deepest pair after 2 s, r", 0.1),
+                                Measure.shown("rise that stays, r"))
+                        .holds());
     }
 
     private static double[] run(Physics physics, long seed, Effort effort) {

@@ -27,16 +27,16 @@ final class Jams {
 
     private static Case boiling(double restitution) {
         return Case.random(
-                "e = " + restitution,
-                (physics, seed, effort) -> {
-                    try (Arena arena = jam(physics, 0.86, 0, restitution, seed)) {
-                        arena.step(effort.of(4000));
-                        State state = arena.state();
-                        return new double[] {state.rmsSpeed(), state.deepest() / R};
-                    }
-                },
-                Measure.atMost("rms speed, m/s", 0.005),
-                Measure.shown("deepest pair, r"))
+                        "e = " + restitution,
+                        (physics, seed, effort) -> {
+                            try (Arena arena = jam(physics, 0.86, 0, restitution, seed)) {
+                                arena.step(effort.of(4000));
+                                State state = arena.state();
+                                return new double[] {state.rmsSpeed(), state.deepest() / R};
+                            }
+                        },
+                        Measure.atMost("rms speed, m/s", 0.005),
+                        Measure.shown("deepest pair, r"))
                 .holds();
     }
 

@@ -23,11 +23,11 @@ final class OverlappingPair {
 
     private static Case parts(String name, double speed) {
         return Case.fixed(
-                name,
-                (physics, effort) -> run(physics, speed),
-                Measure.atMost("overlap after 1 s, r", TOUCHING),
-                Measure.atMost("relative speed gained after 2 s, r/s", 0.01),
-                Measure.shown("greatest relative speed on the way, r/s"))
+                        name,
+                        (physics, effort) -> run(physics, speed),
+                        Measure.atMost("overlap after 1 s, r", TOUCHING),
+                        Measure.atMost("relative speed gained after 2 s, r/s", 0.01),
+                        Measure.shown("greatest relative speed on the way, r/s"))
                 .holds();
     }
 

@@ -29,27 +29,28 @@ final class Paddles {
 
     private static Case paddle(double ball) {
         return Case.random(
-                "paddle of r = 1 and balls of " + ball + ", each at up to 10 of the ball's radii a step",
-                (physics, seed, effort) -> {
-                    Random random = new Random(seed);
-                    double total = 0;
-                    double worst = 0;
-                    int pairs = 0;
-                    for (double rising : SPEEDS) {
-                        for (double falling : SPEEDS) {
-                            if (rising + falling > 0) {
-                                double passed =
-                                        new Meeting(1, ball, rising * ball, falling * ball).passed(physics, random);
-                                total += passed;
-                                worst = Math.max(worst, passed);
-                                pairs++;
+                        "paddle of r = 1 and balls of " + ball + ", each at up to 10 of the ball's radii a step",
+                        (physics, seed, effort) -> {
+                            Random random = new Random(seed);
+                            double total = 0;
+                            double worst = 0;
+                            int pairs = 0;
+                            for (double rising : SPEEDS) {
+                                for (double falling : SPEEDS) {
+                                    if (rising + falling > 0) {
+                                        double passed = new Meeting(1, ball, rising * ball, falling * ball)
+                                                .passed(physics, random);
+                                        total += passed;
+                                        worst = Math.max(worst, passed);
+                                        pairs++;
+                                    }
+                                }
                             }
-                        }
-                    }
-                    return new double[] {total / pairs, worst};
-                },
-                Measure.atMost("share that comes behind it", 0),
-                Measure.shown("at the worst speeds")).holds();
+                            return new double[] {total / pairs, worst};
+                        },
+                        Measure.atMost("share that comes behind it", 0),
+                        Measure.shown("at the worst speeds"))
+                .holds();
     }
 
     private static Case dragged(double ratio) {

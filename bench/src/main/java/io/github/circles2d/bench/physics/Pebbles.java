@@ -18,9 +18,10 @@ final class Pebbles {
         for (int i = 0; i < SPEEDS.length; i++) {
             double speed = SPEEDS[i];
             cases[i] = Case.random(
-                    speed + " R a step",
-                    (physics, seed, effort) -> run(physics, speed, seed),
-                    Measure.atMost("pebbles in its way that were wholly inside it, share", 0.02)).holds();
+                            speed + " R a step",
+                            (physics, seed, effort) -> run(physics, speed, seed),
+                            Measure.atMost("pebbles in its way that were wholly inside it, share", 0.02))
+                    .holds();
         }
         return Row.of(
                 5, "ball of radius R into pebbles of R / 10 (one in each square of R), density 1, e = 0.5", cases);

@@ -22,9 +22,10 @@ final class Resting {
                 pile("poured pile of 1,250, median of three", 1250, 3, 400, 1500),
                 pile("poured pile of 5,000", 5000, 1, 700, 2000).harnessOnly(),
                 Case.fixed(
-                        "column of 100 in a tube of 1.05 diameters",
-                        (physics, effort) -> column(physics),
-                        Measure.atMost("step of rest", 900)).holds());
+                                "column of 100 in a tube of 1.05 diameters",
+                                (physics, effort) -> column(physics),
+                                Measure.atMost("step of rest", 900))
+                        .holds());
     }
 
     /** The median over some piles: a late slide of a few circles makes a single one rest hundreds of steps later. */

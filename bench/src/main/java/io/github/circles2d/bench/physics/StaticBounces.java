@@ -36,10 +36,11 @@ final class StaticBounces {
                 ? Measure.atLeast("least height of the last 4,000 steps over the drop", 0.95)
                 : Measure.shown("least height of the last 4,000 steps over the drop");
         return Case.fixed(
-                "e = " + restitution + ", " + subSteps + (subSteps == 1 ? " sub-step" : " sub-steps"),
-                (physics, effort) -> run(physics, restitution, subSteps, effort.of(STEPS)),
-                Measure.atMost("greatest height after the first bounce over the drop", 1.01),
-                kept).holds();
+                        "e = " + restitution + ", " + subSteps + (subSteps == 1 ? " sub-step" : " sub-steps"),
+                        (physics, effort) -> run(physics, restitution, subSteps, effort.of(STEPS)),
+                        Measure.atMost("greatest height after the first bounce over the drop", 1.01),
+                        kept)
+                .holds();
     }
 
     /** Each drop has a column of the world to itself. Heights are seen at the ends of steps. */

@@ -15,14 +15,17 @@ final class TimeSteps {
         return Row.withBox2d(
                 3,
                 "pile of 1,250 at rest at 1/60 s, then 600 steps of another length",
-                changed("1/240 s", random -> 1 / 240.0, Measure.shown("rms speed, m/s")).holds(),
-                changed("1/120 s", random -> 1 / 120.0, Measure.shown("rms speed, m/s")).holds(),
+                changed("1/240 s", random -> 1 / 240.0, Measure.shown("rms speed, m/s"))
+                        .holds(),
+                changed("1/120 s", random -> 1 / 120.0, Measure.shown("rms speed, m/s"))
+                        .holds(),
                 changed("1/30 s", random -> 1 / 30.0, Measure.shown("rms speed, m/s"))
                         .holds(),
                 changed(
-                        "1/60 s +-5 %",
-                        random -> TIME_STEP * (0.95 + 0.1 * random.nextDouble()),
-                        Measure.atMost("rms speed, m/s", 0.03)).holds(),
+                                "1/60 s +-5 %",
+                                random -> TIME_STEP * (0.95 + 0.1 * random.nextDouble()),
+                                Measure.atMost("rms speed, m/s", 0.03))
+                        .holds(),
                 changed(
                         "random, 1/120 to 1/30 s",
                         random -> (1 + 3 * random.nextDouble()) / 120,

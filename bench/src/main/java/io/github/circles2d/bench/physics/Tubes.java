@@ -19,9 +19,10 @@ final class Tubes {
 
     private static Case tube(String name, int n, boolean upright) {
         return Case.fixed(
-                name,
-                (physics, effort) -> run(physics, n, upright, effort.of(2000)),
-                Measure.atMost("greatest speed at the end, m/s", 0.001)).holds();
+                        name,
+                        (physics, effort) -> run(physics, n, upright, effort.of(2000)),
+                        Measure.atMost("greatest speed at the end, m/s", 0.001))
+                .holds();
     }
 
     /** The circles start at 1 r/s towards a wall, with gaps of a tenth of a radius. */
