@@ -60,11 +60,12 @@ import java.util.Objects;
  * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
  * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
- * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius, or at
- * gaps of 0.9 and 0.95 of their diameter. Static circles that move take along what they meet, whatever its size. Circles do not
- * stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over
- * about one in a hundred. In one step a circle moves at most 64 of its radii, whatever its velocity: do not make circles tiny that
- * are to fly far.
+ * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
+ * 0.95 of their diameter, beside a wall, about one in a thousand still does. A static circle that moves takes along a circle that it
+ * meets, whatever its size; through a crowd it does so up to about half its radius a step, and faster ones drive over those that
+ * stop at others. Circles do not stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles
+ * of a tenth, a ball runs over about one in a hundred. In one step a circle that is not static moves at most 64 of its radii,
+ * whatever its velocity, unless a static one takes it along: do not make circles tiny that are to fly far.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large

@@ -51,8 +51,6 @@ public final class ContinuousCollision {
 
     private static final int NOBODY = Integer.MAX_VALUE;
 
-    private static final int ONE = Float.floatToRawIntBits(1f);
-
     private final State state;
     private final Grid grid;
     private final GridLevels levels;

@@ -67,7 +67,7 @@ public final class State {
     /** By slot, within a step: what the circle would move in a step, x, y. */
     float[] plan = new float[0];
 
-    /** By slot, within a step: the path that is free, x, y, and how far the circle may leave it; unused. */
+    /** By slot, within a step: the path that is free, x, y, how far the circle may leave it, and the share of it that is free. */
     float[] motionClamp = new float[0];
 
     /** By id: the slot, or -1. */

@@ -10,7 +10,7 @@ public final class Tuning {
     /** Motion within a step that the speculative distance covers, in radii of the circle that moves; a faster one looks ahead. */
     public static final float CAP = 0.25f;
 
-    /** A circle goes no farther in a step, in its own radii. */
+    /** A circle that is not static goes no farther in a step by itself, in its own radii. */
     public static final float TRAVEL = 64f;
 
     /** Fast circles do not look out for others that are this many times smaller, unless those are static. */
