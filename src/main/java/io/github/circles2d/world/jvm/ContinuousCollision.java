@@ -1,7 +1,6 @@
 package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
-import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.LIMIT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
@@ -120,13 +119,9 @@ public final class ContinuousCollision {
         team.sync(worker);
     }
 
-    private boolean isStatic(int slot) {
-        return state.traits[CircleRow.of(slot) + INVERSE_MASS] == 0f;
-    }
-
     /** What a circle must move in a step to look ahead, and against another to matter. */
     private float leastPath(int slot) {
-        return Tuning.CAP * (isStatic(slot) ? grid.leastRadius() : state.circle[CircleRow.of(slot) + RADIUS]);
+        return Tuning.CAP * (state.isStatic(slot) ? grid.leastRadius() : state.circle[CircleRow.of(slot) + RADIUS]);
     }
 
     private boolean looksAhead(int slot) {
@@ -137,7 +132,7 @@ public final class ContinuousCollision {
     private float timeOfWalls(int slot, StepConstants k) {
         int s = CircleRow.of(slot);
         float r = state.circle[s + RADIUS];
-        if (isStatic(slot) || !(grid.path[slot] > r)) {
+        if (state.isStatic(slot) || !(grid.path[slot] > r)) {
             return 1f;
         }
         Bounds b = k.bounds;
@@ -274,8 +269,8 @@ public final class ContinuousCollision {
         }
         float r = circle[s + RADIUS];
         float ro = circle[o + RADIUS];
-        boolean pushes = isStatic(slot);
-        boolean stands = isStatic(other);
+        boolean pushes = state.isStatic(slot);
+        boolean stands = state.isStatic(other);
         if (!pushes && !stands && !CircleMath.sweeps(r, ro)) {
             return;
         }
@@ -323,9 +318,10 @@ public final class ContinuousCollision {
         return CircleMath.isFast(grid.path[slot], r);
     }
 
-    private void hold(int slot, float t, float r, boolean stands) {
+    /** Ends the path of a circle where it touches one that it has a contact with, and says how far it may leave it. */
+    private void hold(int slot, float t, float most, boolean stands) {
         near[slot] = CircleMath.least(t, near[slot]);
-        restrain(slot, r, stands || allowance[slot] < 0f);
+        restrain(slot, most, stands || allowance[slot] < 0f);
     }
 
     private void restrain(int slot, float most, boolean stands) {
