@@ -68,8 +68,8 @@ class EnginesTest {
     void loadingASceneAgainStartsItAnew(String name) {
         Scene scene = Scenes.packed(200, 5);
         try (Engine engine = Engines.create(name)) {
-            // Where work-items race, one step may push a circle some way farther than the other did. Circles of the scene between
-            // them would stand anywhere in the arena.
+            // Where work-items race, the steps differ a little. What is left of the scene between them would differ by
+            // more.
             float tolerance = engine.repeatable() ? 0 : 0.1f * (scene.maxX() - scene.minX());
             Motion first = run(engine, scene, 1);
             run(engine, Scenes.packed(50, 6), 3);
