@@ -6,6 +6,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
@@ -161,9 +162,9 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer positions(HandleTable handles) {
+    public FloatBuffer positions(HandleTable handles, boolean byId) {
         positions.copy(state, handles);
-        return positions.view();
+        return byId ? positions.byId(positions.living) : positions.together();
     }
 
     @Override
@@ -177,11 +178,11 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer takePositions() {
+    public FloatBuffer takePositions(IdMask shown) {
         Positions next = taken;
         taken = requested;
         requested = next;
-        return taken.view();
+        return shown == null ? taken.together() : taken.byId(shown);
     }
 
     @Override
