@@ -639,9 +639,14 @@ public final class World implements AutoCloseable {
         return simulation.readings().takePositionsById(living);
     }
 
-    /** The bits of the circles of the last request for positions that are still there. */
-    void copySurvivors(long[] living) {
-        simulation.readings().copySurvivors(living);
+    /** A number that is another one after each request for positions. */
+    int positionRequests() {
+        return simulation.readings().requests();
+    }
+
+    /** Makes positions by id NaN that are not of the circles of the last request that are still there; living may be null. */
+    void markGone(FloatBuffer positions, long[] living) {
+        simulation.readings().markGone(positions, living);
     }
 
     /**

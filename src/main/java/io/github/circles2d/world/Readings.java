@@ -21,6 +21,9 @@ public final class Readings {
     /** Whether positions have been requested since the last were taken. */
     private boolean positionsRequested;
 
+    /** The number of requests for positions; may overflow. */
+    private int requests;
+
     Readings(Simulation simulation) {
         this.simulation = simulation;
         guard = simulation.guard;
@@ -146,11 +149,22 @@ public final class Readings {
         try {
             positionsRequested = false;
             simulation.applyCommands();
+            requests++;
             handles.markSurvivors();
             pipeline.requestPositions(handles);
             positionsRequested = true;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** A number that is another one after each request for positions. */
+    public int requests() {
+        guard.enter();
+        try {
+            return requests;
         } finally {
             guard.user = null;
         }
@@ -200,12 +214,18 @@ public final class Readings {
         return pipeline.takePositions(shown);
     }
 
-    /** Copies which circles of the last request have stayed, a bit for each id. */
-    public void copySurvivors(long[] to) {
+    /**
+     * Makes positions by id NaN that are not of the circles of the last request that have stayed.
+     *
+     * @param positions two elements an id
+     * @param living takes a bit for each id; may be null
+     */
+    public void markGone(FloatBuffer positions, long[] living) {
         guard.enter();
         try {
-            requireRoom(to, handles.survivors().end());
-            handles.survivors().copyTo(to);
+            requireRoom(living, handles.survivors().end());
+            handles.survivors().markGaps(positions, 2);
+            copy(handles.survivors(), living);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
