@@ -50,7 +50,7 @@ public final class FixedStep {
     /** Seconds that no step has made up for yet. */
     private double saved;
 
-    /** The positions by id before the last step; null if there was none. */
+    /** The positions by id before the last step; those after it if there was no step. */
     private FloatBuffer before;
 
     /** The positions by id after the last step; null while they are requested, or not known. */
@@ -218,7 +218,7 @@ public final class FixedStep {
     }
 
     private void take() {
-        if (after == null) {
+        if (after == null || before == after) {
             if (!requested) {
                 before = null;
                 request();

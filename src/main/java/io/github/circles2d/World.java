@@ -627,8 +627,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Gives the positions that {@link #requestPositions} asked for last by id, in place of {@link #takePositions}. They are those of
-     * the request, of the circles that are still there: a circle that has been removed since is not shown, nor is one that came
-     * since, even where it has the id of one that has gone. So element 2 k is x of the circle that has the id k now, or NaN.
+     * the request, of the circles that are still there: a circle that has been removed since is not shown, even if a restore has
+     * brought it back, nor is one that came since and has its id. So element 2 k is x of the circle that has the id k now, or NaN.
      *
      * @param living takes a bit for each id, 1 if its position is shown, as with {@link #readById}; may be null
      * @return two elements for each id less than {@link #idLimit} was at the request, in memory as that of {@link #takePositions}
