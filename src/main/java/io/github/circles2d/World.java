@@ -71,7 +71,7 @@ import java.util.Objects;
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
  * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays takes real time
- * into an accumulator and makes whole steps of one length.
+ * into an accumulator and makes whole steps of one length, as {@link FixedStep} does.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
  * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
