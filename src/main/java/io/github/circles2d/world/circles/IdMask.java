@@ -11,6 +11,9 @@ public final class IdMask {
     private static final int WORD_SHIFT = 6;
     private static final int IDS_IN_WORD = 1 << WORD_SHIFT;
 
+    /** Values from which on a bulk copy is faster than one by one. */
+    private static final int LONG_RUN = 64;
+
     private long[] words = new long[0];
     private int end;
 
@@ -87,10 +90,18 @@ public final class IdMask {
                 id++;
             }
             int length = (id - first) * each;
-            if (written != first * each) {
-                values.put(written, values, first * each, length);
-            }
+            move(values, first * each, written, length);
             written += length;
+        }
+    }
+
+    private static void move(FloatBuffer values, int from, int to, int length) {
+        if (length >= LONG_RUN) {
+            values.put(to, values, from, length);
+        } else if (from != to) {
+            for (int k = 0; k < length; k++) {
+                values.put(to + k, values.get(from + k));
+            }
         }
     }
 

@@ -49,6 +49,9 @@ public final class JvmPipeline implements Pipeline {
 
     private Positions taken = new Positions();
 
+    /** Whether the positions taken last were taken by id: the next ones probably are, too, and are copied so. */
+    private boolean takenById;
+
     /**
      * An empty world.
      *
@@ -163,13 +166,13 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public FloatBuffer positions(HandleTable handles, boolean byId) {
-        positions.copy(state, handles);
+        positions.copy(state, handles, byId);
         return byId ? positions.byId(positions.living) : positions.together();
     }
 
     @Override
     public void requestPositions(HandleTable handles) {
-        requested.copy(state, handles);
+        requested.copy(state, handles, takenById);
     }
 
     @Override
@@ -182,6 +185,7 @@ public final class JvmPipeline implements Pipeline {
         Positions next = taken;
         taken = requested;
         requested = next;
+        takenById = shown != null;
         return shown == null ? taken.together() : taken.byId(shown);
     }
 
