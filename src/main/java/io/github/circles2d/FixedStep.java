@@ -30,8 +30,9 @@ import java.util.Objects;
  * call moves elsewhere, or that is new, appears where it is and is not drawn across the screen. What a call does shows from the next
  * step on, except for {@link World#remove}: a removed circle is gone at once.
  *
- * <p><b>On an OpenCL device</b> nothing waits for the last step but {@link #positions}. A game that draws first and calls {@link
- * #advance} at the end of the frame does not wait there either: the next frame finds the positions, which have been copied meanwhile.
+ * <p><b>On an OpenCL device</b> {@link #advance} does not wait for the last step, only for the positions before it; {@link
+ * #positions} waits for the step. A game that draws first and calls advance at the end of the frame does not wait there either: the
+ * next frame finds the positions, which have been copied meanwhile.
  *
  * <p>It uses {@link World#requestPositions}: a game that has a FixedStep leaves the requests of its world to it. All other methods of
  * the world may be called at any time. One thread at a time uses it, as the world. Frames leave no garbage, once its memory has grown.

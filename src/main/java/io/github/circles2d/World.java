@@ -32,13 +32,14 @@ import java.util.Objects;
  *
  * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
  * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
- * IllegalArgumentException, even if the circle's place has been taken by another. (Handles given after a snapshot was taken may
+ * IllegalArgumentException, even if the circle's place has been taken by another. Methods that take many handles skip and count stale
+ * ones if you ask for it ({@link StaleHandles}). (Handles given after a snapshot was taken may
  * name other circles once it is restored, and those of two worlds may be equal.) <b>Order:</b> the bulk reads give the
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
  * nothing is removed this is the order of adding; removing a circle closes its gap. The reads by id ({@link #readById}) leave the
  * gaps, so there the element of a circle depends on its {@link #id} alone.
  *
- * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
+ * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest before the next
  * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
