@@ -237,6 +237,18 @@ class WorldBulkTest {
         }
     }
 
+    @ParameterizedTest
+    @CsvSource({"1, 0, 10", "1, 1, 10", "0.5, 1, 5", "0.5, 0.5, 0", "0.99, 0, 0", "0, 0, 0", "0, 2, 5"})
+    void theWholeImpulseReachesToTheRadiusAndNoneToItsEndWithTheFalloff(float radius, float falloff, float speed) {
+        try (World world = world()) {
+            long a = world.add(7, 5, 1, 1); // its edge is 1 away from the point
+            long b = world.add(5.5f, 5, 1, 1); // the point is inside it
+            assertThat(world.explode(5, 5, radius, 10, falloff)).isEqualTo(speed > 0 ? 2 : 1);
+            assertThat(world.vx(a)).isEqualTo(speed);
+            assertThat(world.vx(b)).isEqualTo(10);
+        }
+    }
+
     @Test
     void anExplosionMayPullAndSeesTheChangesBeforeIt() {
         try (World world = world()) {
