@@ -157,6 +157,30 @@ public final class Circles {
         }
     }
 
+    /** One more than the greatest id that a circle has had. */
+    public int idLimit() {
+        guard.enter();
+        try {
+            return handles.end();
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The handle of the circle that has an id; 0 if there is none. */
+    public long handle(int id) {
+        guard.enter();
+        try {
+            if (id < 0 || id >= handles.end()) {
+                throw new IllegalArgumentException(
+                        "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+            }
+            return handles.lives(id) ? handles.handle(id) : 0;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** The number of circles. */
     public int size() {
         guard.enter();
@@ -181,12 +205,7 @@ public final class Circles {
             int id = find(handle);
             checkValues(operation, a, b);
             simulation.expect(1);
-            if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
-                last.forgetVelocities();
-            } else if (operation != Commands.RESTITUTION) {
-                last.forgetCircles();
-            }
-            simulation.snapshots().forget();
+            forget(operation);
             guard.changing = true;
             commands.set(operation, id, a, b);
             if (operation == Commands.RADIUS) {
@@ -240,7 +259,17 @@ public final class Circles {
         }
     }
 
-    private void checkValues(int operation, float a, float b) {
+    /** An operation makes what was read or saved out of date. */
+    void forget(int operation) {
+        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+            last.forgetVelocities();
+        } else if (operation != Commands.RESTITUTION) {
+            last.forgetCircles();
+        }
+        simulation.snapshots().forget();
+    }
+
+    void checkValues(int operation, float a, float b) {
         switch (operation) {
             case Commands.POSITION -> Limits.position(a, b, simulation.bounds);
             case Commands.VELOCITY -> Limits.velocity(a, b);
