@@ -109,6 +109,11 @@ public final class World implements AutoCloseable {
         return new Builder();
     }
 
+    /** The inside of this world. */
+    Simulation simulation() {
+        return simulation;
+    }
+
     // ---- circles
     // -----------------------------------------------------------------------------------------------------
 

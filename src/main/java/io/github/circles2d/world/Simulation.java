@@ -36,6 +36,9 @@ public final class Simulation implements AutoCloseable {
     private int subSteps;
     private float previousTimeStep;
 
+    /** What {@link #parameters} gave last. */
+    private WorldParameters parameters;
+
     /** Whether the last step had no circles; also if there has been none, or none since a restore. */
     private boolean emptyStep = true;
 
@@ -235,6 +238,13 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
+        if (!now().isSame(parameters)) {
+            parameters = now();
+        }
+        return parameters;
+    }
+
+    private WorldParameters now() {
         return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
     }
 

@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.circles.SnapshotRing;
 import java.nio.ByteBuffer;
 
 /** Takes snapshots and restores them. A state that has been saved is not saved again until it changes. */
@@ -63,22 +64,61 @@ public final class Snapshots {
         try {
             savedCurrent = false;
             int length = SnapshotCodec.read(from, saved);
-            simulation.finishSteps();
-            handles.makeRoom(saved);
-            pipeline.makeRoom(saved);
-            simulation.changed();
+            makeRoom();
             from.position(from.position() + length);
-            guard.changing = true;
-            handles.load(saved);
-            simulation.commands.clear();
-            pipeline.load(saved);
-            simulation.restored(saved.parameters());
-            guard.changing = false;
+            load();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Saves the state as a frame. */
+    public void save(SnapshotRing ring, int frame) {
+        guard.enter();
+        try {
+            save();
+            ring.save(frame, saved);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Takes over a frame, in place of all that is. */
+    public void restore(SnapshotRing ring, int frame) {
+        guard.enter();
+        try {
+            int place = ring.find(frame);
+            savedCurrent = false;
+            ring.load(place, saved);
+            makeRoom();
+            load();
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Makes room for the state in {@link #saved}. If that fails, nothing has changed. */
+    private void makeRoom() {
+        simulation.finishSteps();
+        handles.makeRoom(saved);
+        pipeline.makeRoom(saved);
+        simulation.changed();
+    }
+
+    /** Takes over the state in {@link #saved}, for which there is room. */
+    private void load() {
+        guard.changing = true;
+        handles.load(saved);
+        simulation.commands.clear();
+        pipeline.load(saved);
+        simulation.restored(saved.parameters());
+        guard.changing = false;
     }
 
     /** The state has changed. */
