@@ -236,6 +236,9 @@ public final class Circles {
             simulation.expect(1);
             handles.fields().ensure(field, id + 1);
             simulation.snapshots().forget();
+            if (!field.isOfSteps()) {
+                simulation.journal.field(field, id, value);
+            }
             guard.changing = true;
             handles.fields().set(field, id, value);
             if (field.isOfSteps()) {

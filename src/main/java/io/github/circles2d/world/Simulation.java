@@ -26,6 +26,7 @@ public final class Simulation implements AutoCloseable {
     private final BulkChanges bulk;
     private final Readings readings;
     private final Snapshots snapshots;
+    final Journal journal;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
@@ -56,6 +57,7 @@ public final class Simulation implements AutoCloseable {
         bulk = new BulkChanges(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
+        journal = new Journal(this);
         setParameters(start);
     }
 
@@ -79,12 +81,18 @@ public final class Simulation implements AutoCloseable {
         return snapshots;
     }
 
+    /** The log of calls, if there is one. */
+    public Journal journal() {
+        return journal;
+    }
+
     /** Changes gravity. */
     public void setGravity(float x, float y) {
         guard.enter();
         try {
             Limits.gravity(x, y);
             snapshots.forget();
+            journal.call(LoggedCall.GRAVITY, x, y, 0, 0);
             gravityX = x;
             gravityY = y;
         } finally {
@@ -124,6 +132,7 @@ public final class Simulation implements AutoCloseable {
             }
             applyCommands();
             changed();
+            journal.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
             guard.changing = true;
             pipeline.confine(next);
             bounds = next;
@@ -172,6 +181,7 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             applyCommands();
+            journal.call(LoggedCall.STEP, Float.floatToRawIntBits(timeStep), steps);
             guard.changing = true;
             emptyStep = handles.size() == 0;
             if (!emptyStep) {
@@ -184,6 +194,7 @@ public final class Simulation implements AutoCloseable {
             snapshots.forget();
             previousTimeStep = timeStep;
             guard.changing = false;
+            journal.stepped(steps);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -207,13 +218,18 @@ public final class Simulation implements AutoCloseable {
     public long hash() {
         guard.enter();
         try {
-            settle();
-            return pipeline.hash() + handles.fields().hash();
+            return currentHash();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** The hash of the state, for callers that are inside already. */
+    long currentHash() {
+        settle();
+        return pipeline.hash() + handles.fields().hash();
     }
 
     /** The figures as of now. */
@@ -238,14 +254,12 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
-        if (!now().isSame(parameters)) {
-            parameters = now();
+        if (parameters == null
+                || !parameters.has(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep)) {
+            parameters =
+                    new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
         }
         return parameters;
-    }
-
-    private WorldParameters now() {
-        return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
     }
 
     /** A snapshot has taken the place of all that was. */
@@ -281,11 +295,13 @@ public final class Simulation implements AutoCloseable {
     /** Hands the changes that wait to the pipeline. */
     void applyCommands() {
         if (commands.count() > 0) {
+            journal.writeCommands();
             finishSteps();
             pipeline.makeRoom(commands);
             guard.changing = true;
             pipeline.apply(commands);
             commands.clear();
+            journal.logged = 0;
             guard.changing = false;
         }
     }

@@ -109,6 +109,7 @@ public final class Snapshots {
         handles.makeRoom(saved);
         pipeline.makeRoom(saved);
         simulation.changed();
+        simulation.journal.restore(saved);
     }
 
     /** Takes over the state in {@link #saved}, for which there is room. */
@@ -116,6 +117,7 @@ public final class Snapshots {
         guard.changing = true;
         handles.load(saved);
         simulation.commands.clear();
+        simulation.journal.logged = 0;
         pipeline.load(saved);
         simulation.restored(saved.parameters());
         guard.changing = false;
@@ -124,6 +126,12 @@ public final class Snapshots {
     /** The state has changed. */
     void forget() {
         savedCurrent = false;
+    }
+
+    /** The state as of now; valid until the next change. */
+    SavedState now() {
+        save();
+        return saved;
     }
 
     private void save() {

@@ -47,9 +47,19 @@ public enum CircleField {
         this.ofSteps = ofSteps;
     }
 
-    /** What snapshots and the hash know the field by. */
-    int number() {
+    /** What snapshots, the hash and logs know the field by. */
+    public int number() {
         return number;
+    }
+
+    /** The field of a number; null if there is none. */
+    public static CircleField ofNumber(int number) {
+        for (CircleField field : ALL) {
+            if (field.number == number) {
+                return field;
+            }
+        }
+        return null;
     }
 
     /** The name in messages and in kernels. */

@@ -117,6 +117,22 @@ public final class Commands {
         return records[STRIDE * record + ID];
     }
 
+    /**
+     * The number of values of an operation, which lie from {@link #FIRST} on. A log of calls has so many.
+     *
+     * @param operation any number
+     * @return at least 0; -1 if there is no such operation
+     */
+    public static int values(int operation) {
+        return switch (operation) {
+            case ADD -> STRIDE - FIRST;
+            case REMOVE -> 0;
+            case RADIUS, MASS, RESTITUTION -> 1;
+            case POSITION, VELOCITY, IMPULSE, FIELD -> 2;
+            default -> -1;
+        };
+    }
+
     /** Forgets all records. */
     public void clear() {
         count = 0;

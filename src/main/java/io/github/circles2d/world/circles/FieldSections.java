@@ -98,13 +98,12 @@ final class FieldSections {
     }
 
     private static CircleField field(int number) {
-        for (CircleField field : ALL) {
-            if (field.number() == number) {
-                return field;
-            }
+        CircleField field = CircleField.ofNumber(number);
+        if (field == null) {
+            throw new IllegalArgumentException(
+                    "this is no snapshot of a world: no field of a circle has the number " + number);
         }
-        throw new IllegalArgumentException(
-                "this is no snapshot of a world: no field of a circle has the number " + number);
+        return field;
     }
 
     private static void readSection(ByteBuffer in, SavedState s, CircleField field, int values) {

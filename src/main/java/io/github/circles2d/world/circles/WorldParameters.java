@@ -14,15 +14,24 @@ import io.github.circles2d.world.model.Bounds;
  */
 public record WorldParameters(
         Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {
-    /** Whether all components are the same. Unlike equals, this leaves no garbage, nor does an object that is made for it. */
-    public boolean isSame(WorldParameters other) {
-        return other != null
-                && bounds == other.bounds
-                && same(gravityX, other.gravityX)
-                && same(gravityY, other.gravityY)
-                && same(restitution, other.restitution)
-                && subSteps == other.subSteps
-                && same(previousTimeStep, other.previousTimeStep);
+    /**
+     * Whether these are the components, in their order. Comparing with an object of them would leave garbage.
+     *
+     * @return true if all bits are the same
+     */
+    public boolean has(
+            Bounds otherBounds,
+            float otherGravityX,
+            float otherGravityY,
+            float otherRestitution,
+            int otherSubSteps,
+            float otherTimeStep) {
+        return bounds == otherBounds
+                && same(gravityX, otherGravityX)
+                && same(gravityY, otherGravityY)
+                && same(restitution, otherRestitution)
+                && subSteps == otherSubSteps
+                && same(previousTimeStep, otherTimeStep);
     }
 
     private static boolean same(float a, float b) {
