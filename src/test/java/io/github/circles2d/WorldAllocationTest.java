@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
@@ -90,6 +92,52 @@ class WorldAllocationTest {
                 Arrays.fill(velocities, 1e-4f);
             };
             assertAllocatesNothing(frame);
+        }
+    }
+
+    @Test
+    void rewindingAllocatesNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        int[] now = new int[1];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            Rewind rewind = new Rewind(world, 20);
+            rewind.save(now[0]);
+            Runnable frame = () -> {
+                world.readHandles(handles);
+                world.setTag(handles[9], 7);
+                for (int k = 0; k < 3; k++) {
+                    world.applyImpulse(handles[k], 0.01f, 0);
+                    world.step(scene.timeStep());
+                    rewind.save(++now[0]);
+                }
+                now[0] -= 2;
+                rewind.restore(now[0]);
+                consume(rewind.size() + rewind.oldest() + rewind.newest());
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    @Test
+    void recordingAllocatesNothingOnTheJvm() throws IOException {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        float[] some = new float[40];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Runnable frame = () -> {
+                world.readHandles(handles);
+                world.remove(handles[3]);
+                world.add(0.5f, 0.9f, scene.radius(0), 1);
+                world.setVelocities(handles, 3, some, StaleHandles.REFUSE);
+                world.setTag(handles[9], world.tag(handles[9]) + 1);
+                world.setGravity(0, world.gravityY());
+                world.step(scene.timeStep(), 2);
+                consume(recording.bytes() + recording.steps());
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
         }
     }
 

@@ -3,6 +3,9 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -15,6 +18,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
@@ -61,9 +66,24 @@ class WorldFuzzTest {
     }
 
     private static void run(long seed, int programs) {
-        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm())) {
+        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm());
+                World player = WorldScenes.onThreads(2, WorldScenes.jvm())) {
             for (int k = 0; k < programs; k++) {
-                new Program(seed + k, k % 32 == 0 ? twin : null).run();
+                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null).run();
+            }
+        }
+    }
+
+    static Backend[] openClBackends() {
+        return WorldBackendTest.openClBackends();
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
+        try (World player = World.builder().backend(backend).build()) {
+            for (int k = 0; k < 40; k++) {
+                new Program(SEED + k, null, player).run();
             }
         }
     }
@@ -105,6 +125,12 @@ class WorldFuzzTest {
         /** Another world, on several threads, that makes the same steps after having been restored from snapshots; or null. */
         private final World twin;
 
+        /** Makes the calls of the log again; null where there is no log. */
+        private final World player;
+
+        private ByteArrayOutputStream log;
+        private Recording recording;
+
         private World world;
         private Model model = new Model();
         private ByteBuffer snapshot;
@@ -122,9 +148,10 @@ class WorldFuzzTest {
 
         private String last = "";
 
-        Program(long seed, World twin) {
+        Program(long seed, World twin, World player) {
             this.seed = seed;
             this.twin = twin;
+            this.player = player;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -132,18 +159,45 @@ class WorldFuzzTest {
         void run() {
             try {
                 world = build();
+                record();
                 try {
                     int calls = 5 + random.nextInt(40);
                     for (int k = 0; k < calls; k++) {
                         call();
                     }
                     check();
+                    replay();
                 } finally {
                     world.close();
                 }
-            } catch (AssertionError | RuntimeException e) {
+            } catch (AssertionError | RuntimeException | IOException e) {
                 throw new AssertionError("program of seed " + seed + ", in " + last, e);
             }
+        }
+
+        private void record() throws IOException {
+            if (player != null) {
+                log = new ByteArrayOutputStream();
+                recording = new Recording(world, log, 1 + random.nextInt(3));
+            }
+        }
+
+        private void replay() throws IOException {
+            if (player != null) {
+                long steps = recording.steps();
+                recording.close();
+                Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
+                assertThat(replay.differs()).as(replay.difference()).isFalse();
+                assertThat(replay.steps()).isEqualTo(steps);
+                assertThat(replay.equalUpTo()).isEqualTo(steps);
+                assertThat(snapshotOf(player)).isEqualTo(snapshotOf(world));
+            }
+        }
+
+        private static ByteBuffer snapshotOf(World world) {
+            ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(bytes);
+            return bytes.flip();
         }
 
         private World build() {
@@ -170,7 +224,7 @@ class WorldFuzzTest {
             return builder.build();
         }
 
-        private void call() {
+        private void call() throws IOException {
             switch (random.nextInt(23)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
@@ -425,7 +479,7 @@ class WorldFuzzTest {
             assertThat(taken).isEqualTo(FloatBuffer.wrap(expected));
         }
 
-        private void saveOrRestore() {
+        private void saveOrRestore() throws IOException {
             if (snapshot == null || random.nextBoolean()) {
                 last = "snapshot";
                 snapshot = ByteBuffer.allocate(world.snapshotBytes());
@@ -443,8 +497,10 @@ class WorldFuzzTest {
                 return;
             }
             if (random.nextBoolean()) {
+                replay();
                 world.close();
                 world = WorldScenes.jvm().threads(1).capacity(0).build();
+                record();
                 requested = null;
             }
             world.restore(snapshot.duplicate());

@@ -60,6 +60,7 @@ public final class Journal {
             steps = 0;
             logged = 0;
             log = writer;
+            writeHash();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

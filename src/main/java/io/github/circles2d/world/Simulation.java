@@ -265,6 +265,7 @@ public final class Simulation implements AutoCloseable {
     /** A snapshot has taken the place of all that was. */
     void restored(WorldParameters p) {
         setParameters(p);
+        parameters = p;
         emptyStep = true;
     }
 

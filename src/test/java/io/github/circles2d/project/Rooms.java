@@ -32,7 +32,7 @@ final class Rooms {
                     "calibration"),
             entry("calibration"),
             entry("thesis", "opencl"),
-            entry("world", "world.circles", "world.model"),
+            entry("world", "world.circles", "world.log", "world.model"),
             entry("world.circles", "world.model"),
             entry(
                     "world.device",
@@ -46,6 +46,7 @@ final class Rooms {
             entry("world.device.memory", "world.circles", "world.model", "opencl"),
             entry("world.jvm", "world", "world.circles", "world.model", "world.jvm.threads"),
             entry("world.jvm.threads"),
+            entry("world.log"),
             entry("world.model"),
             entry("opencl"),
             entry("scenes"),
