@@ -45,6 +45,16 @@ class DocumentationTest {
         assertCompiles("Loop", imports + game, folder);
     }
 
+    @Test
+    void theRewindAndTheRecordingOfTheReadmeCompileInAGame(@TempDir Path folder) throws IOException {
+        String loop = first("(?s)```java\\n(Rewind .*?)```", read("README.md"));
+        String game =
+                "abstract class Game { World world; Path file; abstract boolean playing(); abstract boolean rewindKey();"
+                        + " void run() throws IOException {\n" + loop + "} }";
+        String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.file.*;\n";
+        assertCompiles("Game", imports + game, folder);
+    }
+
     private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
