@@ -57,7 +57,8 @@ import java.util.Objects;
  * by 0.4 radii. From about ten thousand times its mass on, it sinks through.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
- * of threads; {@link #hash()} is a number to compare.
+ * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
+ * repeats what a {@link Recording} has written.
  *
  * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600

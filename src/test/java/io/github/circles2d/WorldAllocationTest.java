@@ -126,6 +126,7 @@ class WorldAllocationTest {
         float[] some = new float[40];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
                 Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Rewind rewind = new Rewind(world, 1);
             Runnable frame = () -> {
                 world.readHandles(handles);
                 world.remove(handles[3]);
@@ -133,7 +134,10 @@ class WorldAllocationTest {
                 world.setVelocities(handles, 3, some, StaleHandles.REFUSE);
                 world.setTag(handles[9], world.tag(handles[9]) + 1);
                 world.setGravity(0, world.gravityY());
+                rewind.save(0);
                 world.step(scene.timeStep(), 2);
+                rewind.restore(0);
+                world.step(scene.timeStep());
                 consume(recording.bytes() + recording.steps());
             };
             assertAllocatesNothing(frame);

@@ -8,6 +8,7 @@ import io.github.circles2d.world.log.LogWriter;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 
 /**
  * Tells a log what changes the world, while there is one. The waiting {@link Commands} are written as they are, whatever call has made
@@ -116,6 +117,11 @@ public final class Journal {
         }
     }
 
+    /** The commands that wait are no calls, but part of how a step is made: a replay makes them as well. */
+    void skipCommands() {
+        logged = commands.count();
+    }
+
     private void write(int record) {
         int at = Commands.STRIDE * record;
         int operation = commands.operation(record);
@@ -188,9 +194,9 @@ public final class Journal {
     private void write(SavedState state, LogWriter to) {
         int length = SnapshotCodec.bytes(state);
         if (snapshot.capacity() < length) {
-            snapshot = ByteBuffer.allocate(length);
+            snapshot = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
         }
-        SnapshotCodec.write(state, snapshot.clear());
+        SnapshotCodec.writeAtStart(state, snapshot.clear());
         to.snapshot(snapshot.array(), length);
     }
 

@@ -101,10 +101,14 @@ public final class SnapshotCodec {
      */
     public static void write(SavedState s, ByteBuffer to) {
         ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
+        writeAtStart(s, out);
+        to.position(to.position() + out.position());
+    }
+
+    /** Writes a snapshot to a little-endian buffer, from position 0 on, without garbage. */
+    public static void writeAtStart(SavedState s, ByteBuffer out) {
         encode(s, out);
-        int length = out.position();
-        out.putLong(CHECK_AT, check(out, length));
-        to.position(to.position() + length);
+        out.putLong(CHECK_AT, check(out, out.position()));
     }
 
     /** Writes a snapshot without a check to a little-endian buffer, from position 0 on. */
