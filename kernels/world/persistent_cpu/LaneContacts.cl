@@ -29,6 +29,12 @@ INLINE uint4 slotsOf(const World *w, int wide, int higher) {
     return (uint4)(pair[0], pair[1], pair[2], pair[3]);
 }
 
+// Whether a mask is true in any lane. Not any(), of which POCL makes branches.
+INLINE bool someLane(int4 mask) {
+    ulong2 halves = as_ulong2(mask);
+    return (halves.x | halves.y) != 0;
+}
+
 // Vectors of four circles, component by component.
 typedef struct {
     float4 x, y, z, w;
@@ -146,7 +152,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     float4 threshold = restitutionThreshold4(&w->k, sum, e);
     float4 nx = zero, ny = zero, s;
     int4 apart = measure4(ex, ey, mj.x - mi.x, mj.y - mi.y, sum, &nx, &ny, &s);
-    if (!all(apart)) {
+    if (someLane(!apart)) {
         float2 normal[4];
         for (int l = 0; l < 4; l++) normal[l] = partingNormal(l < used ? ids[l] : 0);
         nx = choose4(apart, nx, (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x));
