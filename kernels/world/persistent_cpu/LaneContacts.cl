@@ -11,7 +11,7 @@
 // Difference of the bases x, y, sum of the radii, restitution.
 global float4 *baseOf(const World *w, int wide) { return w->base + 4 * wide; }
 
-// Inverse masses, greatest push-out speed, target speed of a bounce.
+// Inverse masses, square of the flight threshold, target speed of a bounce.
 global float4 *massesOf(const World *w, int wide) { return w->masses + 4 * wide; }
 
 // Normal x, y, separation, accumulated impulse.
@@ -173,7 +173,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     global float4 *masses = massesOf(w, wide);
     masses[0] = wi;
     masses[1] = wj;
-    masses[2] = pushSpeed4(&w->k, sum);
+    masses[2] = flightThreshold4(sum, e, w->k.thresholdRate, w->k.flightRestRate);
     masses[3] = choose4(real && carries4(normalImpulse, vn, restingLimit4(s, threshold)), (float4)(1.0f), zero);
     global float4 *contact = stateOf(w, wide);
     contact[0] = nx;

@@ -27,7 +27,7 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     f.separation = stateOf(w, wide)[2];
     f.restitution = baseOf(w, wide)[3];
     f.threshold = shapeOf(w, wide)[1];
-    f.flight = flightThreshold4(baseOf(w, wide)[2], baseOf(w, wide)[3], w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = massesOf(w, wide)[2];
     f.mass = shapeOf(w, wide)[0];
     f.normalImpulse = stateOf(w, wide)[3];
     f.loaded = loaded;
@@ -61,7 +61,7 @@ INLINE void solveWide(const World *w, int wide) {
     float4 vn = along4(nx, ny, firstOf(&relative), secondOf(&relative));
     float4 beforeX = firstOf(&relativeBefore), beforeY = secondOf(&relativeBefore);
     Found4 found = foundWide(w, wide, someLoaded(w, i, j));
-    found.pushSpeed = masses[2];
+    found.pushSpeed = pushSpeed4(&w->k, baseOf(w, wide)[2]);
     found.before = along4(nx, ny, beforeX, beforeY);
     found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
     found.halfFall = halfFall4(nx * w->k.gravityStepX + ny * w->k.gravityStepY, masses[0], masses[1]);
