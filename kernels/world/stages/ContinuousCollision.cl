@@ -106,9 +106,16 @@ int inBlock(int column, int side, int most) {
     return min(min(blockEnd, side) - column, most + 1);
 }
 
+// Whether a pair needs a closer look, which few do.
+bool mayMatter(const World *w, const Runner *s, int other) {
+    float4 c = w->circle[other];
+    float4 plan = w->motionClamp[other];
+    return mayTouch(c.x - s->x, c.y - s->y, s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
+}
+
 void meetAll(const World *w, const Runner *s, int from, int to) {
     for (int other = from; other < to; other++) {
-        if (other != s->slot) meet(w, s, other);
+        if (other != s->slot && mayMatter(w, s, other)) meet(w, s, other);
     }
 }
 

@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
 import static io.github.circles2d.world.model.CircleRow.LIMIT;
+import static io.github.circles2d.world.model.CircleRow.MASS;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -251,10 +252,24 @@ public final class ContinuousCollision {
 
     private void meetAll(int slot, int from, int to, float least, boolean forPushers) {
         for (int other = from; other < to; other++) {
-            if (other != slot) {
+            if (other != slot && mayMatter(slot, other) != 0) {
                 meet(slot, other, least, forPushers);
             }
         }
+    }
+
+    /** Whether a pair needs a closer look, which few do: all bits, or none. */
+    private int mayMatter(int slot, int other) {
+        float[] circle = state.circle;
+        float[] plan = state.plan;
+        int s = CircleRow.of(slot);
+        int o = CircleRow.of(other);
+        float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
+        float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
+        float dx = circle[o + X] - circle[s + X];
+        float dy = circle[o + Y] - circle[s + Y];
+        int touches = PairRule.mayTouch(dx, dy, ux, uy, circle[s + RADIUS] + circle[o + RADIUS]);
+        return touches | PairRule.isStatic(circle[o + MASS]);
     }
 
     private void meet(int slot, int other, float least, boolean forPushers) {

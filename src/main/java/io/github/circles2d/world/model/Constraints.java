@@ -94,6 +94,16 @@ public final class Constraints {
     }
 
     /**
+     * Whether circles of a restitution greater than 0 fly free of each other: nothing carries them, they do not press, and they move
+     * against each other faster than the threshold. All others are solved.
+     *
+     * @param loaded greater than 0 if something carries one of the circles
+     */
+    public static int flies(float loaded, float normalImpulse, float vn, float threshold) {
+        return isImpact(vn, threshold) & ~(Branchless.isPositive(loaded) | Branchless.isPositive(normalImpulse));
+    }
+
+    /**
      * How to treat a constraint. Circles in free flight, which move against each other faster than the threshold, bounce if they
      * meet, and are left alone if they part, unless they linger. All others are solved.
      *
@@ -104,8 +114,7 @@ public final class Constraints {
      */
     public static int visitOf(
             float restitution, float loaded, int lingers, float normalImpulse, float vn, int meets, float threshold) {
-        int flies = isImpact(vn, threshold) & ~Branchless.isPositive(loaded);
-        if (flies != 0 && normalImpulse == 0f && restitution > 0f) {
+        if (flies(loaded, normalImpulse, vn, threshold) != 0 && restitution > 0f) {
             return vn > 0f ? lingers != 0 ? SOLVE : LEAVE : meets != 0 ? BOUNCE : SOLVE;
         }
         return SOLVE;
