@@ -33,7 +33,7 @@ float besideWalls(float x, float p, float r, float min, float max) {
 float timeOfWall(float x, float p, float r, float min, float max) {
     float low = (min + r) - x;
     float high = (max - r) - x;
-    return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1.0f;
+    return p < 0.0f && p < low ? low / p : p > 0.0f && p > high ? high / p : 1.0f;
 }
 
 float travelShare(float path, float r) {
@@ -44,6 +44,8 @@ float travelShare(float path, float r) {
 float sightMargin(float r, float path, float top) {
     return 1.125f * ((r + top) + greatest(path, CAP * top));
 }
+
+float carriedPath(float path, float longest, float top) { return least(path, longest) + CAP * top; }
 
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
 
@@ -68,6 +70,12 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
 float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
     float deep = timeOfTouch(dx, dy, ux, uy, sum - GRAZE * sum);
     return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
+}
+
+float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pathY, float share, float sum) {
+    float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+    if (t <= share) return t;
+    return greatest(timeOfImpact(dx + share * pathX, dy + share * pathY, px, py, sum), share);
 }
 
 float holdAllowance(float r, float path, float other, bool stands) {

@@ -34,7 +34,8 @@ final class Circle {
     float allowance;
     boolean stands;
     boolean isPushed;
-    Circle pusher;
+    float carryTime;
+    Circle carrier;
     boolean loaded;
     boolean loadedNext;
 

@@ -172,19 +172,19 @@ public final class CircleMath {
     }
 
     /**
-     * The share of a component of its path after which a circle touches a wall.
+     * The share of a component of its path after which a circle touches a wall that it moves to.
      *
      * @param x coordinate
      * @param p component of the path
      * @param r radius
      * @param min lower wall
      * @param max upper wall
-     * @return the share, 1 where it does not
+     * @return the share, negative where the circle is in the wall; 1 where it does not touch it
      */
     public static float timeOfWall(float x, float p, float r, float min, float max) {
         float low = (min + r) - x;
         float high = (max - r) - x;
-        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
+        return p < 0f && p < low ? low / p : p > 0f && p > high ? high / p : 1f;
     }
 
     /**
@@ -210,6 +210,18 @@ public final class CircleMath {
      */
     public static float sightMargin(float r, float path, float top) {
         return 1.125f * ((r + top) + greatest(path, Tuning.CAP * top));
+    }
+
+    /**
+     * The greatest length of the path of a circle that is not static and that a static one looks out for.
+     *
+     * @param path length of the static circle's path
+     * @param longest at least the length of the longest path of all circles that are not static
+     * @param top greatest radius of the others
+     * @return a length
+     */
+    public static float carriedPath(float path, float longest, float top) {
+        return least(path, longest) + Tuning.CAP * top;
     }
 
     /**
@@ -290,6 +302,28 @@ public final class CircleMath {
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
+     * When a static circle that moves touches another, which goes a share of its path and waits there.
+     *
+     * @param dx position of the other minus that of the static circle
+     * @param dy position of the other minus that of the static circle
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param pathX path of the other
+     * @param pathY path of the other
+     * @param share how much of it the other goes
+     * @param sum sum of the radii
+     * @return the share of the step, at least 0; 1 or more where they do not touch
+     */
+    public static float timeOfCarry(
+            float dx, float dy, float px, float py, float pathX, float pathY, float share, float sum) {
+        float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+        if (t <= share) {
+            return t;
+        }
+        return greatest(timeOfImpact(dx + share * pathX, dy + share * pathY, px, py, sum), share);
     }
 
     /**
