@@ -21,6 +21,8 @@ float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * 
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
+float travelSpeed(float from, float to, float dt) { return limitSpeed((to - from) / dt); }
+
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 
 bool isFast(float path, float r) { return path > CAP * r; }

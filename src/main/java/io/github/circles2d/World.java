@@ -195,7 +195,15 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle somewhere else; its velocity stays. It may overlap others there, which are pushed apart (see the class).
+     * Puts a circle somewhere else; its velocity stays.
+     *
+     * <p>A circle that is not static is there at once. It may overlap others there, which are pushed apart (see the class).
+     *
+     * <p>A static circle travels there in the next step, on a straight line, however far it is, and pushes what is in its way ahead.
+     * Reads give its old place until then; after the step it is exactly at the new one, with the velocity that it had before. In this
+     * step it does not move by its own velocity. Of several calls before a step the last one counts. {@link #setBounds} brings the
+     * new place inside, and a circle that {@link #setMass} makes no longer static is there at once. A circle far away flings what it
+     * meets: use {@link #teleport} for jumps.
      *
      * @param handle the circle
      * @param x x of the centre, within the bounds
@@ -203,6 +211,19 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
+        simulation.circles().move(handle, x, y);
+    }
+
+    /**
+     * Puts a circle somewhere else at once, also a static one, past all that lies between; its velocity stays. It may overlap others
+     * there, which are pushed apart (see the class).
+     *
+     * @param handle the circle
+     * @param x x of the centre, within the bounds
+     * @param y y of the centre, within the bounds
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void teleport(long handle, float x, float y) {
         simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 

@@ -22,6 +22,7 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final LastReading last;
+    final Travels travels = new Travels(handles, commands);
     private final Circles circles;
     private final Readings readings;
     private final Snapshots snapshots;
@@ -116,6 +117,7 @@ public final class Simulation implements AutoCloseable {
             changed();
             guard.changing = true;
             pipeline.confine(next);
+            travels.confine(next);
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -161,24 +163,36 @@ public final class Simulation implements AutoCloseable {
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            guard.changing = true;
-            emptyStep = handles.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
+            int travelling = travels.isEmpty() ? 0 : 1;
+            if (travelling > 0) {
+                travels.depart(timeStep);
+                makeSteps(timeStep, travelling);
+                travels.arrive();
             }
-            snapshots.forget();
-            previousTimeStep = timeStep;
-            guard.changing = false;
+            if (steps > travelling) {
+                makeSteps(timeStep, steps - travelling);
+            }
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    private void makeSteps(float timeStep, int steps) {
+        applyCommands();
+        guard.changing = true;
+        emptyStep = handles.size() == 0;
+        if (!emptyStep) {
+            changed();
+            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+            constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            pipeline.step(constants, levels, steps);
+        }
+        snapshots.forget();
+        previousTimeStep = timeStep;
+        guard.changing = false;
     }
 
     /** Waits until all steps that were asked for have been made. */

@@ -133,6 +133,18 @@ public final class CircleMath {
     }
 
     /**
+     * A component of the velocity of a circle that is to be somewhere else at the end of a step.
+     *
+     * @param from coordinate
+     * @param to coordinate at the end
+     * @param dt length of the step
+     * @return the component, which may be too small if the way is very long
+     */
+    public static float travelSpeed(float from, float to, float dt) {
+        return limitSpeed((to - from) / dt);
+    }
+
+    /**
      * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
      * Two circles are listed as a contact where the distance of their centres is less than the sum of their speculative distances.
      *
