@@ -49,6 +49,16 @@ float sightMargin(float r, float path, float top) {
 
 float carriedPath(float path, float longest, float top) { return least(path, longest) + CAP * top; }
 
+float leastBetween(float x, float px, float y, float py, float low, float high) {
+    float from = py == 0.0f ? 0.0f : bounded((low - y) / py, 0.0f, 1.0f);
+    float to = py == 0.0f ? 1.0f : bounded((high - y) / py, 0.0f, 1.0f);
+    return x + least(from * px, to * px);
+}
+
+float greatestBetween(float x, float px, float y, float py, float low, float high) {
+    return -leastBetween(-x, -px, y, py, low, high);
+}
+
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
 
 bool isLonger(float ux, float uy, float length) { return ux * ux + uy * uy > length * length; }
@@ -74,10 +84,21 @@ float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
     return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
 }
 
-float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pathY, float share, float sum) {
+bool isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+    float x = dx - px;
+    float y = dy - py;
+    return x * px + y * py < 0.0f || !isLonger(x, y, sum - RUN_OVER * r);
+}
+
+float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
     float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
-    if (t <= share) return t;
-    return greatest(timeOfImpact(dx + share * pathX, dy + share * pathY, px, py, sum), share);
+    if (t < share) return t;
+    float x = dx + share * pathX;
+    float y = dy + share * pathY;
+    t = greatest(timeOfImpact(x, y, px, py, sum), share);
+    if (t < 1.0f && isRunOver(x, y, px, py, r, sum)) return t;
+    bool meets = timeOfImpact(dx, dy, px, py, sum) < 1.0f;
+    return meets && isRunOver(dx, dy, px, py, r, sum) ? 1.0f : 2.0f;
 }
 
 float holdAllowance(float r, float path, float other, bool stands) {

@@ -177,12 +177,21 @@ void lookAhead(const World *w, int slot, Look look) {
         float minX = w->levels->minX;
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
-        int c0 = cell(least(s.x, s.x + s.px) - margin, minX, edge);
-        int c1 = cell(greatest(s.x, s.x + s.px) + margin, minX, edge);
+        int columns = w->levels->columnCount[level];
+        int rows = w->levels->rowCount[level];
         int r0 = cell(least(s.y, s.y + s.py) - margin, minY, edge);
         int r1 = cell(greatest(s.y, s.y + s.py) + margin, minY, edge);
-        lookAt(w, &s, level, c0, min(c1, c0 + w->levels->columnCount[level] - 1), r0,
-               min(r1, r0 + w->levels->rowCount[level] - 1));
+        // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
+        bool byPieces = isStatic && r1 - r0 < rows;
+        int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
+        for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
+            int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
+            float low = byPieces ? minY + (float) v / edge - margin : -INFINITY;
+            float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
+            int c0 = cell(leastBetween(s.x, s.px, s.y, s.py, low, high) - margin, minX, edge);
+            int c1 = cell(greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin, minX, edge);
+            lookAt(w, &s, level, c0, min(c1, c0 + columns - 1), v, min(end - 1, r1));
+        }
     }
 }
 
@@ -223,8 +232,9 @@ void setMotionClamp(const World *w, int slot) {
     float allowance = limit < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
     float2 path = plan.xy;
     int carrier = w->carrier[slot];
-    if (carrier != NOBODY || free < limit) {
-        float own = least(freeShare(w, slot), carryTime(w, slot));
+    float own = least(freeShare(w, slot), carryTime(w, slot));
+    bool stops = free < limit || carryTime(w, slot) < 1.0f;
+    if (carrier != NOBODY || stops) {
         path = (float2)(own * path.x, own * path.y);
         allowance = 0.0f;
         if (carrier != NOBODY) {
@@ -233,11 +243,13 @@ void setMotionClamp(const World *w, int slot) {
             path = (float2)(path.x + rest * carried.x, path.y + rest * carried.y);
             allowance = isFast(carried.w, r) ? CARRIED : 0.0f;
         }
+    } else if (allowance >= 0.0f) {
+        path = (float2)(limit * path.x, limit * path.y);
+    }
+    if (stops) {
         w->sight[slot].z = speculativeDistance(r, 0.0f);
         w->motion[slot].z -= (1.0f - own) * (k->gravityStepX * k->subSteps);
         w->motion[slot].w -= (1.0f - own) * (k->gravityStepY * k->subSteps);
-    } else if (allowance >= 0.0f) {
-        path = (float2)(limit * path.x, limit * path.y);
     }
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }

@@ -117,7 +117,7 @@ bool gatherCircle(const World *w, int i) {
     if (w->k.sweeping) {
         w->timeOfImpact[slot] = as_int(timeOfWalls(&w->k, c, px, py, !isStatic && path > c.z));
         w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
-        w->carryTime[slot] = as_int(1.0f);
+        w->carryTime[slot] = as_int(NOT_CARRIED);
         w->carrier[slot] = NOBODY;
         if (isStatic && path > 0.0f) w->status[CARRYING] = 1;
     }

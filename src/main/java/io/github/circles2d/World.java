@@ -61,11 +61,15 @@ import java.util.Objects;
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
  * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
  * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
- * 0.95 of their diameter, beside a wall, about one in a thousand still does. A static circle that moves takes along a circle that it
- * meets, whatever its size; through a crowd it does so up to about half its radius a step, and faster ones drive over those that
- * stop at others. Circles do not stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles
- * of a tenth, a ball runs over about one in a hundred. In one step a circle that is not static moves at most 64 of its radii,
- * whatever its velocity, unless a static one takes it along: do not make circles tiny that are to fly far.
+ * 0.95 of their diameter, beside a wall, about one in a thousand still does. Circles do not stop at others that are less than a
+ * sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over about one in a hundred. In one step a
+ * circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it along: do not make
+ * circles tiny that are to fly far.
+ *
+ * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead what they meet, and pass through
+ * nothing: fences of them that drove through crowds at 0.2 to 10 of the circles' radii a step left none behind. From about half a
+ * radius a step on, they press a crowd into itself; faster ones press circles into one point, which part later. They push circles
+ * through other static ones, and one that is between two which move against each other comes behind one of them.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large

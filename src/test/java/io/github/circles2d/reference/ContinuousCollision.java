@@ -176,16 +176,21 @@ final class ContinuousCollision {
         for (int a = 0; a < 2; a++) {
             c.freePath[a] = share * c.path[a];
         }
-        if (c.carrier != null || c.timeOfImpact < c.contactTime) {
-            float own = min(Carrying.freeShare(c), c.carryTime);
+        boolean stops = c.timeOfImpact < c.contactTime || c.carryTime < 1f;
+        float own = min(Carrying.freeShare(c), c.carryTime);
+        if (c.carrier != null || stops) {
             for (int a = 0; a < 2; a++) {
                 float alone = own * c.path[a];
                 c.freePath[a] = c.carrier == null ? alone : alone + (1f - c.carryTime) * c.carrier.path[a];
-                c.velocity[a] -= (1f - own) * (k.gravityStep(a) * k.subSteps());
             }
             c.allowance = 0f;
             c.stands = false;
             c.isPushed = c.carrier != null && Carrying.pushes(c.carrier, c);
+        }
+        if (stops) {
+            for (int a = 0; a < 2; a++) {
+                c.velocity[a] -= (1f - own) * (k.gravityStep(a) * k.subSteps());
+            }
             c.speculativeDistance = c.radius + Circle.MARGIN * c.radius;
         }
     }

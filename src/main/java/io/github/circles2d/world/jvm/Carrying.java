@@ -15,13 +15,15 @@ import java.lang.invoke.VarHandle;
  * Static circles that move take along what they come upon, so that they pass through nothing. Continuous collision has told
  * before how far each circle goes if it meets none of them; it waits there for the rest of the step. The static circle that
  * touches it first, on its way or while it waits, moves it as it moves itself from then on. A slow one leaves this to their
- * contact if they have one.
+ * contact if they have one. A circle that flies ahead of a fast one keeps to its path, whatever it meets: if something held it up
+ * in the step, the static circle would come upon it unseen. What it meets changes its velocity alone.
  *
  * <p>Circles that are carried stop at nothing, so a crowd in the way of a fast static circle is pressed into each other.
  */
 final class Carrying {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
 
+    private static final float NEVER = 2f;
     private static final int NOBODY = Integer.MAX_VALUE;
 
     private final State state;
@@ -51,7 +53,7 @@ final class Carrying {
     }
 
     void start(int slot) {
-        carryTime[slot] = Float.floatToRawIntBits(1f);
+        carryTime[slot] = Float.floatToRawIntBits(NEVER);
         carrier[slot] = NOBODY;
     }
 
@@ -79,8 +81,9 @@ final class Carrying {
         float pyo = state.plan[CircleRow.vector(other) + Y];
         float dx = state.circle[o + X] - state.circle[s + X];
         float dy = state.circle[o + Y] - state.circle[s + Y];
-        float t = CircleMath.timeOfCarry(dx, dy, px, py, pxo, pyo, free, r + ro);
-        if (!(t < 1f) || !pushes(slot, ro) && contactHas(slot, other, dx, dy, px - pxo, py - pyo)) {
+        float t = CircleMath.timeOfCarry(dx, dy, px, py, pxo, pyo, free, ro, r + ro);
+        boolean carries = pushes(slot, ro) ? t <= 1f : t < 1f && !contactHas(slot, other, dx, dy, px - pxo, py - pyo);
+        if (!carries) {
             return;
         }
         if (!note) {
@@ -110,7 +113,7 @@ final class Carrying {
         return carrier[slot] != NOBODY;
     }
 
-    /** The share of the step after which a circle is carried; 1 if it is not. */
+    /** The share of the step after which a circle is carried; more than 1 if it is not. */
     float time(int slot) {
         return Float.intBitsToFloat(carryTime[slot]);
     }

@@ -220,11 +220,22 @@ public final class ContinuousCollision {
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
-            int c0 = CircleMath.cell(CircleMath.least(x, x + px) - margin, levels.minX, edge);
-            int c1 = CircleMath.cell(CircleMath.greatest(x, x + px) + margin, levels.minX, edge);
             int r0 = CircleMath.cell(CircleMath.least(y, y + py) - margin, levels.minY, edge);
             int r1 = CircleMath.cell(CircleMath.greatest(y, y + py) + margin, levels.minY, edge);
-            lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), r0, Math.min(r1, r0 + rows - 1), look);
+            // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on
+            // the ring.
+            boolean byPieces = state.isStatic(slot) && r1 - r0 < rows;
+            int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
+            for (int v = r0; v <= Math.min(r1, r0 + rows - 1); v += rowsAtOnce) {
+                int end = Math.min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
+                float low = byPieces ? levels.minY + v / edge - margin : Float.NEGATIVE_INFINITY;
+                float high = byPieces ? levels.minY + end / edge + margin : Float.POSITIVE_INFINITY;
+                float left = CircleMath.leastBetween(x, px, y, py, low, high) - margin;
+                float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
+                int c0 = CircleMath.cell(left, levels.minX, edge);
+                int c1 = CircleMath.cell(right, levels.minX, edge);
+                lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), look);
+            }
         }
     }
 
@@ -398,7 +409,8 @@ public final class ContinuousCollision {
             float allowed = limit < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
             float own = CircleMath.least(CircleMath.least(free, limit), carrying.time(slot));
             boolean carried = carrying.isCarried(slot);
-            if (carried || free < limit) {
+            boolean stops = free < limit || carrying.time(slot) < 1f;
+            if (carried || stops) {
                 px = own * px;
                 py = own * py;
                 allowed = 0f;
@@ -407,12 +419,14 @@ public final class ContinuousCollision {
                     py += carrying.y(slot);
                     allowed = carrying.allowance(slot);
                 }
-                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
-                state.motion[s + VX] -= (1f - own) * (k.gravityStepX * k.subSteps);
-                state.motion[s + VY] -= (1f - own) * (k.gravityStepY * k.subSteps);
             } else if (allowed >= 0f) {
                 px = limit * px;
                 py = limit * py;
+            }
+            if (stops) {
+                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
+                state.motion[s + VX] -= (1f - own) * (k.gravityStepX * k.subSteps);
+                state.motion[s + VY] -= (1f - own) * (k.gravityStepY * k.subSteps);
             }
             clamp[s + PATH_X] = px;
             clamp[s + PATH_Y] = py;

@@ -237,6 +237,39 @@ public final class CircleMath {
     }
 
     /**
+     * The least coordinate of the part of a straight path that is between two values of the other coordinate; of a path without such
+     * a part, that of one of its ends.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the least coordinate
+     */
+    public static float leastBetween(float x, float px, float y, float py, float low, float high) {
+        float from = py == 0f ? 0f : bounded((low - y) / py, 0f, 1f);
+        float to = py == 0f ? 1f : bounded((high - y) / py, 0f, 1f);
+        return x + least(from * px, to * px);
+    }
+
+    /**
+     * As {@link #leastBetween}, the greatest coordinate.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the greatest coordinate
+     */
+    public static float greatestBetween(float x, float px, float y, float py, float low, float high) {
+        return -leastBetween(-x, -px, y, py, low, high);
+    }
+
+    /**
      * Whether a fast circle looks out for another that is not static: not for one so much smaller that it would push it aside.
      *
      * @param r radius of the fast circle
@@ -317,7 +350,9 @@ public final class CircleMath {
     }
 
     /**
-     * When a static circle that moves touches another, which goes a share of its path and waits there.
+     * When a static circle that moves takes another along, which goes a share of its path and waits there: when they touch, if they
+     * do so on its way, or if the static circle runs over it where it waits. At the end of the step, if it would be run over only
+     * if something stopped it at once.
      *
      * @param dx position of the other minus that of the static circle
      * @param dy position of the other minus that of the static circle
@@ -326,16 +361,41 @@ public final class CircleMath {
      * @param pathX path of the other
      * @param pathY path of the other
      * @param share how much of it the other goes
+     * @param r radius of the other
      * @param sum sum of the radii
-     * @return the share of the step, at least 0; 1 or more where they do not touch
+     * @return the share of the step, at least 0; more than 1 where it takes it along not at all
      */
     public static float timeOfCarry(
-            float dx, float dy, float px, float py, float pathX, float pathY, float share, float sum) {
+            float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
         float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
-        if (t <= share) {
+        if (t < share) {
             return t;
         }
-        return greatest(timeOfImpact(dx + share * pathX, dy + share * pathY, px, py, sum), share);
+        float x = dx + share * pathX;
+        float y = dy + share * pathY;
+        t = greatest(timeOfImpact(x, y, px, py, sum), share);
+        if (t < 1f && isRunOver(x, y, px, py, r, sum)) {
+            return t;
+        }
+        boolean meets = timeOfImpact(dx, dy, px, py, sum) < 1f;
+        return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
+    }
+
+    /**
+     * Whether a circle that does not move is deep in a static one or behind it when that has moved.
+     *
+     * @param dx position minus that of the static circle before
+     * @param dy position minus that of the static circle before
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param r radius
+     * @param sum sum of the radii
+     * @return true where it is
+     */
+    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+        float x = dx - px;
+        float y = dy - py;
+        return x * px + y * py < 0f || !isLonger(x, y, sum - Tuning.RUN_OVER * r);
     }
 
     /**
