@@ -165,9 +165,7 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             int travelling = travels.isEmpty() ? 0 : 1;
             if (travelling > 0) {
-                travels.depart(timeStep);
-                makeSteps(timeStep, travelling);
-                travels.arrive();
+                travel(timeStep);
             }
             if (steps > travelling) {
                 makeSteps(timeStep, steps - travelling);
@@ -177,6 +175,25 @@ public final class Simulation implements AutoCloseable {
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Makes a step in which static circles travel. */
+    private void travel(float timeStep) {
+        travels.makeRoom();
+        guard.changing = true;
+        travels.depart(timeStep);
+        guard.changing = false;
+        try {
+            makeSteps(timeStep, 1);
+        } catch (RuntimeException | Error e) {
+            if (!guard.changing) {
+                travels.stay();
+            }
+            throw e;
+        }
+        guard.changing = true;
+        travels.arrive();
+        guard.changing = false;
     }
 
     private void makeSteps(float timeStep, int steps) {

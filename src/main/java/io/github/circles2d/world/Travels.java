@@ -97,10 +97,14 @@ final class Travels {
         }
     }
 
-    /** Before the step: gives the circles the velocities that lead them to their targets, which they lose. */
-    void depart(float timeStep) {
+    /** Makes room for {@link #depart}. */
+    void makeRoom() {
         commands.ensure(count);
         places = places.length < count ? new long[ids.length] : places;
+    }
+
+    /** Before the step: gives the circles the velocities that lead them to their targets, which they lose. */
+    void depart(float timeStep) {
         int travelling = 0;
         for (int k = 0; k < count; k++) {
             int id = ids[k];
@@ -113,6 +117,14 @@ final class Travels {
             }
         }
         count = travelling;
+    }
+
+    /** The step has not begun for want of memory: the circles have their targets again, and the last commands are taken back. */
+    void stay() {
+        commands.drop(count);
+        for (int k = 0; k < count; k++) {
+            fields.set(TARGET, ids[k], places[k]);
+        }
     }
 
     /** After the step: puts the circles at their targets. */

@@ -241,6 +241,15 @@ public final class Commands {
     }
 
     /**
+     * Takes the last records back.
+     *
+     * @param records how many
+     */
+    public void drop(int records) {
+        count -= records;
+    }
+
+    /**
      * Records a new value of a field.
      *
      * @param field a field that steps read
