@@ -110,12 +110,16 @@ void listAll(World *w, local Local *l) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
         EACH(slot, w->circles) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, false);
+            if (looksAhead(w, slot)) lookAhead(w, slot, STOPS);
         }
         deviceBarrier(arrivals);
-        if (w->status[PUSHED]) {
+        if (w->status[CARRYING]) {
             EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, true);
+                if (looksAhead(w, slot)) lookAhead(w, slot, CARRY_TIMES);
+            }
+            deviceBarrier(arrivals);
+            EACH(slot, w->circles) {
+                if (looksAhead(w, slot)) lookAhead(w, slot, CARRIERS);
             }
             deviceBarrier(arrivals);
         }

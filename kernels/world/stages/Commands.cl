@@ -62,6 +62,19 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             homeMotion[slot].z = afterImpulse(homeMotion[slot].z, homeTraits[slot].x, a);
             homeMotion[slot].w = afterImpulse(homeMotion[slot].w, homeTraits[slot].x, b);
             break;
+        case COMMAND_DEPART:
+            // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
+            homeTraits[slot].zw = homeMotion[slot].zw;
+            homeMotion[slot].z = travelSpeed(homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]));
+            homeMotion[slot].w = travelSpeed(homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]));
+            break;
+        case COMMAND_ARRIVE:
+            homeCircle[slot].x = a;
+            homeCircle[slot].y = b;
+            homeMotion[slot] = (float4)(0.0f, 0.0f, homeTraits[slot].z, homeTraits[slot].w);
+            homeTraits[slot].z = 0.0f;
+            homeTraits[slot].w = 0.0f;
+            break;
         case COMMAND_FIELD:
             ((global int *) (fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;

@@ -8,6 +8,7 @@
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
 #define NOT_FAST 2.0f // more than any time of impact
+#define NOT_CARRIED 2.0f // more than any time at which a static circle takes another along
 #define NOBODY INT_MAX // more than any slot
 #define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
 

@@ -63,11 +63,15 @@ import java.util.Objects;
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
  * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
  * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
- * 0.95 of their diameter, beside a wall, about one in a thousand still does. A static circle that moves takes along a circle that it
- * meets, whatever its size; through a crowd it does so up to about half its radius a step, and faster ones drive over those that
- * stop at others. Circles do not stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles
- * of a tenth, a ball runs over about one in a hundred. In one step a circle that is not static moves at most 64 of its radii,
- * whatever its velocity, unless a static one takes it along: do not make circles tiny that are to fly far.
+ * 0.95 of their diameter, beside a wall, about one in a thousand still does. Circles do not stop at others that are less than a
+ * sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over about one in a hundred. In one step a
+ * circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it along: do not make
+ * circles tiny that are to fly far.
+ *
+ * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead what they meet, and pass through
+ * nothing: fences of them that drove through crowds at 0.2 to 10 of the circles' radii a step left none behind. From about half a
+ * radius a step on, they press a crowd into itself; faster ones press circles into one point, which part later. They push circles
+ * through other static ones, and one that is between two which move against each other comes behind one of them.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
@@ -244,7 +248,15 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle somewhere else; its velocity stays. It may overlap others there, which are pushed apart (see the class).
+     * Puts a circle somewhere else; its velocity stays.
+     *
+     * <p>A circle that is not static is there at once. It may overlap others there, which are pushed apart (see the class).
+     *
+     * <p>A static circle travels there in the next step, on a straight line, however far it is, and pushes what is in its way ahead.
+     * Reads give its old place until then; after the step it is exactly at the new one, with the velocity that it had before. In this
+     * step it does not move by its own velocity. Of several calls before a step the last one counts. {@link #setBounds} brings the
+     * new place inside, and a circle that {@link #setMass} makes no longer static is there at once. A circle far away flings what it
+     * meets: use {@link #teleport} for jumps.
      *
      * @param handle the circle
      * @param x x of the centre, within the bounds
@@ -252,6 +264,19 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
+        simulation.circles().move(handle, x, y);
+    }
+
+    /**
+     * Puts a circle somewhere else at once, also a static one, past all that lies between; its velocity stays. It may overlap others
+     * there, which are pushed apart (see the class).
+     *
+     * @param handle the circle
+     * @param x x of the centre, within the bounds
+     * @param y y of the centre, within the bounds
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void teleport(long handle, float x, float y) {
         simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 

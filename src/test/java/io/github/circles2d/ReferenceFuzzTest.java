@@ -144,7 +144,11 @@ class ReferenceFuzzTest {
         private void setPosition(long handle) {
             float x = x();
             float y = y();
-            both("setPosition", c -> c.setPosition(handle, x, y));
+            if (random.nextInt(3) == 0) {
+                both("teleport", c -> c.teleport(handle, x, y));
+            } else {
+                both("setPosition", c -> c.setPosition(handle, x, y));
+            }
         }
 
         private void setVelocity(long handle) {

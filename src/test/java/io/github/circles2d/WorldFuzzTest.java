@@ -240,8 +240,15 @@ class WorldFuzzTest {
             long handle = handle();
             float x = value(model.minX, model.maxX);
             float y = value(model.minY, model.maxY);
-            last = "setPosition " + x + " " + y;
-            ask(unknown(handle) || bad(x) || bad(y), () -> world.setPosition(handle, x, y));
+            boolean teleports = random.nextBoolean();
+            last = (teleports ? "teleport " : "setPosition ") + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                if (teleports) {
+                    world.teleport(handle, x, y);
+                } else {
+                    world.setPosition(handle, x, y);
+                }
+            });
         }
 
         private void setVelocity() {

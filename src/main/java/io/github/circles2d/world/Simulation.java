@@ -22,6 +22,7 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final LastReading last;
+    final Travels travels = new Travels(handles, commands);
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
@@ -123,6 +124,7 @@ public final class Simulation implements AutoCloseable {
             changed();
             guard.changing = true;
             pipeline.confine(next);
+            travels.confine(next);
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -168,24 +170,53 @@ public final class Simulation implements AutoCloseable {
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            guard.changing = true;
-            emptyStep = handles.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
+            int travelling = travels.isEmpty() ? 0 : 1;
+            if (travelling > 0) {
+                travel(timeStep);
             }
-            snapshots.forget();
-            previousTimeStep = timeStep;
-            guard.changing = false;
+            if (steps > travelling) {
+                makeSteps(timeStep, steps - travelling);
+            }
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Makes a step in which static circles travel. */
+    private void travel(float timeStep) {
+        travels.makeRoom();
+        guard.changing = true;
+        travels.depart(timeStep);
+        guard.changing = false;
+        try {
+            makeSteps(timeStep, 1);
+        } catch (RuntimeException | Error e) {
+            if (!guard.changing) {
+                travels.stay();
+            }
+            throw e;
+        }
+        guard.changing = true;
+        travels.arrive();
+        guard.changing = false;
+    }
+
+    private void makeSteps(float timeStep, int steps) {
+        applyCommands();
+        guard.changing = true;
+        emptyStep = handles.size() == 0;
+        if (!emptyStep) {
+            changed();
+            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+            constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            pipeline.step(constants, levels, steps);
+        }
+        snapshots.forget();
+        previousTimeStep = timeStep;
+        guard.changing = false;
     }
 
     /** Waits until all steps that were asked for have been made. */

@@ -65,12 +65,14 @@ public final class Snapshots {
             int length = SnapshotCodec.read(from, saved);
             simulation.finishSteps();
             handles.makeRoom(saved);
+            simulation.travels.makeRoom(saved);
             pipeline.makeRoom(saved);
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;
             handles.load(saved);
             simulation.commands.clear();
+            simulation.travels.restored();
             pipeline.load(saved);
             simulation.restored(saved.parameters());
             guard.changing = false;

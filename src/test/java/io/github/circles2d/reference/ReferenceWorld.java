@@ -17,6 +17,8 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
 
     private static final long CIRCLE = 0x636972636C653264L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int TARGET = 9;
     private static final long IMPULSE = 0x696D70756C736573L;
 
     private final float restitution;
@@ -57,9 +59,13 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
+            float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             if (size() > 0) {
                 new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
+            }
+            for (int i = 0; i < size(); i++) {
+                circles().get(i).arrive(velocities[i]);
             }
             previousDt = dt;
         }
@@ -77,7 +83,7 @@ public final class ReferenceWorld implements WorldCalls {
         c.restitution = restitution;
         c.radius = radius;
         c.mass = mass;
-        setPosition(c.handle, x, y);
+        teleport(c.handle, x, y);
         setVelocity(c.handle, vx, vy);
         return c.handle;
     }
@@ -126,6 +132,16 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPosition(long handle, float x, float y) {
+        if (find(handle).isStatic()) {
+            find(handle).target = new float[] {x, y};
+        } else {
+            teleport(handle, x, y);
+        }
+    }
+
+    @Override
+    public void teleport(long handle, float x, float y) {
+        find(handle).target = null;
         find(handle).place(0, x);
         find(handle).place(1, y);
     }
@@ -144,7 +160,11 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setMass(long handle, float mass) {
-        find(handle).mass = mass;
+        Circle c = find(handle);
+        c.mass = mass;
+        if (c.target != null && !c.isStatic()) {
+            teleport(handle, c.target[0], c.target[1]);
+        }
         forgetImpulses(find(handle));
     }
 
@@ -228,6 +248,9 @@ public final class ReferenceWorld implements WorldCalls {
                 if (inside != c.base[a]) {
                     c.place(a, inside);
                 }
+                if (c.target != null) {
+                    c.target[a] = Numbers.clamp(c.target[a], min[a], max[a]);
+                }
             }
         }
     }
@@ -239,6 +262,9 @@ public final class ReferenceWorld implements WorldCalls {
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
+            if (c.target != null) {
+                sum += absorb(absorb(absorb(FIELD, TARGET), c.id), c.target);
+            }
         }
         for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {
             Contact.Pair pair = entry.getKey();

@@ -46,7 +46,9 @@ final class Step {
             c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
         }
         c.pathLength = length(c.path);
-        if (!c.isStatic()) {
+        if (c.isStatic()) {
+            ContinuousCollision.cutStaticPath(c, k);
+        } else {
             ContinuousCollision.cutPath(c, k);
         }
         c.speculativeDistance = (c.radius + Circle.MARGIN * c.radius) + min(c.pathLength, Circle.CAP * c.radius);

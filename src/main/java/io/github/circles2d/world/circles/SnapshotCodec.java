@@ -239,6 +239,7 @@ public final class SnapshotCodec {
         FieldSections.read(in, s, sections);
         require(s.impulses == impulses && in.position() == length, "its records do not fit its header");
         checkPairs(s);
+        checkTargets(s);
         return length;
     }
 
@@ -347,6 +348,22 @@ public final class SnapshotCodec {
         }
         for (int k = 0; k < s.impulses; k++) {
             require(lives[s.hi[k]], "an impulse has no second circle");
+        }
+    }
+
+    /** Only static circles travel, and only to places within the bounds. */
+    private static void checkTargets(SavedState s) {
+        for (int k = 0; k < s.circles; k++) {
+            long target = s.fields.get(CircleField.TARGET, s.id[k]);
+            if (target != CircleField.TARGET.initial()) {
+                require(
+                        s.traits[CircleRow.STRIDE * k + CircleRow.INVERSE_MASS] == 0,
+                        "a circle travels that is not static");
+                Limits.position(
+                        CircleField.placeX(target),
+                        CircleField.placeY(target),
+                        s.parameters().bounds());
+            }
         }
     }
 

@@ -200,10 +200,30 @@ public final class State {
                     motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
+                case Commands.DEPART -> depart(s, a, b, Float.intBitsToFloat(records[k + Commands.THIRD]));
+                case Commands.ARRIVE -> arrive(s, a, b);
                 case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
         }
+    }
+
+    private void depart(int s, float x, float y, float dt) {
+        traits[s + WALL_X] = motion[s + VX];
+        traits[s + WALL_Y] = motion[s + VY];
+        motion[s + VX] = CircleMath.travelSpeed(circle[s + X], x, dt);
+        motion[s + VY] = CircleMath.travelSpeed(circle[s + Y], y, dt);
+    }
+
+    private void arrive(int s, float x, float y) {
+        circle[s + X] = x;
+        circle[s + Y] = y;
+        motion[s + DX] = 0;
+        motion[s + DY] = 0;
+        motion[s + VX] = traits[s + WALL_X];
+        motion[s + VY] = traits[s + WALL_Y];
+        traits[s + WALL_X] = 0;
+        traits[s + WALL_Y] = 0;
     }
 
     private void add(int circleId, int[] records, int k) {

@@ -133,6 +133,18 @@ public final class CircleMath {
     }
 
     /**
+     * A component of the velocity of a circle that is to be somewhere else at the end of a step.
+     *
+     * @param from coordinate
+     * @param to coordinate at the end
+     * @param dt length of the step
+     * @return the component, which may be too small if the way is very long
+     */
+    public static float travelSpeed(float from, float to, float dt) {
+        return limitSpeed((to - from) / dt);
+    }
+
+    /**
      * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
      * Two circles are listed as a contact where the distance of their centres is less than the sum of their speculative distances.
      *
@@ -172,19 +184,19 @@ public final class CircleMath {
     }
 
     /**
-     * The share of a component of its path after which a circle touches a wall.
+     * The share of a component of its path after which a circle touches a wall that it moves to.
      *
      * @param x coordinate
      * @param p component of the path
      * @param r radius
      * @param min lower wall
      * @param max upper wall
-     * @return the share, 1 where it does not
+     * @return the share, negative where the circle is in the wall; 1 where it does not touch it
      */
     public static float timeOfWall(float x, float p, float r, float min, float max) {
         float low = (min + r) - x;
         float high = (max - r) - x;
-        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
+        return p < 0f && p < low ? low / p : p > 0f && p > high ? high / p : 1f;
     }
 
     /**
@@ -210,6 +222,51 @@ public final class CircleMath {
      */
     public static float sightMargin(float r, float path, float top) {
         return 1.125f * ((r + top) + greatest(path, Tuning.CAP * top));
+    }
+
+    /**
+     * The greatest length of the path of a circle that is not static and that a static one looks out for.
+     *
+     * @param path length of the static circle's path
+     * @param longest at least the length of the longest path of all circles that are not static
+     * @param top greatest radius of the others
+     * @return a length
+     */
+    public static float carriedPath(float path, float longest, float top) {
+        return least(path, longest) + Tuning.CAP * top;
+    }
+
+    /**
+     * The least coordinate of the part of a straight path that is between two values of the other coordinate; of a path without such
+     * a part, that of one of its ends.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the least coordinate
+     */
+    public static float leastBetween(float x, float px, float y, float py, float low, float high) {
+        float from = py == 0f ? 0f : bounded((low - y) / py, 0f, 1f);
+        float to = py == 0f ? 1f : bounded((high - y) / py, 0f, 1f);
+        return x + least(from * px, to * px);
+    }
+
+    /**
+     * As {@link #leastBetween}, the greatest coordinate.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the greatest coordinate
+     */
+    public static float greatestBetween(float x, float px, float y, float py, float low, float high) {
+        return -leastBetween(-x, -px, y, py, low, high);
     }
 
     /**
@@ -290,6 +347,55 @@ public final class CircleMath {
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
+     * When a static circle that moves takes another along, which goes a share of its path and waits there: when they touch, if they
+     * do so on its way, or if the static circle runs over it where it waits. At the end of the step, if it would be run over only
+     * if something stopped it at once.
+     *
+     * @param dx position of the other minus that of the static circle
+     * @param dy position of the other minus that of the static circle
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param pathX path of the other
+     * @param pathY path of the other
+     * @param share how much of it the other goes
+     * @param r radius of the other
+     * @param sum sum of the radii
+     * @return the share of the step, at least 0; more than 1 where it takes it along not at all
+     */
+    public static float timeOfCarry(
+            float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
+        float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+        if (t < share) {
+            return t;
+        }
+        float x = dx + share * pathX;
+        float y = dy + share * pathY;
+        t = greatest(timeOfImpact(x, y, px, py, sum), share);
+        if (t < 1f && isRunOver(x, y, px, py, r, sum)) {
+            return t;
+        }
+        boolean meets = timeOfImpact(dx, dy, px, py, sum) < 1f;
+        return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
+    }
+
+    /**
+     * Whether a circle that does not move is deep in a static one or behind it when that has moved.
+     *
+     * @param dx position minus that of the static circle before
+     * @param dy position minus that of the static circle before
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param r radius
+     * @param sum sum of the radii
+     * @return true where it is
+     */
+    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+        float x = dx - px;
+        float y = dy - py;
+        return x * px + y * py < 0f || !isLonger(x, y, sum - Tuning.RUN_OVER * r);
     }
 
     /**

@@ -190,7 +190,7 @@ class PipelinesAgreeTest {
         float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
         twins.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
         if (random.nextInt(8) == 0) {
-            twins.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+            twins.move(id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
         }
     }
 

@@ -243,6 +243,13 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Puts the circle that had an id last somewhere else; a static one travels there. */
+    void move(int id, float x, float y) {
+        for (Simulation simulation : simulations) {
+            simulation.circles().move(handles[id], x, y);
+        }
+    }
+
     /** Makes some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
         Bounds bounds = simulations[0].bounds();
@@ -273,7 +280,7 @@ final class Twins implements AutoCloseable {
             switch (operation) {
                 case Commands.POSITION -> {
                     float x = between(random, bounds.minX(), bounds.maxX());
-                    set(operation, id, x, between(random, bounds.minY(), bounds.maxY()));
+                    move(id, x, between(random, bounds.minY(), bounds.maxY()));
                 }
                 case Commands.VELOCITY, Commands.IMPULSE ->
                     set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
@@ -282,7 +289,7 @@ final class Twins implements AutoCloseable {
             }
         }
         for (CircleField field : CircleField.values()) {
-            for (int k = 0; k < 20; k++) {
+            for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
             }
         }

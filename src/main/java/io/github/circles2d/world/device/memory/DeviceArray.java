@@ -64,7 +64,8 @@ public enum DeviceArray {
             Index.SLOT,
             "the share up to where it touches one that it has a contact with, NOT_FAST where it is not; how far it may leave its path"
                     + " then, negative at a static one"),
-    PUSHER("int", "pusher", Index.SLOT, "the slot of the static circle that pushes it, or NOBODY"),
+    CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
+    CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
     BLOCK_RANGE(
             "float4",
             "blockRange",
