@@ -32,12 +32,14 @@ import java.util.Objects;
  *
  * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
  * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
- * IllegalArgumentException, even if the circle's place has been taken by another. (Handles given after a snapshot was taken may
+ * IllegalArgumentException, even if the circle's place has been taken by another. Methods that take many handles skip and count stale
+ * ones if you ask for it ({@link StaleHandles}). (Handles given after a snapshot was taken may
  * name other circles once it is restored, and those of two worlds may be equal.) <b>Order:</b> the bulk reads give the
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
- * nothing is removed this is the order of adding; removing a circle closes its gap.
+ * nothing is removed this is the order of adding; removing a circle closes its gap. The reads by id ({@link #readById}) leave the
+ * gaps, so there the element of a circle depends on its {@link #id} alone.
  *
- * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
+ * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest before the next
  * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
@@ -74,7 +76,7 @@ import java.util.Objects;
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
  * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays takes real time
- * into an accumulator and makes whole steps of one length.
+ * into an accumulator and makes whole steps of one length, as {@link FixedStep} does.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
  * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
@@ -180,7 +182,54 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Whether a handle is that of a circle of this world.
+     * Removes many circles: all of them, or none where one is refused. A handle that occurs again is stale by then.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException where a handle is stale and not to be left out, or the count is out of range
+     */
+    public int removeAll(long[] handles, int count, StaleHandles stale) {
+        return simulation.bulk().remove(handles, count, stale.skips());
+    }
+
+    /**
+     * The id of a handle: its lower 32 bits. Ids are small numbers from 0 on, so a game keeps what it knows of its circles in arrays
+     * by id. Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over:
+     * reset what the arrays have of an id when you add a circle.
+     *
+     * @param handle the handle of a circle, stale or not
+     * @return its id, at least 0
+     */
+    public static int id(long handle) {
+        return (int) handle;
+    }
+
+    /**
+     * How long the caller's arrays by id must be: one more than the greatest id that a circle of this world has had. It grows with
+     * the greatest number of circles that there were at a time, and not with the number of circles that came. It does not shrink,
+     * except that {@link #restore} makes it what it was when the snapshot was taken.
+     *
+     * @return at least {@link #size}
+     */
+    public int idLimit() {
+        return simulation.circles().idLimit();
+    }
+
+    /**
+     * The handle of the circle that has an id now. {@link #readHandles} gives those of all circles.
+     *
+     * @param id an id, at least 0 and less than {@link #idLimit}
+     * @return the handle; 0 where no circle has the id
+     * @throws IllegalArgumentException where the id is out of range
+     */
+    public long handle(int id) {
+        return simulation.circles().handle(id);
+    }
+
+    /**
+     * Whether a handle is that of a circle of this world. This looks into two arrays and waits for nothing.
      *
      * @param handle any number
      * @return false where it is stale or never was a handle
@@ -301,6 +350,71 @@ public final class World implements AutoCloseable {
      */
     public void applyImpulse(long handle, float x, float y) {
         simulation.circles().set(Commands.IMPULSE, handle, x, y);
+    }
+
+    /**
+     * Puts many circles somewhere else, as {@link #setPosition} does, in the order of the array: all of them, or none where one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param positions x and y of the centre of each, within the bounds
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException where a handle is stale and not to be left out, a value of a handle that is not left out is
+     *     out of range (the message has its place), or the count is out of range or there are too few values
+     */
+    public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
+        return simulation.bulk().set(Commands.POSITION, handles, count, positions, stale.skips());
+    }
+
+    /**
+     * Gives many circles velocities, as {@link #setVelocity} does, in the order of the array: all of them, or none where one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param velocities vx and vy of each, lengths per second, up to 1e9 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
+        return simulation.bulk().set(Commands.VELOCITY, handles, count, velocities, stale.skips());
+    }
+
+    /**
+     * Pushes many circles, as {@link #applyImpulse} does, in the order of the array: all of them, or none where one is refused.
+     *
+     * @param handles the circles; one that occurs twice is pushed twice
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param impulses impulse along x and y of each, mass times length per second, up to 1e18 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
+        return simulation.bulk().set(Commands.IMPULSE, handles, count, impulses, stale.skips());
+    }
+
+    /**
+     * Pushes the circles near a point away from it. A circle gets the whole impulse if its edge is at most the radius away from the
+     * point, none from radius + falloff on, and in between a share that falls in a straight line. The same impulse makes a light
+     * circle faster than a heavy one. Static circles stay as they are, and so does a circle whose centre is the point itself.
+     *
+     * <p>It needs the positions of now. So the first explosion after a step, or after a change of circles, reads all circles back,
+     * as {@link #x} does, and waits for the device; the others are computed from that.
+     *
+     * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
+     * @param y y of the point, likewise
+     * @param radius a length, 0 to 1e10
+     * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
+     * @param falloff a length, 0 to 1e10
+     * @return the number of circles that got an impulse
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public int explode(float x, float y, float radius, float impulse, float falloff) {
+        return simulation.bulk().explode(x, y, radius, impulse, falloff);
     }
 
     // ---- the world
@@ -455,11 +569,53 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Reads x, y, radius and mass of every circle by id: element 4 k is x of the circle with the {@link #id} k. So a circle stays
+     * where it is in the array, whichever others are removed, and an array for the greatest number of circles serves for good:
+     *
+     * <pre>{@code
+     * world.readById(circles, null);
+     * float x = circles[4 * World.id(ball)];
+     * }</pre>
+     *
+     * @param circles takes four elements an id, so it has at least 4 {@link #idLimit}. All of it is written: elements without a
+     *     circle become NaN
+     * @param living takes a bit for each id, 1 if there is such a circle: id k is bit k % 64 of element k / 64, in Java
+     *     {@code living[k >> 6] >>> k & 1}. Further bits become 0. May be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readById(float[] circles, long[] living) {
+        simulation.readings().readById(circles, living);
+    }
+
+    /**
+     * Reads the velocity of every circle by id, as {@link #readById} does.
+     *
+     * @param velocities takes vx and vy of each id. All of it is written: elements without a circle become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readVelocitiesById(float[] velocities, long[] living) {
+        simulation.readings().readVelocitiesById(velocities, living);
+    }
+
+    /**
+     * Reads x and y of every circle by id, as {@link #readById} does, into the memory of {@link #positions}.
+     *
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @return two elements for each id less than {@link #idLimit}, NaN where there is no such circle, from position 0 to the limit.
+     *     Read-only; the next call of this method or of {@link #positions} overwrites it
+     * @throws IllegalArgumentException where the array is too short
+     */
+    public FloatBuffer positionsById(long[] living) {
+        return simulation.readings().positionsById(living);
+    }
+
+    /**
      * Reads x and y of every circle, in the order of the ids, into memory of the world's own. That is the fastest way to what
      * a frame needs: on an OpenCL device the memory is page-locked where the driver can, and nothing is copied again.
      *
      * @return two elements a circle, from position 0 to the limit. Read-only, and often the same object: the next call of this
-     *     method overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
+     *     method or of {@link #positionsById} overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
         return simulation.readings().positions();
@@ -493,6 +649,30 @@ public final class World implements AutoCloseable {
      */
     public FloatBuffer takePositions() {
         return simulation.readings().takePositions();
+    }
+
+    /**
+     * Gives the positions that {@link #requestPositions} asked for last by id, in place of {@link #takePositions}. They are those of
+     * the request, of the circles that are still there: a circle that has been removed since is not shown, even if a restore has
+     * brought it back, nor is one that came since and has its id. So element 2 k is x of the circle that has the id k now, or NaN.
+     *
+     * @param living takes a bit for each id, 1 if its position is shown, as with {@link #readById}; may be null
+     * @return two elements for each id less than {@link #idLimit} was at the request, in memory as that of {@link #takePositions}
+     * @throws IllegalStateException where nothing has been requested since the last were taken
+     * @throws IllegalArgumentException where the array is too short; the positions can still be taken
+     */
+    public FloatBuffer takePositionsById(long[] living) {
+        return simulation.readings().takePositionsById(living);
+    }
+
+    /** A number that is another one after each request for positions. */
+    int positionRequests() {
+        return simulation.readings().requests();
+    }
+
+    /** Makes positions by id NaN that are not of the circles of the last request that are still there; living may be null. */
+    void markGone(FloatBuffer positions, long[] living) {
+        simulation.readings().markGone(positions, living);
     }
 
     /**

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -70,7 +71,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(18)) {
+            switch (random.nextInt(21)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -82,8 +83,16 @@ class ReferenceFuzzTest {
                 case 8 -> setGravity();
                 case 9 -> setBounds();
                 case 10 -> saveOrRestore();
+                case 11 -> changeSome();
+                case 12 -> explode();
                 default -> step();
             }
+        }
+
+        private void bothGive(String what, ToIntFunction<WorldCalls> call) {
+            assertThat(call.applyAsInt(WorldCalls.of(world))).as(what).isEqualTo(call.applyAsInt(reference));
+            calls.add(call::applyAsInt);
+            compare(what);
         }
 
         private void both(String what, Consumer<WorldCalls> call) {
@@ -169,6 +178,42 @@ class ReferenceFuzzTest {
             if (Math.abs(impulseX) < 1e18f) {
                 both("applyImpulse", c -> c.applyImpulse(handle, impulseX, impulseY));
             }
+        }
+
+        /** Changes some circles at once, among them some that are gone or occur twice. */
+        private void changeSome() {
+            long[] live = new long[world.size()];
+            world.readHandles(live);
+            int count = random.nextInt(6);
+            long[] some = new long[count + 1];
+            float[] positions = new float[2 * some.length];
+            float[] speeds = new float[2 * some.length];
+            for (int k = 0; k <= count; k++) {
+                boolean stale = live.length == 0 || random.nextInt(5) == 0;
+                some[k] = stale ? random.nextInt(4) : live[random.nextInt(live.length)];
+                positions[2 * k] = x();
+                positions[2 * k + 1] = y();
+                speeds[2 * k] = speed();
+                speeds[2 * k + 1] = speed();
+            }
+            switch (random.nextInt(4)) {
+                case 0 -> bothGive("removeAll", c -> c.removeAll(some, count, StaleHandles.SKIP));
+                case 1 -> bothGive("setPositions", c -> c.setPositions(some, count, positions, StaleHandles.SKIP));
+                case 2 -> bothGive("setVelocities", c -> c.setVelocities(some, count, speeds, StaleHandles.SKIP));
+                default -> bothGive("applyImpulses", c -> c.applyImpulses(some, count, speeds, StaleHandles.SKIP));
+            }
+        }
+
+        private void explode() {
+            long[] live = new long[world.size()];
+            world.readHandles(live);
+            boolean atCircle = live.length > 0 && random.nextInt(4) == 0;
+            float x = atCircle ? world.x(live[0]) : x();
+            float y = atCircle ? world.y(live[0]) : y();
+            float radius = random.nextInt(4) == 0 ? 0f : value(0f, size);
+            float falloff = random.nextInt(4) == 0 ? 0f : value(0f, size);
+            float impulse = speed() * (random.nextBoolean() ? 1f : 10f);
+            bothGive("explode", c -> c.explode(x, y, radius, impulse, falloff));
         }
 
         private void setGravity() {

@@ -10,6 +10,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -51,17 +52,57 @@ class WorldAllocationTest {
                 consume(world.takePositions().get(5));
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
             };
-            for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
-                frame.run();
-            }
-            // the virtual machine may still leave some hundred bytes now and then; what a frame leaves, every frame
-            // does
-            long least = Long.MAX_VALUE;
-            for (int k = 0; k < 10 && least != 0; k++) {
-                least = Math.min(least, allocatedBy(frame, 50));
-            }
-            assertThat(least).isZero();
+            assertAllocatesNothing(frame);
         }
+    }
+
+    @Test
+    void bulkCallsReadsByIdAndTheGameLoopAllocateNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        int n = scene.size();
+        float[] byId = new float[4 * n];
+        float[] velocities = new float[2 * n];
+        long[] living = new long[(n + 63) / 64];
+        long[] some = new long[40];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            FixedStep loop = new FixedStep(world, scene.timeStep());
+            Runnable before = () -> {
+                world.applyImpulses(some, 30, velocities, StaleHandles.SKIP);
+                consume(world.explode(0.5f, 0.1f, 0.05f, 1e-4f, 0.1f));
+            };
+            Runnable frame = () -> {
+                for (int k = 0; k < some.length; k++) {
+                    some[k] = world.handle(k);
+                }
+                world.readById(byId, living);
+                world.readVelocitiesById(velocities, living);
+                world.removeAll(some, 5, StaleHandles.REFUSE);
+                consume(world.positionsById(living).get(900));
+                world.requestPositions();
+                for (int k = 0; k < 5; k++) {
+                    world.add(0.1f + 0.1f * k, 0.9f, scene.radius(0), 1);
+                }
+                world.setPositions(some, 0, byId, StaleHandles.REFUSE);
+                world.setVelocities(some, some.length, velocities, StaleHandles.SKIP);
+                consume(world.takePositionsById(living).get(900));
+                loop.advance(1.5f * scene.timeStep(), before);
+                consume(loop.positions(living).get(900) + loop.alpha() + world.idLimit());
+                Arrays.fill(velocities, 1e-4f);
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    private static void assertAllocatesNothing(Runnable frame) {
+        for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
+            frame.run();
+        }
+        // the virtual machine may still leave some hundred bytes now and then; what a frame leaves, every frame does
+        long least = Long.MAX_VALUE;
+        for (int k = 0; k < 10 && least != 0; k++) {
+            least = Math.min(least, allocatedBy(frame, 50));
+        }
+        assertThat(least).isZero();
     }
 
     @Test

@@ -31,6 +31,16 @@ public interface WorldCalls {
 
     void applyImpulse(long handle, float x, float y);
 
+    int removeAll(long[] handles, int count, StaleHandles stale);
+
+    int setPositions(long[] handles, int count, float[] positions, StaleHandles stale);
+
+    int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale);
+
+    int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale);
+
+    int explode(float x, float y, float radius, float impulse, float falloff);
+
     void setGravity(float x, float y);
 
     void setBounds(float minX, float minY, float maxX, float maxY);

@@ -10,7 +10,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -112,6 +114,12 @@ class WorldFuzzTest {
         /** The positions at the last request that has not been taken; null where there is none. */
         private float[] requested;
 
+        /** The handles of the circles at that request. */
+        private long[] requestedHandles = {};
+
+        /** Those of them that have been there all the time since. */
+        private final Set<Long> survivors = new TreeSet<>();
+
         private String last = "";
 
         Program(long seed, World twin) {
@@ -163,7 +171,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(20)) {
+            switch (random.nextInt(23)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -177,6 +185,9 @@ class WorldFuzzTest {
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
                 case 19 -> setTag();
+                case 20 -> changeSome();
+                case 21 -> removeSome();
+                case 22 -> explode();
                 default -> step();
             }
         }
@@ -221,6 +232,7 @@ class WorldFuzzTest {
                 world.remove(handle);
                 model.circles.remove(handle);
                 stale.add(handle);
+                survivors.remove(handle);
             });
         }
 
@@ -292,6 +304,70 @@ class WorldFuzzTest {
             ask(unknown(handle) || bad(x) || bad(y), () -> world.applyImpulse(handle, x, y));
         }
 
+        private void changeSome() {
+            int call = random.nextInt(3);
+            float x = call == 0 ? model.minX : call == 1 ? -speed() : -1e18f;
+            float y = call == 0 ? model.minY : call == 1 ? -speed() : -1;
+            float toX = call == 0 ? model.maxX : -x;
+            float toY = call == 0 ? model.maxY : -y;
+            long[] handles = new long[random.nextInt(6)];
+            float[] values = new float[2 * handles.length];
+            boolean bad = false;
+            int unknown = 0;
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                values[2 * k] = value(x, toX);
+                values[2 * k + 1] = value(y, toY);
+                unknown += unknown(handles[k]) ? 1 : 0;
+                bad |= !unknown(handles[k]) && (bad(values[2 * k]) || bad(values[2 * k + 1]));
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = unknown;
+            last = "change " + call + " of some, " + stale + " " + Arrays.toString(values);
+            ask(bad || skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                int result =
+                        switch (call) {
+                            case 0 -> world.setPositions(handles, handles.length, values, stale);
+                            case 1 -> world.setVelocities(handles, handles.length, values, stale);
+                            default -> world.applyImpulses(handles, handles.length, values, stale);
+                        };
+                assertThat(result).isEqualTo(skipped);
+            });
+        }
+
+        private void removeSome() {
+            long[] handles = new long[random.nextInt(4)];
+            Set<Long> known = new TreeSet<>();
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                if (!unknown(handles[k])) {
+                    known.add(handles[k]);
+                }
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = handles.length - known.size();
+            last = "removeAll " + Arrays.toString(handles) + " " + stale;
+            ask(skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                assertThat(world.removeAll(handles, handles.length, stale)).isEqualTo(skipped);
+                known.forEach(model.circles::remove);
+                this.stale.addAll(known);
+                survivors.removeAll(known);
+            });
+        }
+
+        private void explode() {
+            float x = value(model.minX, model.maxX);
+            float y = value(model.minY, model.maxY);
+            float size = model.maxX - model.minX;
+            float radius = value(0, size);
+            float falloff = value(0, size);
+            float impulse = value(-speed(), speed());
+            last = "explode " + x + " " + y + " " + radius + " " + impulse + " " + falloff;
+            ask(bad(x) || bad(y) || !(radius >= 0) || !(falloff >= 0) || bad(impulse) || bad(radius + falloff), () -> {
+                assertThat(world.explode(x, y, radius, impulse, falloff)).isBetween(0, model.circles.size());
+            });
+        }
+
         private void setWorld() {
             if (random.nextBoolean()) {
                 float gx = value(-1e9f, 1e9f);
@@ -320,8 +396,12 @@ class WorldFuzzTest {
                 assertThatIllegalStateException().isThrownBy(world::takePositions);
             } else if (random.nextBoolean()) {
                 last = "takePositions";
-                FloatBuffer taken = world.takePositions();
-                assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                if (random.nextBoolean()) {
+                    FloatBuffer taken = world.takePositions();
+                    assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                } else {
+                    takeById();
+                }
                 requested = null;
                 return;
             }
@@ -329,10 +409,27 @@ class WorldFuzzTest {
             float[] circles = new float[4 * world.size()];
             world.read(circles);
             world.requestPositions();
+            requestedHandles = new long[world.size()];
+            world.readHandles(requestedHandles);
+            survivors.clear();
+            Arrays.stream(requestedHandles).forEach(survivors::add);
             requested = new float[2 * world.size()];
             for (int i = 0; i < requested.length; i++) {
                 requested[i] = circles[4 * (i / 2) + i % 2];
             }
+        }
+
+        /** Shown are the circles of the request that are still there. */
+        private void takeById() {
+            FloatBuffer taken = world.takePositionsById(null);
+            float[] expected = new float[taken.limit()];
+            Arrays.fill(expected, Float.NaN);
+            for (int k = 0; k < requestedHandles.length; k++) {
+                if (survivors.contains(requestedHandles[k])) {
+                    System.arraycopy(requested, 2 * k, expected, 2 * World.id(requestedHandles[k]), 2);
+                }
+            }
+            assertThat(taken).isEqualTo(FloatBuffer.wrap(expected));
         }
 
         private void saveOrRestore() {
@@ -358,6 +455,7 @@ class WorldFuzzTest {
                 requested = null;
             }
             world.restore(snapshot.duplicate());
+            survivors.removeIf(handle -> !world.contains(handle));
             model = snapshotModel.copy();
             stale = new ArrayList<>(snapshotStale);
             check();
@@ -409,9 +507,17 @@ class WorldFuzzTest {
             world.read(circles);
             world.readVelocities(velocities);
             world.readHandles(handles);
+            float[] byId = new float[4 * world.idLimit()];
+            long[] living = new long[world.idLimit() / 64 + 1];
+            world.readById(byId, living);
+            assertThat(Arrays.stream(living).map(Long::bitCount).sum()).isEqualTo(n);
             int k = 0;
             for (Map.Entry<Long, float[]> entry : model.circles.entrySet()) {
+                int id = World.id(handles[k]);
                 boolean sound = handles[k] == entry.getKey()
+                        && handles[k] == world.handle(id)
+                        && Arrays.equals(circles, 4 * k, 4 * k + 4, byId, 4 * id, 4 * id + 4)
+                        && (living[id / 64] >>> id & 1) != 0
                         && circles[4 * k] >= model.minX
                         && circles[4 * k] <= model.maxX
                         && circles[4 * k + 1] >= model.minY

@@ -158,6 +158,30 @@ public final class Circles {
         }
     }
 
+    /** One more than the greatest id that a circle has had. */
+    public int idLimit() {
+        guard.enter();
+        try {
+            return handles.end();
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The handle of the circle that has an id; 0 if there is none. */
+    public long handle(int id) {
+        guard.enter();
+        try {
+            if (id < 0 || id >= handles.end()) {
+                throw new IllegalArgumentException(
+                        "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+            }
+            return handles.lives(id) ? handles.handle(id) : 0;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** The number of circles. */
     public int size() {
         guard.enter();
@@ -182,12 +206,7 @@ public final class Circles {
             int id = find(handle);
             checkValues(operation, a, b);
             simulation.expect(2);
-            if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
-                last.forgetVelocities();
-            } else if (operation != Commands.RESTITUTION) {
-                last.forgetCircles();
-            }
-            simulation.snapshots().forget();
+            forget(operation);
             guard.changing = true;
             if (operation == Commands.MASS) {
                 setMass(id, a);
@@ -228,7 +247,7 @@ public final class Circles {
             int id = find(handle);
             Limits.position(x, y, simulation.bounds);
             if (handles.isStatic(id)) {
-                simulation.travels.ensure(id);
+                simulation.travels.ensure(id, 1);
                 simulation.snapshots().forget();
                 simulation.travels.set(id, x, y);
                 return;
@@ -279,7 +298,17 @@ public final class Circles {
         }
     }
 
-    private void checkValues(int operation, float a, float b) {
+    /** An operation makes what was read or saved out of date. */
+    void forget(int operation) {
+        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+            last.forgetVelocities();
+        } else if (operation != Commands.RESTITUTION) {
+            last.forgetCircles();
+        }
+        simulation.snapshots().forget();
+    }
+
+    void checkValues(int operation, float a, float b) {
         switch (operation) {
             case Commands.POSITION -> Limits.position(a, b, simulation.bounds);
             case Commands.VELOCITY -> Limits.velocity(a, b);

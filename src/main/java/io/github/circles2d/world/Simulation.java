@@ -24,6 +24,7 @@ public final class Simulation implements AutoCloseable {
     final LastReading last;
     final Travels travels = new Travels(handles, commands);
     private final Circles circles;
+    private final BulkChanges bulk;
     private final Readings readings;
     private final Snapshots snapshots;
     private final GridLevels levels = new GridLevels();
@@ -50,6 +51,7 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
         circles = new Circles(this);
+        bulk = new BulkChanges(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
         setParameters(start);
@@ -58,6 +60,11 @@ public final class Simulation implements AutoCloseable {
     /** The calls on circles. */
     public Circles circles() {
         return circles;
+    }
+
+    /** The calls that change many circles at once. */
+    public BulkChanges bulk() {
+        return bulk;
     }
 
     /** The reads. */

@@ -42,10 +42,10 @@ final class Travels {
         return count == 0;
     }
 
-    /** Makes room for a target of a circle. */
-    void ensure(int id) {
-        fields.ensure(TARGET, id + 1);
-        ensureIds(count + 1);
+    /** Makes room for some more targets of circles, of which none has a greater id. */
+    void ensure(int greatestId, int more) {
+        fields.ensure(TARGET, greatestId + 1);
+        ensureIds(count + more);
     }
 
     private void ensureIds(int circles) {

@@ -1,11 +1,13 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.StaleHandles;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.IntConsumer;
 
 /**
  * World as the section "The step to the bit" of ARCHITECTURE.md describes it. Arguments are not checked: World is asked first,
@@ -100,7 +102,8 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public boolean contains(long handle) {
-        return find(handle) != null && find(handle).handle == handle;
+        int id = (int) handle;
+        return id >= 0 && id < byId.size() && byId.get(id) != null && byId.get(id).handle == handle;
     }
 
     @Override
@@ -175,6 +178,59 @@ public final class ReferenceWorld implements WorldCalls {
         Circle c = find(handle);
         c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
         c.velocity[1] = Numbers.limitSpeed(c.velocity[1] + c.inverseMass() * impulseY);
+    }
+
+    @Override
+    public int removeAll(long[] handles, int count, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> remove(handles[k]));
+    }
+
+    @Override
+    public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setPosition(handles[k], positions[2 * k], positions[2 * k + 1]));
+    }
+
+    @Override
+    public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setVelocity(handles[k], velocities[2 * k], velocities[2 * k + 1]));
+    }
+
+    @Override
+    public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> applyImpulse(handles[k], impulses[2 * k], impulses[2 * k + 1]));
+    }
+
+    /** Returns how many handles are stale. */
+    private int forEachThatLives(long[] handles, int count, IntConsumer change) {
+        int skipped = 0;
+        for (int k = 0; k < count; k++) {
+            if (contains(handles[k])) {
+                change.accept(k);
+            } else {
+                skipped++;
+            }
+        }
+        return skipped;
+    }
+
+    @Override
+    public int explode(float x, float y, float radius, float impulse, float falloff) {
+        int pushed = 0;
+        for (Circle c : circles()) {
+            float[] d = {c.base[0] - x, c.base[1] - y};
+            float distance = Numbers.length(d[0], d[1]);
+            float gap = Numbers.max(distance - c.radius, 0f);
+            if (c.isStatic() || distance == 0f || gap > radius && gap >= radius + falloff) {
+                continue;
+            }
+            float share = 1f;
+            if (gap > radius) {
+                share = Numbers.min((radius + falloff - gap) / falloff, 1f);
+            }
+            applyImpulse(c.handle, impulse * share * (d[0] / distance), impulse * share * (d[1] / distance));
+            pushed++;
+        }
+        return pushed;
     }
 
     @Override

@@ -262,6 +262,65 @@ public final class Commands {
         records[k + SECOND] = value;
     }
 
+    /**
+     * Copies a change to where {@link #admitChanges} finds it. Until then it is no record, and the next record of another kind
+     * overwrites it.
+     *
+     * @param ahead number of changes that are prepared and come before this one
+     * @param operation what changes, or {@link #REMOVE}
+     * @param id the circle's id
+     * @param a first value
+     * @param b second value
+     */
+    public void prepareChange(int ahead, int operation, int id, float a, float b) {
+        ensure(ahead + 1);
+        int k = STRIDE * (count + ahead);
+        records[k + OPCODE] = operation;
+        records[k + ID] = id;
+        records[k + FIRST] = Float.floatToRawIntBits(a);
+        records[k + SECOND] = Float.floatToRawIntBits(b);
+    }
+
+    /**
+     * The id of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return its circle's id
+     */
+    public int preparedId(int ahead) {
+        return records[STRIDE * (count + ahead) + ID];
+    }
+
+    /**
+     * The first or second value of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @param field {@link #FIRST} or {@link #SECOND}
+     * @return the value
+     */
+    public float preparedValue(int ahead, int field) {
+        return Float.intBitsToFloat(records[STRIDE * (count + ahead) + field]);
+    }
+
+    /**
+     * Moves a change that is prepared to the place of one before it, which is lost.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @param to the same afterwards
+     */
+    public void advanceChange(int ahead, int to) {
+        System.arraycopy(records, STRIDE * (count + ahead), records, STRIDE * (count + to), STRIDE);
+    }
+
+    /**
+     * Records the changes that are prepared.
+     *
+     * @param changes how many
+     */
+    public void admitChanges(int changes) {
+        count += changes;
+    }
+
     private int record(int operation, int id) {
         ensure(1);
         int k = STRIDE * count++;

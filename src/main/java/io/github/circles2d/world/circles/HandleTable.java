@@ -40,6 +40,10 @@ public final class HandleTable {
     private float[] radius = new float[64];
     private float[] restitution = new float[64];
     private final CircleFields fields = new CircleFields(CircleField.ALL);
+
+    /** The ids whose circles have stayed since {@link #markSurvivors}. */
+    private final IdMask survivors = new IdMask();
+
     private int size;
 
     /** No id below this one is free. */
@@ -103,6 +107,20 @@ public final class HandleTable {
         long[] copy = to.length < words ? new long[live.length] : to;
         System.arraycopy(live, 0, copy, 0, words);
         return copy;
+    }
+
+    /** From now on the circles of now count as survivors, until they are removed. */
+    public void markSurvivors() {
+        survivors.copy(this);
+    }
+
+    /**
+     * The ids whose circles have stayed since {@link #markSurvivors}. An id that another circle has now is none of them.
+     *
+     * @return the ids; changes with the circles
+     */
+    public IdMask survivors() {
+        return survivors;
     }
 
     /**
@@ -208,6 +226,7 @@ public final class HandleTable {
     public void remove(int id) {
         live[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
+        survivors.remove(id);
         generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
@@ -365,6 +384,11 @@ public final class HandleTable {
      * @param from the state, for which room has been made; not kept
      */
     public void load(SavedState from) {
+        for (int id = 0; id < survivors.end(); id++) {
+            if (id >= from.ids || from.generation[id] != generation[id]) {
+                survivors.remove(id);
+            }
+        }
         Arrays.fill(live, 0);
         Arrays.fill(generation, 0);
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
@@ -377,6 +401,11 @@ public final class HandleTable {
             restitution[id] = from.traits[CircleRow.STRIDE * k + CircleRow.RESTITUTION];
         }
         end = from.ids;
+        for (int id = 0; id < survivors.end(); id++) {
+            if (id >= end || !lives(id)) {
+                survivors.remove(id);
+            }
+        }
         size = from.circles;
         noneFreeBelow = 0;
         livingBeforeCurrent = false;

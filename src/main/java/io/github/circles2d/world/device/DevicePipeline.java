@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
@@ -269,9 +270,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer positions(HandleTable handles) {
+    public FloatBuffer positions(HandleTable handles, boolean byId) {
         settle();
-        return readback.positions(handles, slots);
+        return readback.positions(handles, byId, slots);
     }
 
     @Override
@@ -285,13 +286,13 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer takePositions() {
+    public FloatBuffer takePositions(IdMask shown) {
         if (!requested.arrived()) {
             // A step before the request had been refused. Now it is made, and the positions are laid out behind it.
             settle();
             requested.arrived();
         }
-        return requested.take();
+        return requested.take(shown);
     }
 
     @Override

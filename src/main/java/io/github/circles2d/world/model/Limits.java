@@ -26,6 +26,9 @@ public final class Limits {
     /** Greatest magnitude of a component of an impulse. */
     public static final float IMPULSE = 1e18f;
 
+    /** Greatest radius, and greatest falloff, of an explosion: more than any two circles are apart. */
+    public static final float EXPLOSION = 1e10f;
+
     /** Greatest impulse that a snapshot may hold: more than any step leaves, and far from overflow in the next one. */
     public static final float CACHED_IMPULSE = 1e24f;
 

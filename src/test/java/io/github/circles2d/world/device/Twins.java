@@ -30,6 +30,11 @@ final class Twins implements AutoCloseable {
     /** The circles at the last request for positions. */
     private float[] requested;
 
+    /** The handles of these circles. */
+    private long[] requestedHandles;
+
+    private boolean takeById;
+
     private Twins(Simulation[] simulations) {
         this.simulations = simulations;
     }
@@ -92,14 +97,46 @@ final class Twins implements AutoCloseable {
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
             assertPositions(simulations[k].readings().positions(), circles[0]);
+            assertSameReadingsById(simulations[k], circles[0], velocities[0]);
         }
         requestPositions();
         assertSameRequestedPositions();
     }
 
+    private void assertSameReadingsById(Simulation simulation, float[] circles, float[] velocities) {
+        int ids = simulation.circles().idLimit();
+        float[] byId = new float[4 * ids + 4];
+        float[] velocitiesById = new float[2 * ids];
+        long[] living = new long[(ids + 63) / 64];
+        simulation.readings().readById(byId, null);
+        simulation.readings().readVelocitiesById(velocitiesById, null);
+        FloatBuffer positions = simulation.readings().positionsById(living);
+        float[] expected = new float[byId.length];
+        float[] expectedPositions = new float[2 * ids];
+        float[] expectedVelocities = new float[2 * ids];
+        Arrays.fill(expected, Float.NaN);
+        Arrays.fill(expectedPositions, Float.NaN);
+        Arrays.fill(expectedVelocities, Float.NaN);
+        int place = 0;
+        for (int id = 0; id < ids; id++) {
+            boolean lives = (living[id / 64] >>> id & 1) != 0;
+            assertThat(lives).isEqualTo(simulation.circles().handle(id) != 0);
+            if (lives) {
+                System.arraycopy(circles, 4 * place, expected, 4 * id, 4);
+                System.arraycopy(circles, 4 * place, expectedPositions, 2 * id, 2);
+                System.arraycopy(velocities, 2 * place++, expectedVelocities, 2 * id, 2);
+            }
+        }
+        assertThat(byId).isEqualTo(expected);
+        assertThat(velocitiesById).isEqualTo(expectedVelocities);
+        assertThat(positions).isEqualTo(FloatBuffer.wrap(expectedPositions));
+    }
+
     /** Asks every pipeline for the positions as they are now. */
     void requestPositions() {
         requested = new float[4 * simulations[0].circles().size()];
+        requestedHandles = new long[simulations[0].circles().size()];
+        simulations[0].readings().readHandles(requestedHandles);
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
         simulations[0].readings().read(requested);
         for (Simulation simulation : simulations) {
@@ -107,11 +144,34 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Takes the positions from every pipeline: those of the request. */
+    /** Takes the positions from every pipeline, by turns by id: those of the request. */
     void assertSameRequestedPositions() {
+        takeById = !takeById;
         for (Simulation simulation : simulations) {
-            assertPositions(simulation.readings().takePositions(), requested);
+            if (takeById) {
+                assertRequestedById(simulation);
+            } else {
+                assertPositions(simulation.readings().takePositions(), requested);
+            }
         }
+    }
+
+    /** Those of circles that are still there. */
+    private void assertRequestedById(Simulation simulation) {
+        long[] living = new long[handles.length / 64 + 1];
+        FloatBuffer positions = simulation.readings().takePositionsById(living);
+        float[] expected = new float[positions.limit()];
+        Arrays.fill(expected, Float.NaN);
+        long[] expectedLiving = new long[living.length];
+        for (int place = 0; place < requestedHandles.length; place++) {
+            if (simulation.circles().contains(requestedHandles[place])) {
+                int id = (int) requestedHandles[place];
+                System.arraycopy(requested, 4 * place, expected, 2 * id, 2);
+                expectedLiving[id / 64] |= 1L << id;
+            }
+        }
+        assertThat(positions).isEqualTo(FloatBuffer.wrap(expected));
+        assertThat(living).isEqualTo(expectedLiving);
     }
 
     private static void assertPositions(FloatBuffer positions, float[] circles) {
@@ -195,10 +255,17 @@ final class Twins implements AutoCloseable {
         Bounds bounds = simulations[0].bounds();
         int id = random.nextInt(handles.length);
         if (lives(id)) {
+            long[] twice = {handles[id], handles[id]};
+            boolean alone = random.nextBoolean();
             for (Simulation simulation : simulations) {
-                simulation.circles().remove(handles[id]);
+                if (alone) {
+                    simulation.circles().remove(handles[id]);
+                } else {
+                    assertThat(simulation.bulk().remove(twice, 2, true)).isOne();
+                }
             }
         }
+        changeSome(bounds, random);
         float r = scene.radius(random.nextInt(scene.size()));
         if (random.nextInt(4) > 0) {
             float x = between(random, bounds.minX(), bounds.maxX());
@@ -224,6 +291,27 @@ final class Twins implements AutoCloseable {
         for (CircleField field : CircleField.values()) {
             for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+            }
+        }
+    }
+
+    /** Makes a change of some circles at once, of which some may be gone, and now and then an explosion. */
+    private void changeSome(Bounds bounds, SplittableRandom random) {
+        int operation = new int[] {Commands.POSITION, Commands.VELOCITY, Commands.IMPULSE}[random.nextInt(3)];
+        long[] some =
+                random.ints(5, 0, handles.length).mapToLong(id -> handles[id]).toArray();
+        float[] values = new float[2 * some.length];
+        for (int k = 0; k < values.length; k++) {
+            values[k] = k % 2 == 0
+                    ? between(random, bounds.minX(), bounds.maxX())
+                    : between(random, bounds.minY(), bounds.maxY());
+        }
+        boolean explodes = random.nextInt(50) == 0;
+        float reach = between(random, 0, bounds.maxX() - bounds.minX());
+        for (Simulation simulation : simulations) {
+            simulation.bulk().set(operation, some, some.length, values, true);
+            if (explodes) {
+                simulation.bulk().explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
             }
         }
     }

@@ -68,12 +68,15 @@ class EnginesTest {
     void loadingASceneAgainStartsItAnew(String name) {
         Scene scene = Scenes.packed(200, 5);
         try (Engine engine = Engines.create(name)) {
+            // Where work-items race, the steps differ a little. What is left of the scene between them would differ by
+            // more.
+            float tolerance = engine.repeatable() ? 0 : 0.1f * (scene.maxX() - scene.minX());
             Motion first = run(engine, scene, 1);
             run(engine, Scenes.packed(50, 6), 3);
             Motion second = run(engine, scene, 1);
             for (int i = 0; i < scene.size(); i++) {
-                assertThat(second.x[i]).isCloseTo(first.x[i], within(0.02f));
-                assertThat(second.y[i]).isCloseTo(first.y[i], within(0.02f));
+                assertThat(second.x[i]).isCloseTo(first.x[i], within(tolerance));
+                assertThat(second.y[i]).isCloseTo(first.y[i], within(tolerance));
             }
         }
     }
