@@ -3,8 +3,9 @@
 // per colour; the Java class world.jvm.Solver does the same.
 
 // Index space: a working slot a work-item.
-kernel void solver_integrateVelocities(WORLD_PARAMETERS) {
+kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 m = motion[slot];
@@ -81,8 +82,9 @@ kernel void solver_solve(WORLD_PARAMETERS, int level, int colour) {
 }
 
 // Index space: a working slot a work-item.
-kernel void solver_integratePositions(WORLD_PARAMETERS) {
+kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 m = motion[slot];

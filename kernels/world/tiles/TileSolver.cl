@@ -374,14 +374,17 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
     solveTile(&w, &t, tile, subStep, 4);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    bool last = subStep == w.k.subSteps - 1;
+    w.subStep = subStep + 1; // which the circles start into
     local Tile t;
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);

@@ -70,7 +70,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(18)) {
+            switch (random.nextInt(20)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -82,6 +82,7 @@ class ReferenceFuzzTest {
                 case 8 -> setGravity();
                 case 9 -> setBounds();
                 case 10 -> saveOrRestore();
+                case 11, 12 -> moveWalls();
                 default -> step();
             }
         }
@@ -179,6 +180,26 @@ class ReferenceFuzzTest {
             float maxX = minX + value(0.5f * size, 2f * size);
             float maxY = minY + value(0.5f * size, 2f * size);
             both("setBounds", c -> c.setBounds(minX, minY, maxX, maxY));
+        }
+
+        /** Moves walls by about as much as circles are large, for some steps. */
+        private void moveWalls() {
+            float[] way = new float[4];
+            for (int wall = 0; wall < 4; wall++) {
+                way[wall] = random.nextBoolean() ? 0f : value(-0.05f * size, 0.05f * size);
+            }
+            for (int times = random.nextInt(4); times >= 0; times--) {
+                float minX = world.minX() + way[0];
+                float minY = world.minY() + way[1];
+                float maxX = Math.max(world.maxX() + way[2], minX + 0.5f * size);
+                float maxY = Math.max(world.maxY() + way[3], minY + 0.5f * size);
+                both("move walls", c -> c.setBounds(minX, minY, maxX, maxY));
+                if (random.nextInt(4) > 0) {
+                    step();
+                } else {
+                    saveOrRestore();
+                }
+            }
         }
 
         /** A restored world goes on as one would on which the calls before the snapshot have been made, and no others. */

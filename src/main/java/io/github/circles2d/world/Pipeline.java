@@ -43,11 +43,12 @@ public interface Pipeline extends AutoCloseable {
     void finish();
 
     /**
-     * Brings circles that have been left outside to the nearest place inside.
+     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there.
      *
-     * @param bounds the new bounds
+     * @param from where the walls were; where they are now if they jumped
+     * @param to the new bounds
      */
-    void confine(Bounds bounds);
+    void confine(Bounds from, Bounds to);
 
     /**
      * The hash of the state, by {@link StateHash}.

@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Collections;
 
 /**
@@ -29,6 +30,10 @@ public final class Simulation implements AutoCloseable {
     private final StepConstants constants = new StepConstants();
 
     Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
     private float gravityX;
     private float gravityY;
     float defaultRestitution;
@@ -102,7 +107,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves the walls, and brings circles that are left outside to the nearest place inside. */
+    /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
@@ -114,8 +119,10 @@ public final class Simulation implements AutoCloseable {
             }
             applyCommands();
             changed();
+            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(next);
+            pipeline.confine(start, next);
+            wallStart = start;
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -166,11 +173,10 @@ public final class Simulation implements AutoCloseable {
             emptyStep = handles.size() == 0;
             if (!emptyStep) {
                 changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
                 levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
+                makeSteps(timeStep, steps);
             }
+            wallStart = bounds;
             snapshots.forget();
             previousTimeStep = timeStep;
             guard.changing = false;
@@ -179,6 +185,19 @@ public final class Simulation implements AutoCloseable {
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Walls move in the first step alone. */
+    private void makeSteps(float timeStep, int steps) {
+        float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before);
+        if (!constants.walls.any() || steps == 1) {
+            pipeline.step(constants, levels, steps);
+            return;
+        }
+        pipeline.step(constants, levels, 1);
+        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep);
+        pipeline.step(constants, levels, steps - 1);
     }
 
     /** Waits until all steps that were asked for have been made. */
@@ -198,7 +217,7 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             settle();
-            return pipeline.hash() + handles.fields().hash();
+            return pipeline.hash() + handles.fields().hash() + parameters().hash();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -228,7 +247,8 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
-        return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
+        return new WorldParameters(
+                bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, wallStart);
     }
 
     /** A snapshot has taken the place of all that was. */
@@ -239,6 +259,7 @@ public final class Simulation implements AutoCloseable {
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();

@@ -15,6 +15,7 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
 
     private static final long CIRCLE = 0x636972636C653264L;
+    private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
 
     private final float restitution;
@@ -31,6 +32,12 @@ public final class ReferenceWorld implements WorldCalls {
 
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
+
+    /** Where the walls were in the last step; where they are if they have jumped since. */
+    private float[] startMin = min;
+
+    private float[] startMax = max;
+
     private float[] gravity = {0f, 0f};
     private float previousDt;
 
@@ -40,7 +47,8 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     private StepParameters parameters(float dt) {
-        return new StepParameters(min, max, gravity, dt, subSteps);
+        return new StepParameters(
+                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps);
     }
 
     /** In the order of the ids. */
@@ -60,6 +68,8 @@ public final class ReferenceWorld implements WorldCalls {
                 new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
             }
             previousDt = dt;
+            startMin = min;
+            startMax = max;
         }
     }
 
@@ -166,9 +176,12 @@ public final class ReferenceWorld implements WorldCalls {
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         min = new float[] {minX, minY};
         max = new float[] {maxX, maxY};
+        startMin = starts(startMin, min);
+        startMax = starts(startMax, max);
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
-                float inside = Numbers.clamp(c.base[a], c.low(a, parameters(0f)), c.high(a, parameters(0f)));
+                float low = min[a] + margin(startMin[a], min[a], c);
+                float inside = Numbers.clamp(c.base[a], low, max[a] - margin(startMax[a], max[a], c));
                 if (inside != c.base[a]) {
                     c.place(a, inside);
                 }
@@ -176,9 +189,27 @@ public final class ReferenceWorld implements WorldCalls {
         }
     }
 
+    /** A wall jumps if it moves farther than every radius. */
+    private float[] starts(float[] from, float[] to) {
+        double greatest = circles().stream().mapToDouble(c -> c.radius).max().orElse(0);
+        float[] start = from.clone();
+        for (int a = 0; a < 2; a++) {
+            start[a] = from[a] == to[a] || Math.abs(to[a] - from[a]) > greatest ? to[a] : from[a];
+        }
+        return start;
+    }
+
+    /** How far a circle is kept from a wall: not at all if the next step pushes it. */
+    private static float margin(float from, float to, Circle c) {
+        boolean pushed = from != to && Math.abs(to - from) <= c.radius;
+        return c.isStatic() || pushed ? 0f : c.radius;
+    }
+
     @Override
     public long hash() {
-        long sum = 0;
+        boolean moved =
+                startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
+        long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
         for (Circle c : circles()) {
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);

@@ -306,9 +306,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds bounds) {
+    public void confine(Bounds from, Bounds to) {
         settle();
-        commands.confine(bounds, slots);
+        commands.confine(from, to, slots);
     }
 
     @Override

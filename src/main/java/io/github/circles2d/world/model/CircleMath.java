@@ -177,14 +177,18 @@ public final class CircleMath {
      * @param x coordinate
      * @param p component of the path
      * @param r radius
-     * @param min lower wall
-     * @param max upper wall
+     * @param min lower wall at the end of the step
+     * @param max upper wall at the end of the step
+     * @param travelMin what the lower wall comes in during the step, at least 0
+     * @param travelMax what the upper wall comes in during the step, at least 0
      * @return the share, 1 where it does not
      */
-    public static float timeOfWall(float x, float p, float r, float min, float max) {
-        float low = (min + r) - x;
-        float high = (max - r) - x;
-        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
+    public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+        float low = ((min - travelMin) + r) - x;
+        float high = ((max + travelMax) - r) - x;
+        float toMin = p - travelMin; // against the wall
+        float toMax = p - (0f - travelMax); // for no travel p itself, a zero with its sign
+        return toMin < low ? greatest(low, toMin) / toMin : toMax > high ? least(high, toMax) / toMax : 1f;
     }
 
     /**
@@ -550,6 +554,19 @@ public final class CircleMath {
      */
     public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
         return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
+    }
+
+    /**
+     * How far from a wall circles are kept as it is set to a new place. One whose radius is more than the wall's way stays where it is:
+     * the step pushes it. Its centre is inside even so.
+     *
+     * @param from where the wall was; where it is now if it jumped
+     * @param to where it is now
+     * @param margin 0 for a static circle, else its radius
+     * @return the margin, or 0
+     */
+    public static float marginAtWall(float from, float to, float margin) {
+        return from == to || Math.abs(to - from) > margin ? margin : 0f;
     }
 
     /**

@@ -68,8 +68,11 @@ public final class StepConstants {
     /** Factor for the impulses of the step before: the ratio of the two steps' lengths, limited. */
     public float warmScale;
 
-    /** The arena. */
+    /** The arena, at the end of the step. */
     public Bounds bounds;
+
+    /** How its walls move there. */
+    public final WallMotion walls = new WallMotion();
 
     /** No constants, until they are set. */
     public StepConstants() {}
@@ -81,13 +84,16 @@ public final class StepConstants {
      * @param subSteps sub-steps a step
      * @param gravityX gravity
      * @param gravityY gravity
-     * @param bounds the arena
+     * @param from where the walls start
+     * @param bounds where they are at the end of the step: the arena
      * @param previousDt length of the step before, seconds; without meaning in the first step
      */
-    public void set(float dt, int subSteps, float gravityX, float gravityY, Bounds bounds, float previousDt) {
+    public void set(
+            float dt, int subSteps, float gravityX, float gravityY, Bounds from, Bounds bounds, float previousDt) {
         this.dt = dt;
         this.subSteps = subSteps;
         this.bounds = bounds;
+        walls.set(from, bounds, dt, subSteps);
         h = dt / subSteps;
         inverseH = subSteps / dt;
         gravityStepX = gravityX * h;

@@ -3,6 +3,7 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -41,6 +42,20 @@ public final class StepParameters {
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
+            .field(
+                    "float",
+                    "wallTravel[4]",
+                    WallMotion.COUNT,
+                    (k, to) -> to.put(k.walls.travel),
+                    "what walls come in: left, right, lower, upper")
+            .field(
+                    "float",
+                    "wallSweep[4]",
+                    WallMotion.COUNT,
+                    (k, to) -> to.put(k.walls.sweep),
+                    "in a sub-step; not out")
+            .field("float", "wallSpeed[4]", WallMotion.COUNT, (k, to) -> to.put(k.walls.speed), "positive inwards")
+            .field("int", "wallsMove", (k, to) -> to.put(k.walls.any() ? 1 : 0), "whether any does")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")

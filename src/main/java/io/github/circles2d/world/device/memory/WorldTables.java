@@ -93,14 +93,13 @@ final class WorldTables {
         StringBuilder text = new StringBuilder("typedef struct {\n");
         text.append("    StepConstants k; // by value: read once, not at every use\n");
         for (DeviceArray array : DeviceArray.values()) {
-            if (array != DeviceArray.CONSTANTS) {
-                text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
-            }
+            text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
         }
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
+        text.append("    int subStep; // the one that is made, where walls may move\n");
         return text.append("} World;\n").toString();
     }
 
@@ -108,13 +107,11 @@ final class WorldTables {
         String constants = DeviceArray.CONSTANTS.kernelName();
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
         for (DeviceArray array : DeviceArray.values()) {
-            if (array != DeviceArray.CONSTANTS) {
-                text.append(", ").append(array.kernelName());
-            }
+            text.append(", ").append(array.kernelName());
         }
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
-        return text.append(", " + constants + "->warmScale }\n").toString();
+        return text.append(", " + constants + "->warmScale, 0 }\n").toString();
     }
 }
