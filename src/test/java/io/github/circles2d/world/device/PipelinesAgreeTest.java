@@ -232,6 +232,25 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void wallsThatMovePushTheSameOnTheDeviceAsInJava(Device device) {
+        // By up to about the largest radius: some circles are pushed, others brought inside.
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(11);
+                for (int k = 0; k < 40; k++) {
+                    twins.moveWalls(random, 1.5f * scene.radius(0));
+                    if (k % 10 == 9) {
+                        twins.exchange();
+                    }
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    twins.assertEqual(scene.name() + " after move " + k);
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
         compareRequests(device, 40);
     }

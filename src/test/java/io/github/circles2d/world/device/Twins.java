@@ -131,6 +131,18 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Moves every wall by up to a length, in or out. */
+    void moveWalls(SplittableRandom random, float most) {
+        Bounds now = simulations[0].bounds();
+        float minX = now.minX() + between(random, -most, most);
+        float minY = now.minY() + between(random, -most, most);
+        float maxX = now.maxX() + between(random, -most, most);
+        float maxY = now.maxY() + between(random, -most, most);
+        for (Simulation simulation : simulations) {
+            simulation.setBounds(minX, minY, maxX, maxY);
+        }
+    }
+
     /** Saves every state, which is the same, and lets each go on from what another has saved. */
     void exchange() {
         ByteBuffer[] saved = new ByteBuffer[simulations.length];
