@@ -27,7 +27,7 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     f.separation = stateOf(w, wide)[2];
     f.restitution = baseOf(w, wide)[3];
     f.threshold = shapeOf(w, wide)[1];
-    f.flight = flightThreshold4(baseOf(w, wide)[2], baseOf(w, wide)[3], w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold4(&w->k, baseOf(w, wide)[2], baseOf(w, wide)[3]);
     f.mass = shapeOf(w, wide)[0];
     f.normalImpulse = stateOf(w, wide)[3];
     f.loaded = loaded;

@@ -37,7 +37,7 @@ Found foundWall(const World *w, int axis, float x, float dx, float r, float e, b
     Found f;
     f.separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
     f.restitution = e;
-    f.threshold = bounceThreshold(2.0f * r, e, thresholdRate, k->restRate);
+    f.threshold = bounceThreshold(k, 2.0f * r, e, thresholdRate);
     f.flight = f.threshold; // walls have one threshold
     f.mass = 1.0f;
     f.normalImpulse = wallImpulse(stored, *side);

@@ -26,7 +26,7 @@ Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
     f.separation = n.z;
     f.restitution = b.w;
     f.threshold = restitutionThreshold(&w->k, b.z, b.w);
-    f.flight = flightThreshold(b.z, b.w, w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold(&w->k, b.z, b.w);
     f.mass = effectiveMass(q.x, q.y);
     f.normalImpulse = n.w;
     f.loaded = loads > 0.0f;

@@ -11,6 +11,16 @@
 #define NOBODY INT_MAX // more than any slot
 #define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
 
+// Two numbers of contacts that are constants by default: a device is compiled for a world in which they are not (TUNED), so that all
+// other worlds have a register more.
+#ifdef TUNED
+#define DEEP_RATE_OF(k) ((k)->deepRate)
+#define OR_FIXED(k, threshold) ((threshold) + (k)->fixedThreshold)
+#else
+#define DEEP_RATE_OF(k) DEEP_RATE
+#define OR_FIXED(k, threshold) (threshold)
+#endif
+
 // An entry of the impulse cache. next: the next one of the same circle of lower id, or NONE.
 int4 cacheEntry(int higherId, float normalImpulse, int next) {
     int4 entry = (int4)(0);

@@ -117,7 +117,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     f.separation = r->normal.z;
     f.restitution = r->shape.y;
     f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
-    f.flight = flightThreshold(r->shape.x, r->shape.y, w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold(&w->k, r->shape.x, r->shape.y);
     f.mass = r->normal.w;
     f.normalImpulse = r->impulse.x;
     f.loaded = isLoaded(wi) || isLoaded(wj);

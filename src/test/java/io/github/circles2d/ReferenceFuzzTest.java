@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.Settings;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -30,6 +31,7 @@ class ReferenceFuzzTest {
         private final SplittableRandom random;
         private final int subSteps;
         private final float restitution;
+        private final Settings settings;
         private final float size;
         private final float fastest;
         private World world;
@@ -45,11 +47,17 @@ class ReferenceFuzzTest {
             restitution = new float[] {0f, -0f, 0.5f, 1f}[random.nextInt(4)];
             size = (float) StrictMath.pow(10, random.nextInt(9) - 4);
             fastest = size * (float) StrictMath.pow(10, random.nextInt(5) - 2);
+            Settings usual = Settings.DEFAULT;
+            settings = new Settings(
+                    random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
+                    random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
+                    random.nextInt(4) > 0 ? usual.damping() : random.nextInt(2) * value(0f, 30f),
+                    random.nextInt(4) > 0 ? usual.pushOutSpeed() : random.nextInt(2) * value(0f, 10f));
         }
 
         void run() {
             world = newWorld();
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             try {
                 setBounds();
                 setGravity();
@@ -66,7 +74,14 @@ class ReferenceFuzzTest {
         private World newWorld() {
             return WorldScenes.onThreads(
                     seed % 16 == 0 ? 3 : 1,
-                    WorldScenes.jvm().restitution(restitution).subSteps(subSteps));
+                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
+        }
+
+        private static World.Builder with(Settings settings, World.Builder builder) {
+            builder.contactFrequency(settings.frequency())
+                    .contactDamping(settings.damping())
+                    .greatestPushOutSpeed(settings.pushOutSpeed());
+            return settings.threshold() < 0f ? builder : builder.restitutionThreshold(settings.threshold());
         }
 
         private void call() {
@@ -217,7 +232,7 @@ class ReferenceFuzzTest {
             }
             world.restore(snapshot.duplicate());
             calls = new ArrayList<>(callsUpToSnapshot);
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             calls.forEach(call -> call.accept(reference));
             compare("restore");
         }

@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
@@ -29,6 +30,13 @@ public interface Pipeline extends AutoCloseable {
      * @param commands the commands, for which room has been made
      */
     void apply(Commands commands);
+
+    /**
+     * Makes ready for steps with such contacts, however they were before.
+     *
+     * @param contacts how contacts will be
+     */
+    default void prepare(ContactSettings contacts) {}
 
     /**
      * Makes steps.

@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
@@ -38,6 +39,7 @@ public final class Simulation implements AutoCloseable {
     private float gravityY;
     float defaultRestitution;
     private int subSteps;
+    private ContactSettings contacts;
     private float previousTimeStep;
 
     /** Whether the last step had no circles; also if there has been none, or none since a restore. */
@@ -57,6 +59,12 @@ public final class Simulation implements AutoCloseable {
         readings = new Readings(this);
         snapshots = new Snapshots(this);
         setParameters(start);
+        try {
+            pipeline.prepare(contacts);
+        } catch (RuntimeException | Error e) {
+            pipeline.close();
+            throw e;
+        }
     }
 
     /** The calls on circles. */
@@ -162,6 +170,16 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** How contacts are. */
+    public ContactSettings contacts() {
+        guard.enter();
+        try {
+            return contacts;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Makes steps. */
     public void step(float timeStep, int steps) {
         guard.enter();
@@ -190,13 +208,13 @@ public final class Simulation implements AutoCloseable {
     /** Walls move in the first step alone. */
     private void makeSteps(float timeStep, int steps) {
         float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before);
+        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
         if (!constants.walls.any() || steps == 1) {
             pipeline.step(constants, levels, steps);
             return;
         }
         pipeline.step(constants, levels, 1);
-        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep);
+        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep, contacts);
         pipeline.step(constants, levels, steps - 1);
     }
 
@@ -248,7 +266,7 @@ public final class Simulation implements AutoCloseable {
     /** What there is besides circles. */
     WorldParameters parameters() {
         return new WorldParameters(
-                bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, wallStart);
+                bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
     }
 
     /** A snapshot has taken the place of all that was. */
@@ -264,6 +282,7 @@ public final class Simulation implements AutoCloseable {
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
+        contacts = p.contacts();
         previousTimeStep = p.previousTimeStep();
     }
 

@@ -66,6 +66,7 @@ public final class Snapshots {
             simulation.finishSteps();
             handles.makeRoom(saved);
             pipeline.makeRoom(saved);
+            pipeline.prepare(saved.parameters().contacts());
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;

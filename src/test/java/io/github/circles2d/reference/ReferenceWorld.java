@@ -15,11 +15,13 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
 
     private static final long CIRCLE = 0x636972636C653264L;
+    private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
 
     private final float restitution;
     private final int subSteps;
+    private final Settings settings;
 
     /** By id; null if the id is free. */
     private final List<Circle> byId = new ArrayList<>();
@@ -42,13 +44,18 @@ public final class ReferenceWorld implements WorldCalls {
     private float previousDt;
 
     public ReferenceWorld(float restitution, int subSteps) {
+        this(restitution, subSteps, Settings.DEFAULT);
+    }
+
+    public ReferenceWorld(float restitution, int subSteps, Settings settings) {
         this.restitution = restitution;
         this.subSteps = subSteps;
+        this.settings = settings;
     }
 
     private StepParameters parameters(float dt) {
         return new StepParameters(
-                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps);
+                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps, settings);
     }
 
     /** In the order of the ids. */
@@ -210,6 +217,10 @@ public final class ReferenceWorld implements WorldCalls {
         boolean moved =
                 startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
         long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
+        if (!settings.equals(Settings.DEFAULT)) {
+            float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
+            sum += absorb(CONTACTS, numbers);
+        }
         for (Circle c : circles()) {
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);

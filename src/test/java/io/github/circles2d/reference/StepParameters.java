@@ -8,7 +8,15 @@ package io.github.circles2d.reference;
  * @param minIn what the lower walls come in during the step; negative if they go out
  * @param maxIn what the upper walls come in during the step; negative if they go out
  */
-record StepParameters(float[] min, float[] max, float[] minIn, float[] maxIn, float[] gravity, float dt, int subSteps) {
+record StepParameters(
+        float[] min,
+        float[] max,
+        float[] minIn,
+        float[] maxIn,
+        float[] gravity,
+        float dt,
+        int subSteps,
+        Settings settings) {
     float h() {
         return dt / subSteps;
     }

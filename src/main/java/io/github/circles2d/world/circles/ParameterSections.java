@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 
@@ -11,6 +12,7 @@ import java.nio.ByteBuffer;
  * <pre>
  * section    int number, number of floats; the floats
  *            1,000: where walls that the next step moves start: min x, min y, max x, max y
+ *            1,001: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
  * </pre>
  */
 final class ParameterSections {
@@ -18,38 +20,55 @@ final class ParameterSections {
     static final int FIRST = 1_000;
 
     private static final int WALL_START = FIRST;
-    private static final int HEAD = 2 * Integer.BYTES;
+    private static final int CONTACTS = FIRST + 1;
+
+    private static final int FLOATS = 4;
+    private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
 
     private ParameterSections() {}
 
     /** The number of sections of a state. */
     static int count(SavedState s) {
-        return s.parameters().wallsMove() ? 1 : 0;
+        return (s.parameters().wallsMove() ? 1 : 0) + (hasContacts(s) ? 1 : 0);
+    }
+
+    private static boolean hasContacts(SavedState s) {
+        return !s.parameters().contacts().equals(ContactSettings.DEFAULT);
     }
 
     /** The length of all sections. */
     static int bytes(SavedState s) {
-        return s.parameters().wallsMove() ? HEAD + 4 * Float.BYTES : 0;
+        return count(s) * BYTES;
     }
 
     static void write(SavedState s, ByteBuffer out) {
-        WorldParameters p = s.parameters();
-        if (p.wallsMove()) {
-            Bounds b = p.wallStart();
-            out.putInt(WALL_START).putInt(4);
-            out.putFloat(b.minX()).putFloat(b.minY()).putFloat(b.maxX()).putFloat(b.maxY());
+        if (s.parameters().wallsMove()) {
+            Bounds b = s.parameters().wallStart();
+            write(out, WALL_START, b.minX(), b.minY(), b.maxX(), b.maxY());
         }
+        if (hasContacts(s)) {
+            ContactSettings c = s.parameters().contacts();
+            write(out, CONTACTS, c.restitutionThreshold(), c.frequency(), c.damping(), c.pushOutSpeed());
+        }
+    }
+
+    private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
+        out.putInt(number).putInt(FLOATS).putFloat(a).putFloat(b).putFloat(c).putFloat(d);
     }
 
     /** Reads a section behind its number, and checks it. */
     static void read(ByteBuffer in, SavedState s, int number) {
-        SnapshotCodec.require(in.remaining() >= Integer.BYTES, "it ends early");
-        int count = in.getInt();
-        SnapshotCodec.require(number == WALL_START, "no section has the number " + number);
-        SnapshotCodec.require(count == 4 && in.remaining() >= 4 * Float.BYTES, "it ends within a section");
-        Bounds start = new Bounds(wall(in), wall(in), wall(in), wall(in));
-        s.setParameters(s.parameters().startingAt(start));
-        SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
+        SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
+        SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
+        WorldParameters p = s.parameters();
+        if (number == WALL_START) {
+            s.setParameters(p.startingAt(new Bounds(wall(in), wall(in), wall(in), wall(in))));
+            SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
+        } else {
+            SnapshotCodec.require(number == CONTACTS, "no section has the number " + number);
+            s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
+            SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
+        }
     }
 
     private static float wall(ByteBuffer in) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 
 /**
  * What a world has besides its circles.
@@ -11,6 +12,7 @@ import io.github.circles2d.world.model.Bounds;
  * @param restitution what new circles get
  * @param subSteps sub-steps per step
  * @param previousTimeStep length of the last step, seconds; 0 before the first
+ * @param contacts how contacts are
  * @param wallStart where the walls start in the next step: not the bounds if they have been moved since the last
  */
 public record WorldParameters(
@@ -20,16 +22,24 @@ public record WorldParameters(
         float restitution,
         int subSteps,
         float previousTimeStep,
+        ContactSettings contacts,
         Bounds wallStart) {
-    /** Parameters of a world whose walls are at rest. */
+    /** Parameters of a world whose walls are at rest, and whose contacts are as by default. */
     public WorldParameters(
             Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {
-        this(bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, bounds);
+        this(bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, ContactSettings.DEFAULT, bounds);
     }
 
     /** The same with walls that start somewhere. */
     WorldParameters startingAt(Bounds start) {
-        return new WorldParameters(bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, start);
+        return new WorldParameters(
+                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, start);
+    }
+
+    /** The same with other contacts. */
+    public WorldParameters with(ContactSettings settings) {
+        return new WorldParameters(
+                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, settings, wallStart);
     }
 
     /** Whether the walls move in the next step. */
@@ -40,8 +50,9 @@ public record WorldParameters(
                 || wallStart.maxY() != bounds.maxY();
     }
 
-    /** The part of the parameters in the hash of the state: where walls that move start; else 0. */
+    /** The part of the parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
     public long hash() {
-        return wallsMove() ? StateHash.walls(wallStart) : 0;
+        long walls = wallsMove() ? StateHash.walls(wallStart) : 0;
+        return walls + (contacts.equals(ContactSettings.DEFAULT) ? 0 : StateHash.contacts(contacts));
     }
 }

@@ -137,7 +137,8 @@ final class CirclePasses {
         float speed = k.walls.speedFor(wall, r);
         float vn = side * v - speed;
         float before = beforeImpulses - speed;
-        float threshold = CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate);
+        float threshold =
+                CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         float pushSpeed = k.pushRate * (2f * r);
         float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
         state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
@@ -153,6 +154,7 @@ final class CirclePasses {
                     gap,
                     bounce,
                     pushSpeed,
+                    k.deepRate,
                     k.inverseH,
                     k.wallBiasRate,
                     k.wallMassScale,
@@ -289,7 +291,8 @@ final class CirclePasses {
         float loaded = state.load[s + LOADED];
         float restitution = traits[s + RESTITUTION];
         float radii = 2f * state.circle[s + RADIUS];
-        float threshold = CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate);
+        float threshold =
+                CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, threshold);
         if (visit == Constraints.SOLVE) {
             float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);

@@ -93,7 +93,7 @@ final class ContactPasses {
     }
 
     private static float flightThreshold(float radii, float restitution, StepConstants k) {
-        return CircleMath.flightThreshold(radii, restitution, k.thresholdRate, k.flightRestRate);
+        return CircleMath.flightThreshold(radii, restitution, k.thresholdRate, k.flightRestRate, k.fixedThreshold);
     }
 
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
@@ -150,6 +150,7 @@ final class ContactPasses {
                         separation,
                         bounce,
                         q[o + PUSH_SPEED],
+                        k.deepRate,
                         k.inverseH,
                         k.biasRate,
                         k.massScale,

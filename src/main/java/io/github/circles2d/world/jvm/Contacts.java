@@ -258,8 +258,8 @@ public final class Contacts {
         contact[o + BASE_Y] = dy;
         contact[o + RADII] = radii;
         contact[o + RESTITUTION] = restitution;
-        contact[o + RESTITUTION_THRESHOLD] =
-                CircleMath.bounceThreshold(radii, restitution, constants.thresholdRate, constants.restRate);
+        contact[o + RESTITUTION_THRESHOLD] = CircleMath.bounceThreshold(
+                radii, restitution, constants.thresholdRate, constants.restRate, constants.fixedThreshold);
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);

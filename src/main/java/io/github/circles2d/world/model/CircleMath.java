@@ -457,12 +457,13 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
-     * @return the square of the speed; 0 for an elastic pair
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
+     * @return the square of the speed; 0 for an elastic pair without a fixed one
      */
-    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float length = inelasticity(e) * sum;
         float creep = lengthRate * length;
-        return gravityRate * length + creep * creep;
+        return gravityRate * length + creep * creep + fixed;
     }
 
     /**
@@ -472,11 +473,12 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair without restitution
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
      * @return the square of the speed
      */
-    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float creep = lengthRate * ((1f - e) * sum);
-        return gravityRate * (inelasticity(e) * sum) + creep * creep;
+        return gravityRate * (inelasticity(e) * sum) + creep * creep + fixed;
     }
 
     /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */

@@ -36,7 +36,9 @@ public final class StepParameters {
                     "flightRestRate",
                     (k, to) -> to.put(k.flightRestRate),
                     "the same, of circles that nothing carries")
+            .field("float", "fixedThreshold", (k, to) -> to.put(k.fixedThreshold), "in place of all of these, or 0")
             .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
+            .field("float", "deepRate", (k, to) -> to.put(k.deepRate), "its gain per depth of deep overlaps")
             .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
             .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
