@@ -644,8 +644,9 @@ public final class World implements AutoCloseable {
 
     /**
      * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
-     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how contacts are
+     * if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity, sub-steps,
+     * restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */

@@ -235,7 +235,7 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             settle();
-            return pipeline.hash() + handles.fields().hash() + parameters().hash();
+            return pipeline.hash() + handles.fields().hash() + WorldParameters.hash(bounds, wallStart, contacts);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

@@ -44,15 +44,16 @@ public record WorldParameters(
 
     /** Whether the walls move in the next step. */
     boolean wallsMove() {
-        return wallStart.minX() != bounds.minX()
-                || wallStart.minY() != bounds.minY()
-                || wallStart.maxX() != bounds.maxX()
-                || wallStart.maxY() != bounds.maxY();
+        return differ(wallStart, bounds);
     }
 
-    /** The part of the parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
-    public long hash() {
-        long walls = wallsMove() ? StateHash.walls(wallStart) : 0;
+    private static boolean differ(Bounds a, Bounds b) {
+        return a.minX() != b.minX() || a.minY() != b.minY() || a.maxX() != b.maxX() || a.maxY() != b.maxY();
+    }
+
+    /** The part of parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
+    public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
+        long walls = differ(wallStart, bounds) ? StateHash.walls(wallStart) : 0;
         return walls + (contacts.equals(ContactSettings.DEFAULT) ? 0 : StateHash.contacts(contacts));
     }
 }

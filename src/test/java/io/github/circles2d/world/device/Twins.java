@@ -13,10 +13,12 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.UnaryOperator;
 
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
 final class Twins implements AutoCloseable {
@@ -163,12 +165,20 @@ final class Twins implements AutoCloseable {
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
     void restoreWithSubSteps(int count) {
+        restoreWith(p -> new WorldParameters(
+                p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+    }
+
+    /** Sets how contacts are, by a restore. */
+    void restoreWith(ContactSettings contacts) {
+        restoreWith(p -> p.with(contacts));
+    }
+
+    private void restoreWith(UnaryOperator<WorldParameters> change) {
         for (Simulation simulation : simulations) {
             SavedState state = new SavedState();
             SnapshotCodec.read(snapshot(simulation), state);
-            WorldParameters p = state.parameters();
-            state.setParameters(new WorldParameters(
-                    p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+            state.setParameters(change.apply(state.parameters()));
             ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
             SnapshotCodec.write(state, changed);
             simulation.snapshots().restore(changed.flip());
