@@ -123,7 +123,7 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     } else {
-        if (((dx != d.x) | (dy != d.y)) && w->constants->wallsMove) {
+        if (((dx != d.x) | (dy != d.y)) && w->walls->any) {
             dx = keepInside(w, c.x, d.x, c.z, 0, k->minX, k->maxX);
             dy = keepInside(w, c.y, d.y, c.z, 1, k->minY, k->maxY);
         }

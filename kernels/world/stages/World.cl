@@ -60,23 +60,22 @@ bool refused(const World *w) {
     return (room | fast | crowded) != 0;
 }
 
-// Walls that move (the Java class WallMotion). The constants are read in memory: few circles are at walls. wall: 0 to 3, as in
-// wallTravel.
+// Walls that move (the Java class WallMotion). wall: 0 to 3, for left, right, lower and upper.
 
 // How far a wall is behind its last place at the end of the sub-step.
 float behindOf(const World *w, int wall) {
-    return w->constants->wallSweep[wall] * (float) (w->k.subSteps - 1 - w->subStep);
+    return w->walls->sweep[wall] * (float) (w->k.subSteps - 1 - w->subStep);
 }
 
 // Whether a circle feels the velocity of a wall.
-bool feelsWall(const World *w, int wall, float r) { return fabs(w->constants->wallTravel[wall]) <= r; }
+bool feelsWall(const World *w, int wall, float r) { return fabs(w->walls->travel[wall]) <= r; }
 
-float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->constants->wallSpeed[wall] : 0.0f; }
+float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->speed[wall] : 0.0f; }
 
-float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->constants->wallSweep[wall] : 0.0f; }
+float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->sweep[wall] : 0.0f; }
 
 float travelFor(const World *w, int wall, float r) {
-    return feelsWall(w, wall, r) ? greatest(w->constants->wallTravel[wall], 0.0f) : 0.0f;
+    return feelsWall(w, wall, r) ? greatest(w->walls->travel[wall], 0.0f) : 0.0f;
 }
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }

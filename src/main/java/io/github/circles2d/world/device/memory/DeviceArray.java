@@ -5,8 +5,9 @@ package io.github.circles2d.world.device.memory;
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. The position of a row is that of the kernels' argument.
  */
 public enum DeviceArray {
-    CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k; what few circles need is read here"),
+    CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
     LEVELS("Levels", "levels", Index.STRUCT, "shape of the grids"),
+    WALLS("WallMotion", "walls", Index.STRUCT, "how walls move"),
     STATUS("int", "status", Index.STATUS, "see the defines above"),
 
     // The state between two steps.

@@ -44,24 +44,17 @@ public final class StepParameters {
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
-            .field(
-                    "float",
-                    "wallTravel[4]",
-                    WallMotion.COUNT,
-                    (k, to) -> to.put(k.walls.travel),
-                    "what walls come in: left, right, lower, upper")
-            .field(
-                    "float",
-                    "wallSweep[4]",
-                    WallMotion.COUNT,
-                    (k, to) -> to.put(k.walls.sweep),
-                    "in a sub-step; not out")
-            .field("float", "wallSpeed[4]", WallMotion.COUNT, (k, to) -> to.put(k.walls.speed), "positive inwards")
-            .field("int", "wallsMove", (k, to) -> to.put(k.walls.any() ? 1 : 0), "whether any does")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
+
+    /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
+    static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
+            .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
+            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.sweep), "in a sub-step; 0 if it goes out")
+            .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
+            .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
     static final HostStruct<GridLevels> LEVELS = new HostStruct<GridLevels>("Levels")
             .field("float", "minX", (s, to) -> to.put(s.minX), "where cells begin")
@@ -103,16 +96,21 @@ public final class StepParameters {
 
     private final int[] constants = new int[CONSTANTS.words()];
     private final int[] levels = new int[LEVELS.words()];
+    private final int[] walls = new int[WALLS.words()];
     private final int[] otherConstants = new int[CONSTANTS.words()];
     private final int[] otherLevels = new int[LEVELS.words()];
+    private final int[] otherWalls = new int[WALLS.words()];
     private final int[] sentConstants = new int[CONSTANTS.words()];
     private final int[] sentLevels = new int[LEVELS.words()];
+    private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
+    private final IntBuffer wallsView = IntBuffer.wrap(walls);
 
     /** Takes down what the next steps are made with. */
     public void set(StepConstants k, GridLevels shape) {
         CONSTANTS.pack(k, constants);
+        WALLS.pack(k.walls, walls);
         LEVELS.pack(shape, levels);
     }
 
@@ -121,9 +119,12 @@ public final class StepParameters {
         System.arraycopy(constants, 0, otherConstants, 0, constants.length);
         System.arraycopy(levels, 0, otherLevels, 0, levels.length);
         CONSTANTS.pack(k, otherConstants);
+        WALLS.pack(k.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return Arrays.equals(constants, otherConstants) && Arrays.equals(levels, otherLevels);
+        return Arrays.equals(constants, otherConstants)
+                && Arrays.equals(levels, otherLevels)
+                && Arrays.equals(walls, otherWalls);
     }
 
     /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
@@ -146,10 +147,11 @@ public final class StepParameters {
         constants[TILED] = tiled ? 1 : 0;
     }
 
-    /** Sends both, in the order of the device's commands, where they are not there yet. */
+    /** Sends all, in the order of the device's commands, where they are not there yet. */
     public void send(DeviceArrays arrays) {
         send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
         send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
+        send(walls, wallsView, sentWalls, arrays.get(DeviceArray.WALLS));
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {

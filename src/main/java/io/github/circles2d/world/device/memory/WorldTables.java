@@ -29,6 +29,7 @@ final class WorldTables {
                 "s" + CachedImpulse.AT_NEXT,
                 "the next entry of the same circle of lower id, or NONE");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
+        text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
@@ -93,7 +94,9 @@ final class WorldTables {
         StringBuilder text = new StringBuilder("typedef struct {\n");
         text.append("    StepConstants k; // by value: read once, not at every use\n");
         for (DeviceArray array : DeviceArray.values()) {
-            text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
+            if (array != DeviceArray.CONSTANTS) {
+                text.append("    " + array.declaration() + "; // " + array.comment() + "\n");
+            }
         }
         for (DeviceCount count : DeviceCount.values()) {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
@@ -107,7 +110,9 @@ final class WorldTables {
         String constants = DeviceArray.CONSTANTS.kernelName();
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
         for (DeviceArray array : DeviceArray.values()) {
-            text.append(", ").append(array.kernelName());
+            if (array != DeviceArray.CONSTANTS) {
+                text.append(", ").append(array.kernelName());
+            }
         }
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
