@@ -107,6 +107,12 @@ public final class StepParameters {
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
     private final IntBuffer wallsView = IntBuffer.wrap(walls);
 
+    /** Nothing has been sent. */
+    public StepParameters() {
+        // No constants and no shape are all zeros. The motion of walls may be, but it has no -1 at the end.
+        Arrays.fill(sentWalls, -1);
+    }
+
     /** Takes down what the next steps are made with. */
     public void set(StepConstants k, GridLevels shape) {
         CONSTANTS.pack(k, constants);
@@ -155,7 +161,6 @@ public final class StepParameters {
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {
-        // No constants and no shape are all zeros.
         if (!Arrays.equals(words, sent)) {
             to.write(0, view);
             System.arraycopy(words, 0, sent, 0, words.length);
