@@ -173,7 +173,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     global float4 *masses = massesOf(w, wide);
     masses[0] = wi;
     masses[1] = wj;
-    masses[2] = flightThreshold4(sum, e, w->k.thresholdRate, w->k.flightRestRate);
+    masses[2] = flightThreshold4(&w->k, sum, e);
     masses[3] = choose4(real && carries4(normalImpulse, vn, restingLimit4(s, threshold)), (float4)(1.0f), zero);
     global float4 *contact = stateOf(w, wide);
     contact[0] = nx;

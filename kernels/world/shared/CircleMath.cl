@@ -32,10 +32,16 @@ float besideWalls(float x, float p, float r, float min, float max) {
     return (p < 0.0f && x - min < slack) || (p > 0.0f && max - x < slack) ? 0.0f : p;
 }
 
-float timeOfWall(float x, float p, float r, float min, float max) {
-    float low = (min + r) - x;
-    float high = (max - r) - x;
-    return p < 0.0f && p < low ? low / p : p > 0.0f && p > high ? high / p : 1.0f;
+float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+    float low = ((min - travelMin) + r) - x;
+    float high = ((max + travelMax) - r) - x;
+    float toMin = p - travelMin;
+    float toMax = p - (0.0f - travelMax);
+    return toMin < 0.0f && toMin < low ? low / toMin : toMax > 0.0f && toMax > high ? high / toMax : 1.0f;
+}
+
+float marginAtWall(float from, float to, float margin) {
+    return from == to || fabs(to - from) > margin ? margin : 0.0f;
 }
 
 float travelShare(float path, float r) {

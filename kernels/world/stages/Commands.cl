@@ -82,17 +82,17 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
     }
 }
 
-// Brings circles that changed bounds have left outside to the nearest place inside. Index space: a slot at home a
+// Brings circles that changed bounds have left outside to the nearest place inside, unless the next step pushes them there. Index space: a slot at home a
 // work-item.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
                              global const float4 *homeTraits, int slots, float minX, float minY, float maxX,
-                             float maxY) {
+                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
     float edge = homeTraits[slot].x == 0.0f ? 0.0f : c.z;
-    float x = bounded(c.x, minX + edge, maxX - edge);
-    float y = bounded(c.y, minY + edge, maxY - edge);
+    float x = bounded(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
+    float y = bounded(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {
         homeCircle[slot].x = x;
         homeMotion[slot].x = 0.0f;

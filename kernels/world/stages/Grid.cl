@@ -68,10 +68,11 @@ int countLower(const World *w, int from, int to, int id) {
 float leastRadius(const World *w) { return 0.5f * w->levels->top[w->levels->used[0]]; }
 
 // The share of its path after which a circle touches a wall; 1 if it does not fly far.
-float timeOfWalls(const StepConstants *k, float4 c, float px, float py, bool far) {
+float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     if (!far) return 1.0f;
-    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX);
-    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY);
+    const StepConstants *k = &w->k;
+    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX, travelFor(w, 0, c.z), travelFor(w, 1, c.z));
+    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY, travelFor(w, 2, c.z), travelFor(w, 3, c.z));
     return greatest(least(tx, ty), 0.0f);
 }
 
@@ -115,7 +116,7 @@ bool gatherCircle(const World *w, int i) {
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {
-        w->timeOfImpact[slot] = as_int(timeOfWalls(&w->k, c, px, py, !isStatic && path > c.z));
+        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.z));
         w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
         w->carryTime[slot] = as_int(NOT_CARRIED);
         w->carrier[slot] = NOBODY;

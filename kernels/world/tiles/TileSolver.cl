@@ -117,7 +117,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     f.separation = r->normal.z;
     f.restitution = r->shape.y;
     f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
-    f.flight = flightThreshold(r->shape.x, r->shape.y, w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold(&w->k, r->shape.x, r->shape.y);
     f.mass = r->normal.w;
     f.normalImpulse = r->impulse.x;
     f.loaded = isLoaded(wi) || isLoaded(wj);
@@ -391,14 +391,17 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
     solveTile(&w, &t, tile, subStep, 4);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    bool last = subStep == w.k.subSteps - 1;
+    w.subStep = subStep + 1; // which the circles start into
     local Tile t;
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);

@@ -10,6 +10,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -44,13 +45,15 @@ import java.util.Objects;
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
  * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2), or up to that of
+ * {@link Builder#restitutionThreshold}. r is the mean radius of the pair, or the circle's
  * at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
  * 0.1 (1 - restitution) r per second for two circles that nothing carries. From a restitution of 0.9 on all of it goes down, to 0
  * at 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
  * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
- * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones
+ * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper
+ * ({@link Builder#greatestPushOutSpeed}). Shallow ones
  * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
  *
  * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
@@ -101,7 +104,8 @@ public final class World implements AutoCloseable {
         backend = choice.backend();
         reason = choice.reason();
         simulation = new Simulation(
-                choice.pipeline(), new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0));
+                choice.pipeline(),
+                new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
     }
 
     /**
@@ -450,7 +454,10 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Moves the walls. Circles that are left outside are brought to the nearest place inside.
+     * Moves the walls. They travel to their new places in the first step from here, and push the circles that they meet: these get
+     * the wall's speed, or bounce off by their speed against the wall. Call it before each step to let a wall go on. A wall that is
+     * set farther than the radius of a circle jumps for that circle, which is brought to the nearest place inside at once and gets
+     * no speed.
      *
      * @param minX left wall
      * @param minY lower wall
@@ -514,6 +521,42 @@ public final class World implements AutoCloseable {
      */
     public int subSteps() {
         return simulation.subSteps();
+    }
+
+    /**
+     * The speed up to which impacts do not bounce.
+     *
+     * @return lengths per second; -1 if it follows from gravity, radii and restitutions
+     */
+    public float restitutionThreshold() {
+        return simulation.contacts().restitutionThreshold();
+    }
+
+    /**
+     * The stiffness of contacts.
+     *
+     * @return hertz
+     */
+    public float contactFrequency() {
+        return simulation.contacts().frequency();
+    }
+
+    /**
+     * The damping ratio of contacts.
+     *
+     * @return at least 0
+     */
+    public float contactDamping() {
+        return simulation.contacts().damping();
+    }
+
+    /**
+     * The greatest speed at which overlaps are pushed out that are not deep.
+     *
+     * @return mean radii of the pair a second
+     */
+    public float greatestPushOutSpeed() {
+        return simulation.contacts().pushOutSpeed();
     }
 
     /**
@@ -806,8 +849,9 @@ public final class World implements AutoCloseable {
 
     /**
      * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
-     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how contacts are
+     * if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity, sub-steps,
+     * restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */
@@ -850,7 +894,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
-     * gravity, restitution and sub-steps. Equal states give equal bytes, on every back end.
+     * gravity, restitution, sub-steps and how contacts are. Equal states give equal bytes, on every back end.
      *
      * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
      *     meaning
@@ -890,6 +934,7 @@ public final class World implements AutoCloseable {
         private float gravityY;
         private float restitution = 0.5f;
         private int subSteps = 4;
+        private ContactSettings contacts = ContactSettings.DEFAULT;
         private Backend backend = Backend.AUTO;
         private Device device;
         private int threads = defaultThreads();
@@ -953,6 +998,64 @@ public final class World implements AutoCloseable {
          */
         public Builder subSteps(int subSteps) {
             this.subSteps = Limits.within("the number of sub-steps", subSteps, 1, Limits.SUB_STEPS);
+            return this;
+        }
+
+        /**
+         * The normal speed up to which impacts do not bounce, the same for all circles, elastic ones too, and for walls. At 0 all
+         * impacts bounce, and piles of circles with a restitution take long to rest. By default it follows from gravity, radii and
+         * restitutions, as {@link World} says. A back end by OpenCL compiles its kernels anew for another value.
+         *
+         * @param speed lengths per second, 0 to 1e9
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder restitutionThreshold(float speed) {
+            contacts = contacts.withRestitutionThreshold(
+                    Limits.within("the restitution threshold", speed, 0, Limits.SPEED));
+            return this;
+        }
+
+        /**
+         * The stiffness of contacts, as the frequency of a spring; walls have twice as much. Softer contacts let piles sink in. By
+         * default 67. Times the length of a sub-step it counts as at most 0.3, since stiffer contacts tremble: with four sub-steps
+         * a sixtieth of a second, up to 72 Hz.
+         *
+         * @param hertz 1 to 10,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactFrequency(float hertz) {
+            contacts = contacts.withFrequency(hertz);
+            return this;
+        }
+
+        /**
+         * The damping ratio of contacts and walls: overlaps swing below 1, and shrink the more slowly the greater it is. By default
+         * 20, with which piles rest soonest.
+         *
+         * @param ratio 0 to 1,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactDamping(float ratio) {
+            contacts = contacts.withDamping(ratio);
+            return this;
+        }
+
+        /**
+         * The greatest speed at which overlaps of up to 0.4 mean radii of the pair are pushed out; deeper ones are pushed out faster,
+         * in the same proportion as by default. By default 0.8. A slow one keeps crowds calm in which many circles grow at once. A
+         * fast one soon separates circles, but crowds without room may boil: what a loaded pair overlaps by must be less than it
+         * is pushed out in a fortieth of a second for the pair to bounce. A back end by OpenCL compiles its kernels anew for
+         * another value.
+         *
+         * @param speed mean radii of the pair a second, 0 to 100
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder greatestPushOutSpeed(float speed) {
+            contacts = contacts.withPushOutSpeed(speed);
             return this;
         }
 

@@ -128,6 +128,18 @@ interface GoldenChange {
         }
     }
 
+    /** Every wall goes to a place beside its own: some way in, farther than some circles are large. */
+    static void walls(GoldenScene.Run run) {
+        Scene scene = run.scene();
+        float most = 0.03f * (scene.maxX() - scene.minX());
+        run.calls()
+                .setBounds(
+                        scene.minX() + most * unit(run.random()),
+                        scene.minY() + most * unit(run.random()),
+                        scene.maxX() - most * unit(run.random()),
+                        scene.maxY() - most * unit(run.random()));
+    }
+
     private static float unit(SplittableRandom random) {
         return random.nextInt(1 << 24) * 0x1p-24f;
     }

@@ -167,7 +167,21 @@ class WorldFuzzTest {
             ask(bad(e), () -> builder.restitution(e));
             int subSteps = random.nextInt(19);
             ask(subSteps < 1 || subSteps > 16, () -> builder.subSteps(subSteps));
+            if (random.nextInt(3) == 0) {
+                setContacts(builder);
+            }
             return builder.build();
+        }
+
+        private void setContacts(World.Builder builder) {
+            float threshold = random.nextBoolean() ? value(0, 1e9f) : value(0, 1);
+            ask(!(threshold >= 0) || bad(threshold), () -> builder.restitutionThreshold(threshold));
+            float frequency = random.nextBoolean() ? value(1, 10_000) : value(1, 80);
+            ask(!(frequency >= 1) || bad(frequency), () -> builder.contactFrequency(frequency));
+            float damping = random.nextInt(3) * value(0, 500);
+            ask(!(damping >= 0) || bad(damping), () -> builder.contactDamping(damping));
+            float speed = random.nextInt(3) * value(0, 50);
+            ask(!(speed >= 0) || bad(speed), () -> builder.greatestPushOutSpeed(speed));
         }
 
         private void call() {
@@ -375,7 +389,7 @@ class WorldFuzzTest {
                 last = "setGravity " + gx + " " + gy;
                 ask(bad(gx) || bad(gy), () -> world.setGravity(gx, gy));
             } else {
-                float w = model.maxX - model.minX;
+                float w = (model.maxX - model.minX) * (float) StrictMath.pow(10, -random.nextInt(3));
                 float[] b = {
                     value(model.minX, model.minX + 0.3f * w),
                     value(model.minY - w, model.minY + w),

@@ -4,9 +4,11 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Collections;
 
 /**
@@ -31,10 +33,15 @@ public final class Simulation implements AutoCloseable {
     private final StepConstants constants = new StepConstants();
 
     Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
     private float gravityX;
     private float gravityY;
     float defaultRestitution;
     private int subSteps;
+    private ContactSettings contacts;
     private float previousTimeStep;
 
     /** Whether the last step had no circles; also if there has been none, or none since a restore. */
@@ -55,6 +62,12 @@ public final class Simulation implements AutoCloseable {
         readings = new Readings(this);
         snapshots = new Snapshots(this);
         setParameters(start);
+        try {
+            pipeline.prepare(contacts);
+        } catch (RuntimeException | Error e) {
+            pipeline.close();
+            throw e;
+        }
     }
 
     /** The calls on circles. */
@@ -110,7 +123,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves the walls, and brings circles that are left outside to the nearest place inside. */
+    /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
@@ -122,9 +135,11 @@ public final class Simulation implements AutoCloseable {
             }
             applyCommands();
             changed();
+            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(next);
+            pipeline.confine(start, next);
             travels.confine(next);
+            wallStart = start;
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -159,6 +174,16 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             return subSteps;
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** How contacts are. */
+    public ContactSettings contacts() {
+        guard.enter();
+        try {
+            return contacts;
         } finally {
             guard.user = null;
         }
@@ -209,14 +234,26 @@ public final class Simulation implements AutoCloseable {
         emptyStep = handles.size() == 0;
         if (!emptyStep) {
             changed();
-            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-            constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
-            pipeline.step(constants, levels, steps);
+            enqueue(timeStep, steps);
         }
+        wallStart = bounds;
         snapshots.forget();
         previousTimeStep = timeStep;
         guard.changing = false;
+    }
+
+    /** Walls move in the first step alone. */
+    private void enqueue(float timeStep, int steps) {
+        float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+        if (!constants.walls.any() || steps == 1) {
+            pipeline.step(constants, levels, steps);
+            return;
+        }
+        pipeline.step(constants, levels, 1);
+        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep, contacts);
+        pipeline.step(constants, levels, steps - 1);
     }
 
     /** Waits until all steps that were asked for have been made. */
@@ -236,7 +273,7 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             settle();
-            return pipeline.hash() + handles.fields().hash();
+            return pipeline.hash() + handles.fields().hash() + WorldParameters.hash(bounds, wallStart, contacts);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -266,7 +303,8 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
-        return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
+        return new WorldParameters(
+                bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
     }
 
     /** A snapshot has taken the place of all that was. */
@@ -277,10 +315,12 @@ public final class Simulation implements AutoCloseable {
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
+        contacts = p.contacts();
         previousTimeStep = p.previousTimeStep();
     }
 

@@ -67,6 +67,7 @@ public final class Snapshots {
             handles.makeRoom(saved);
             simulation.travels.makeRoom(saved);
             pipeline.makeRoom(saved);
+            pipeline.prepare(saved.parameters().contacts());
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;

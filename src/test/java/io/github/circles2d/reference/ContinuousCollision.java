@@ -96,11 +96,20 @@ final class ContinuousCollision {
     private float timeOfWalls(Circle c) {
         float first = 1f;
         for (int a = 0; a < 2 && !c.isStatic() && c.pathLength > c.radius; a++) {
-            float p = c.path[a];
-            float way = p < 0f ? (k.min()[a] + c.radius) - c.base[a] : (k.max()[a] - c.radius) - c.base[a];
-            first = min(p < 0f && p < way || p > 0f && p > way ? way / p : 1f, first);
+            float minIn = comesIn(k.minIn()[a], c);
+            float maxIn = comesIn(k.maxIn()[a], c);
+            float low = ((k.min()[a] - minIn) + c.radius) - c.base[a];
+            float high = ((k.max()[a] + maxIn) - c.radius) - c.base[a];
+            float p = minIn > 0f ? c.path[a] - minIn : c.path[a];
+            float q = maxIn > 0f ? c.path[a] + maxIn : c.path[a];
+            first = min(p < 0f && p < low ? low / p : q > 0f && q > high ? high / q : 1f, first);
         }
         return max(first, 0f);
+    }
+
+    /** How far a wall comes in that a circle feels. */
+    private static float comesIn(float in, Circle c) {
+        return Wall.moves(in, c) ? max(in, 0f) : 0f;
     }
 
     private void look(Circle c, Circle other) {

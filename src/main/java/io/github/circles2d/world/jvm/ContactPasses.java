@@ -154,6 +154,7 @@ final class ContactPasses {
                     separation,
                     bounce,
                     pushSpeed,
+                    k.deepRate,
                     k.inverseH,
                     k.biasRate,
                     k.massScale,

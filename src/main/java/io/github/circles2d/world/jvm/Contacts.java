@@ -258,13 +258,13 @@ public final class Contacts {
         contact[o + BASE_Y] = dy;
         contact[o + RADII] = radii;
         contact[o + RESTITUTION] = restitution;
-        contact[o + RESTITUTION_THRESHOLD] =
-                CircleMath.bounceThreshold(radii, restitution, constants.thresholdRate, constants.restRate);
+        contact[o + RESTITUTION_THRESHOLD] = CircleMath.bounceThreshold(
+                radii, restitution, constants.thresholdRate, constants.restRate, constants.fixedThreshold);
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
-        contact[o + FLIGHT_THRESHOLD] =
-                CircleMath.flightThreshold(radii, restitution, constants.thresholdRate, constants.flightRestRate);
+        contact[o + FLIGHT_THRESHOLD] = CircleMath.flightThreshold(
+                radii, restitution, constants.thresholdRate, constants.flightRestRate, constants.fixedThreshold);
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
             part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }

@@ -19,6 +19,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.WallMotion;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
@@ -150,8 +151,11 @@ public final class ContinuousCollision {
         Bounds b = k.bounds;
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
-        float tx = CircleMath.timeOfWall(state.circle[s + X], px, r, b.minX(), b.maxX());
-        float ty = CircleMath.timeOfWall(state.circle[s + Y], py, r, b.minY(), b.maxY());
+        WallMotion m = k.walls;
+        float tx = CircleMath.timeOfWall(
+                state.circle[s + X], px, r, b.minX(), b.maxX(), m.travelFor(0, r), m.travelFor(1, r));
+        float ty = CircleMath.timeOfWall(
+                state.circle[s + Y], py, r, b.minY(), b.maxY(), m.travelFor(2, r), m.travelFor(3, r));
         return CircleMath.greatest(CircleMath.least(tx, ty), 0f);
     }
 

@@ -276,12 +276,12 @@ public final class State {
         return traits[row + INVERSE_MASS] == 0f ? 0f : circle[row + RADIUS];
     }
 
-    /** Brings circles that the walls have left outside to the nearest place inside. */
-    void confine(Bounds bounds) {
+    /** Brings circles that the walls have left outside to the nearest place inside, if the step does not push them there. */
+    void confine(Bounds from, Bounds to) {
         for (int s = 0; s < CircleRow.of(n); s += CircleRow.STRIDE) {
             float margin = margin(s);
-            float x = CircleMath.bounded(circle[s + X], bounds.minX() + margin, bounds.maxX() - margin);
-            float y = CircleMath.bounded(circle[s + Y], bounds.minY() + margin, bounds.maxY() - margin);
+            float x = confined(circle[s + X], from.minX(), to.minX(), from.maxX(), to.maxX(), margin);
+            float y = confined(circle[s + Y], from.minY(), to.minY(), from.maxY(), to.maxY(), margin);
             if (x != circle[s + X]) {
                 circle[s + X] = x;
                 motion[s + DX] = 0f;
@@ -291,6 +291,11 @@ public final class State {
                 motion[s + DY] = 0f;
             }
         }
+    }
+
+    private static float confined(float x, float fromMin, float min, float fromMax, float max, float margin) {
+        float low = min + CircleMath.marginAtWall(fromMin, min, margin);
+        return CircleMath.bounded(x, low, max - CircleMath.marginAtWall(fromMax, max, margin));
     }
 
     /** Saves the circle of a slot as circle k. */

@@ -189,14 +189,18 @@ public final class CircleMath {
      * @param x coordinate
      * @param p component of the path
      * @param r radius
-     * @param min lower wall
-     * @param max upper wall
+     * @param min lower wall at the end of the step
+     * @param max upper wall at the end of the step
+     * @param travelMin what the lower wall comes in during the step, at least 0
+     * @param travelMax what the upper wall comes in during the step, at least 0
      * @return the share, negative where the circle is in the wall; 1 where it does not touch it
      */
-    public static float timeOfWall(float x, float p, float r, float min, float max) {
-        float low = (min + r) - x;
-        float high = (max - r) - x;
-        return p < 0f && p < low ? low / p : p > 0f && p > high ? high / p : 1f;
+    public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+        float low = ((min - travelMin) + r) - x;
+        float high = ((max + travelMax) - r) - x;
+        float toMin = p - travelMin; // against the wall
+        float toMax = p - (0f - travelMax); // for no travel p itself, a zero with its sign
+        return toMin < 0f && toMin < low ? low / toMin : toMax > 0f && toMax > high ? high / toMax : 1f;
     }
 
     /**
@@ -559,12 +563,13 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
-     * @return the square of the speed; 0 for an elastic pair
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
+     * @return the square of the speed; 0 for an elastic pair without a fixed one
      */
-    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float length = inelasticity(e) * sum;
         float creep = lengthRate * length;
-        return gravityRate * length + creep * creep;
+        return gravityRate * length + creep * creep + fixed;
     }
 
     /**
@@ -574,11 +579,12 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair without restitution
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
      * @return the square of the speed
      */
-    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float creep = lengthRate * ((1f - e) * sum);
-        return gravityRate * (inelasticity(e) * sum) + creep * creep;
+        return gravityRate * (inelasticity(e) * sum) + creep * creep + fixed;
     }
 
     /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
@@ -656,6 +662,19 @@ public final class CircleMath {
      */
     public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
         return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
+    }
+
+    /**
+     * How far from a wall circles are kept as it is set to a new place. One whose radius is more than the wall's way stays where it is:
+     * the step pushes it. Its centre is inside even so.
+     *
+     * @param from where the wall was; where it is now if it jumped
+     * @param to where it is now
+     * @param margin 0 for a static circle, else its radius
+     * @return the margin, or 0
+     */
+    public static float marginAtWall(float from, float to, float margin) {
+        return from == to || Math.abs(to - from) > margin ? margin : 0f;
     }
 
     /**

@@ -126,6 +126,7 @@ public final class Constraints {
      *
      * @param mass effective mass
      * @param pushSpeed greatest push-out speed of overlaps that are not deep
+     * @param deepRate gain of the push-out speed per depth of deep overlaps, 1/s
      * @param biasRate push-out speed per depth, 1/s
      * @param massScale softness: share of the impulse
      * @param impulseScale softness: decay of the impulse
@@ -137,12 +138,13 @@ public final class Constraints {
             float separation,
             float bounceSpeed,
             float pushSpeed,
+            float deepRate,
             float inverseH,
             float biasRate,
             float massScale,
             float impulseScale) {
         int rigid = Branchless.isPositive(separation) | Branchless.isPositive(bounceSpeed);
-        float soft = massScale * pushOut(separation, pushSpeed, biasRate);
+        float soft = massScale * pushOut(separation, pushSpeed, deepRate, biasRate);
         float bias = bias(separation, bounceSpeed, inverseH, soft);
         float decay = Branchless.choose(rigid, 0f, impulseScale) * normalImpulse;
         return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, massScale), vn, bias, decay);
@@ -154,8 +156,8 @@ public final class Constraints {
      * which many pairs overlap at once does not burst. The last piece keeps single pairs from staying deep where there is too little
      * space for all.
      */
-    private static float pushOut(float separation, float pushSpeed, float biasRate) {
-        float deep = Tuning.DEEP_RATE * separation + Tuning.DEEP_OFFSET * pushSpeed;
+    private static float pushOut(float separation, float pushSpeed, float deepRate, float biasRate) {
+        float deep = deepRate * separation + Tuning.DEEP_OFFSET * pushSpeed;
         return CircleMath.greatest(biasRate * separation, CircleMath.least(-pushSpeed, deep));
     }
 

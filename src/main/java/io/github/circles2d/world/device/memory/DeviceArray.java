@@ -7,6 +7,7 @@ package io.github.circles2d.world.device.memory;
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
     LEVELS("Levels", "levels", Index.STRUCT, "shape of the grids"),
+    WALLS("WallMotion", "walls", Index.STRUCT, "how walls move"),
     STATUS("int", "status", Index.STATUS, "see the defines above"),
 
     // The state between two steps.

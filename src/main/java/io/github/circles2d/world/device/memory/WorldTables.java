@@ -29,6 +29,7 @@ final class WorldTables {
                 "s" + CachedImpulse.AT_NEXT,
                 "the next entry of the same circle of lower id, or NONE");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
+        text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
@@ -104,6 +105,7 @@ final class WorldTables {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
+        text.append("    int subStep; // the one that is made, where walls may move\n");
         return text.append("} World;\n").toString();
     }
 
@@ -118,6 +120,6 @@ final class WorldTables {
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
-        return text.append(", " + constants + "->warmScale }\n").toString();
+        return text.append(", " + constants + "->warmScale, 0 }\n").toString();
     }
 }
