@@ -88,6 +88,7 @@ import java.util.Objects;
  */
 public final class World implements AutoCloseable {
     private final Simulation simulation;
+    private final Queries queries;
     private final Backend backend;
     private final String reason;
 
@@ -96,6 +97,7 @@ public final class World implements AutoCloseable {
         reason = choice.reason();
         simulation = new Simulation(
                 choice.pipeline(), new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0));
+        queries = new Queries(simulation.searches());
     }
 
     /**
@@ -597,6 +599,15 @@ public final class World implements AutoCloseable {
      */
     public long tag(long handle) {
         return simulation.circles().get(CircleField.TAG, handle);
+    }
+
+    /**
+     * Questions about where circles are: overlaps, the circle at a point, the nearest ones, rays and casts.
+     *
+     * @return always the same object; its calls follow the rules of this class
+     */
+    public Queries queries() {
+        return queries;
     }
 
     /**

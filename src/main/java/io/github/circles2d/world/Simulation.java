@@ -12,7 +12,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Readings}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -25,6 +25,7 @@ public final class Simulation implements AutoCloseable {
     private final Circles circles;
     private final Readings readings;
     private final Snapshots snapshots;
+    private final Searches searches;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
@@ -51,6 +52,7 @@ public final class Simulation implements AutoCloseable {
         circles = new Circles(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
+        searches = new Searches(this);
         setParameters(start);
     }
 
@@ -67,6 +69,11 @@ public final class Simulation implements AutoCloseable {
     /** The snapshots. */
     public Snapshots snapshots() {
         return snapshots;
+    }
+
+    /** The searches for circles. */
+    public Searches searches() {
+        return searches;
     }
 
     /** Changes gravity. */
