@@ -106,6 +106,11 @@ public final class OverlapSearch {
         return best;
     }
 
+    /** How many circles a search for what a disc overlaps looks at. */
+    int circlesNear(float x, float y, float radius) {
+        return CircleTree.CIRCLES_A_BOX * nearDisc(x, y, radius);
+    }
+
     private void addIfAdmitted(int k, IdFilter filter) {
         if (filter == null || filter.admits(tree.id[k])) {
             found.add(tree.id[k]);
