@@ -3,7 +3,7 @@ package io.github.circles2d.world.queries;
 import io.github.circles2d.world.model.CircleRow;
 
 /**
- * A tree of boxes over circles. The circles lie in the order of a Z-curve; eight of them in a row share a box, four boxes in a row
+ * A tree of boxes over circles. The circles lie in the order of a Hilbert curve; eight of them in a row share a box, four boxes in a row
  * share a box of the next level, and so on up to one. Radii may differ by any factor, and circles may crowd anywhere: a box is as
  * large as what it holds.
  *
@@ -30,7 +30,7 @@ public final class CircleTree {
 
     private static final float MARGIN = 0x1p-21f;
 
-    private final ZOrder zOrder = new ZOrder();
+    private final HilbertOrder hilbertOrder = new HilbertOrder();
 
     /** Number of circles. */
     int size;
@@ -69,7 +69,7 @@ public final class CircleTree {
     public void build(float[] circles, int[] ids, int n) {
         size = 0;
         makeRoom(n);
-        int[] order = zOrder.order(circles, n);
+        int[] order = hilbertOrder.order(circles, n);
         for (int k = 0; k < n; k++) {
             int row = CircleRow.of(order[k]);
             x[k] = circles[row + CircleRow.X];

@@ -9,6 +9,12 @@ public final class NearestSearch {
     private final Frontier frontier = new Frontier();
     private final Found found = new Found();
 
+    /** More than the distances that count. */
+    private double farthest;
+
+    /** The distance of the last that is kept, if there are enough; else {@link #farthest}. */
+    private double limit;
+
     /** Searches in a tree. */
     public NearestSearch(CircleTree tree) {
         this.tree = tree;
@@ -31,14 +37,16 @@ public final class NearestSearch {
         if (tree.size == 0) {
             return 0;
         }
-        double farthest = within + within * MARGIN;
+        farthest = within + within * MARGIN;
+        limit = farthest;
         frontier.start(tree);
         while (frontier.pop()) {
-            if (frontier.distance() > Math.min(farthest, found.last(most))) {
+            if (frontier.distance() > limit) {
                 continue;
             }
             if (frontier.level() == Frontier.CIRCLES) {
                 look(frontier.group(), x, y, within, most, filter);
+                limit = Math.min(farthest, found.last(most));
             } else {
                 open(frontier.level(), frontier.group(), x, y);
             }
@@ -64,7 +72,10 @@ public final class NearestSearch {
         int end = Math.min(first + CircleTree.BOXES_A_BOX, tree.boxes[level]);
         for (int b = first; b < end; b++) {
             double d = distance(tree.levelStart[level] + CircleTree.BOX_STRIDE * b, x, y);
-            frontier.push(level - 1, b, d - Math.abs(d) * MARGIN);
+            double least = d - Math.abs(d) * MARGIN;
+            if (least <= limit) {
+                frontier.push(level - 1, b, least);
+            }
         }
     }
 

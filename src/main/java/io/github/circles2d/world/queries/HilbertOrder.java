@@ -4,12 +4,26 @@ import io.github.circles2d.world.model.CircleRow;
 import java.util.Arrays;
 
 /**
- * Orders circles along a Z-curve, so that neighbours in space are mostly neighbours in the order. The curve has 2^16 steps along
- * each axis of the smallest box around the centres. Circles in the same step keep their order.
+ * Orders circles along a Hilbert curve, so that neighbours in the order are neighbours in space. The curve has 2^16 steps along each
+ * axis of the smallest box around the centres. Circles in the same step keep their order, so a crowd that is narrower than 2^-16 of
+ * that box is searched circle by circle.
  */
-final class ZOrder {
+final class HilbertOrder {
     private static final int AXIS_BITS = 16;
     private static final int LAST_STEP = (1 << AXIS_BITS) - 1;
+
+    // the curve goes on by parts of four bits of each coordinate
+    private static final int PART_BITS = 4;
+    private static final int PART = (1 << PART_BITS) - 1;
+    private static final int PLACE_BITS = 2 * PART_BITS;
+    private static final int PLACE = (1 << PLACE_BITS) - 1;
+
+    // state: how the curve lies in a square
+    private static final int SWAPPED = 1;
+    private static final int FLIPPED = 2;
+    private static final int STATES = 4;
+
+    private static final int[] TURNS = turns();
 
     /** A radix sort of the keys in three passes. */
     private static final int DIGIT_BITS = 11;
@@ -69,7 +83,7 @@ final class ZOrder {
         for (int k = 0; k < n; k++) {
             int column = step(circles[CircleRow.of(k) + CircleRow.X] - minX, scaleX);
             int line = step(circles[CircleRow.of(k) + CircleRow.Y] - minY, scaleY);
-            key[k] = spread(column) | spread(line) << 1;
+            key[k] = place(column, line);
             place[k] = k;
         }
     }
@@ -78,12 +92,43 @@ final class ZOrder {
         return Math.min((int) (distance * scale), LAST_STEP);
     }
 
-    /** Moves the lower 16 bits apart: bit b becomes bit 2 b. */
-    private static int spread(int bits) {
-        int b = (bits | bits << 8) & 0x00FF00FF;
-        b = (b | b << 4) & 0x0F0F0F0F;
-        b = (b | b << 2) & 0x33333333;
-        return (b | b << 1) & 0x55555555;
+    /**
+     * Follows the curve through four bits of each coordinate.
+     *
+     * @return by state, column and line: the next state, above the eight bits of the place on the curve
+     */
+    private static int[] turns() {
+        int[] turns = new int[STATES << PLACE_BITS];
+        for (int k = 0; k < turns.length; k++) {
+            int state = k >> PLACE_BITS;
+            int place = 0;
+            for (int bit = PART_BITS - 1; bit >= 0; bit--) {
+                int flip = (state & FLIPPED) == 0 ? 0 : 1;
+                int a = (k >> PART_BITS + bit & 1) ^ flip;
+                int b = (k >> bit & 1) ^ flip;
+                int right = (state & SWAPPED) == 0 ? a : b;
+                int upper = (state & SWAPPED) == 0 ? b : a;
+                place = place << 2 | (3 * right ^ upper); // lower left, upper left, upper right, lower right
+                if (upper == 0) {
+                    state ^= right == 0 ? SWAPPED : SWAPPED | FLIPPED;
+                }
+            }
+            turns[k] = state << PLACE_BITS | place;
+        }
+        return turns;
+    }
+
+    /** The place on the curve of a step along each axis. */
+    private static int place(int column, int line) {
+        int place = 0;
+        int state = 0;
+        for (int shift = AXIS_BITS - PART_BITS; shift >= 0; shift -= PART_BITS) {
+            int part = (column >> shift & PART) << PART_BITS | line >> shift & PART;
+            int turn = TURNS[state | part];
+            place = place << PLACE_BITS | turn & PLACE;
+            state = turn & ~PLACE;
+        }
+        return place;
     }
 
     private static int digit(int key, int pass) {
