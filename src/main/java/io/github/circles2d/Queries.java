@@ -39,8 +39,8 @@ import io.github.circles2d.world.queries.CastSearch;
  *
  * <p><b>Cost:</b> the first query after a step or a change reads all circles, as {@link World#x} does, and builds an index on the
  * calling thread; later ones use both. On an OpenCL device that waits for the steps and copies 16 bytes a circle, so make the
- * queries of a frame together, before the changes that they lead to. The index has about 37 bytes a circle, and as many bytes again
- * serve to build it.
+ * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
+ * circle.
  *
  * <p><b>Misuse:</b> coordinates, radii and lengths may be any finite floats, in the units of the world; radii are at least 0. A
  * query with other values throws an IllegalArgumentException that names the value (in a batch, the query too, and what the arrays

@@ -30,9 +30,21 @@ class DocumentationTest {
 
     @Test
     void theGameLoopOfTheReadmeCompilesWithoutAWarning(@TempDir Path folder) throws IOException {
+        compile(block(read("README.md"), "java"), folder);
+    }
+
+    @Test
+    void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
+        compile(
+                "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
+                        + code + "}}",
+                folder);
+    }
+
+    private static void compile(String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
-        String code = block(read("README.md"), "java");
         JavaFileObject source =
                 new SimpleJavaFileObject(URI.create("string:///Game.java"), JavaFileObject.Kind.SOURCE) {
                     @Override
