@@ -3,7 +3,7 @@ package io.github.circles2d.world.queries;
 import io.github.circles2d.world.model.CircleRow;
 
 /**
- * A tree of boxes over circles. The circles lie in the order of a Hilbert curve; eight of them in a row share a box, four boxes in a row
+ * A tree of boxes over circles. The circles lie in the order of a Hilbert curve; sixteen of them in a row share a box, four boxes in a row
  * share a box of the next level, and so on up to one. Radii may differ by any factor, and circles may crowd anywhere: a box is as
  * large as what it holds.
  *
@@ -13,12 +13,12 @@ import io.github.circles2d.world.model.CircleRow;
  */
 public final class CircleTree {
     /** Circles that share a box of level 0. */
-    static final int CIRCLES_A_BOX = 8;
+    static final int CIRCLES_A_BOX = 16;
 
     /** Boxes that share a box of the next level. */
     static final int BOXES_A_BOX = 4;
 
-    /** Levels that 100 million circles need, and one. */
+    /** At least the levels that 100 million circles need. */
     static final int LEVELS = 14;
 
     // a box: its sides
