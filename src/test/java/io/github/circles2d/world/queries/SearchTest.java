@@ -135,6 +135,26 @@ class SearchTest {
         }
     }
 
+    /** Boxes have sides in floats, but doubles decide whether circles touch. */
+    @Test
+    void whetherCirclesTouchIsNotLeftToTheRoundingOfBoxes() {
+        Random random = new Random(11);
+        int touching = 0;
+        for (int k = 0; k < 20_000; k++) {
+            float[] circle = {100 * random.nextFloat(), 100 * random.nextFloat(), 10 * random.nextFloat(), 1};
+            tree.build(circle, new int[1], 1);
+            BruteForce truth = new BruteForce(circle, 1);
+            float radius = 10 * random.nextFloat();
+            float x = (float) ((double) circle[0] + circle[2] + radius);
+            int[] disc = truth.disc(x, circle[1], radius);
+            assertThat(disc(x, circle[1], radius)).isEqualTo(disc);
+            compareNearest(truth, x, circle[1], radius, 1);
+            compareCasts(truth, x, circle[1] - 50, radius, 0, 100);
+            touching += disc.length;
+        }
+        assertThat(touching).isBetween(5_000, 15_000);
+    }
+
     private int compare(BruteForce truth, float[] p, float[] q, int most) {
         int[] disc = truth.disc(p[0], p[1], p[2]);
         assertThat(disc(p[0], p[1], p[2])).isEqualTo(disc);
