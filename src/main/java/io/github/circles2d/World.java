@@ -97,6 +97,7 @@ import java.util.Objects;
  */
 public final class World implements AutoCloseable {
     private final Simulation simulation;
+    private final Queries queries;
     private final Backend backend;
     private final String reason;
 
@@ -106,6 +107,7 @@ public final class World implements AutoCloseable {
         simulation = new Simulation(
                 choice.pipeline(),
                 new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
+        queries = new Queries(simulation.searches());
     }
 
     /**
@@ -845,6 +847,15 @@ public final class World implements AutoCloseable {
      */
     public long tag(long handle) {
         return simulation.circles().get(CircleField.TAG, handle);
+    }
+
+    /**
+     * Questions about where circles are: overlaps, the circle at a point, the nearest ones, rays and casts.
+     *
+     * @return always the same object; its calls follow the rules of this class
+     */
+    public Queries queries() {
+        return queries;
     }
 
     /**

@@ -185,7 +185,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(23)) {
+            switch (random.nextInt(24)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -202,6 +202,7 @@ class WorldFuzzTest {
                 case 20 -> changeSome();
                 case 21 -> removeSome();
                 case 22 -> explode();
+                case 23 -> query();
                 default -> step();
             }
         }
@@ -308,6 +309,20 @@ class WorldFuzzTest {
                 world.setTag(handle, tag);
                 assertThat(world.tag(handle)).isEqualTo(tag);
             });
+        }
+
+        /** Queries with what may be hostile are refused or answered; those that are answered find what a look at all finds. */
+        private void query() {
+            float w = model.maxX - model.minX;
+            float h = model.maxY - model.minY;
+            float x = value(model.minX - 0.2f * w, model.maxX + 0.2f * w);
+            float y = value(model.minY - 0.2f * h, model.maxY + 0.2f * h);
+            float radius = random.nextInt(3) == 0 ? radius() : value(0, w);
+            float toX = random.nextInt(4) == 0 ? x : value(model.minX, model.maxX);
+            float toY = random.nextInt(4) == 0 ? y : value(model.minY, model.maxY);
+            last = "query " + x + " " + y + " " + radius + " " + toX + " " + toY;
+            boolean bad = bad(x) || bad(y) || bad(radius) || radius < 0 || bad(toX - x) || bad(toY - y);
+            ask(bad, () -> new QueryComparison(world).compare(x, y, radius, toX, toY));
         }
 
         private void impulse() {

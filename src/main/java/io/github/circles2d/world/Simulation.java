@@ -14,7 +14,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Readings}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -29,6 +29,7 @@ public final class Simulation implements AutoCloseable {
     private final BulkChanges bulk;
     private final Readings readings;
     private final Snapshots snapshots;
+    private final Searches searches;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
@@ -61,6 +62,7 @@ public final class Simulation implements AutoCloseable {
         bulk = new BulkChanges(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
+        searches = new Searches(this);
         setParameters(start);
         try {
             pipeline.prepare(contacts);
@@ -88,6 +90,11 @@ public final class Simulation implements AutoCloseable {
     /** The snapshots. */
     public Snapshots snapshots() {
         return snapshots;
+    }
+
+    /** The searches for circles. */
+    public Searches searches() {
+        return searches;
     }
 
     /** Changes gravity. */
