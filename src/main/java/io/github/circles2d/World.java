@@ -10,6 +10,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -44,13 +45,15 @@ import java.util.Objects;
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
  * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2), or up to that of
+ * {@link Builder#restitutionThreshold}. r is the mean radius of the pair, or the circle's
  * at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
  * 0.1 (1 - restitution) r per second for two circles that nothing carries. From a restitution of 0.9 on all of it goes down, to 0
  * at 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
  * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
- * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones
+ * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper
+ * ({@link Builder#greatestPushOutSpeed}). Shallow ones
  * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
  *
  * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
@@ -64,11 +67,15 @@ import java.util.Objects;
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
  * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
  * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
- * 0.95 of their diameter, beside a wall, about one in a thousand still does. A static circle that moves takes along a circle that it
- * meets, whatever its size; through a crowd it does so up to about half its radius a step, and faster ones drive over those that
- * stop at others. Circles do not stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles
- * of a tenth, a ball runs over about one in a hundred. In one step a circle that is not static moves at most 64 of its radii,
- * whatever its velocity, unless a static one takes it along: do not make circles tiny that are to fly far.
+ * 0.95 of their diameter, beside a wall, about one in a thousand still does. Circles do not stop at others that are less than a
+ * sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over about one in a hundred. In one step a
+ * circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it along: do not make
+ * circles tiny that are to fly far.
+ *
+ * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead what they meet, and pass through
+ * nothing: fences of them that drove through crowds at 0.2 to 10 of the circles' radii a step left none behind. From about half a
+ * radius a step on, they press a crowd into itself; faster ones press circles into one point, which part later. They push circles
+ * through other static ones, and one that is between two which move against each other comes behind one of them.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
@@ -91,6 +98,7 @@ import java.util.Objects;
  */
 public final class World implements AutoCloseable {
     private final Simulation simulation;
+    private final Queries queries;
     private final Backend backend;
     private final String reason;
 
@@ -98,7 +106,9 @@ public final class World implements AutoCloseable {
         backend = choice.backend();
         reason = choice.reason();
         simulation = new Simulation(
-                choice.pipeline(), new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0));
+                choice.pipeline(),
+                new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
+        queries = new Queries(simulation.searches());
     }
 
     /**
@@ -250,7 +260,15 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle somewhere else; its velocity stays. It may overlap others there, which are pushed apart (see the class).
+     * Puts a circle somewhere else; its velocity stays.
+     *
+     * <p>A circle that is not static is there at once. It may overlap others there, which are pushed apart (see the class).
+     *
+     * <p>A static circle travels there in the next step, on a straight line, however far it is, and pushes what is in its way ahead.
+     * Reads give its old place until then; after the step it is exactly at the new one, with the velocity that it had before. In this
+     * step it does not move by its own velocity. Of several calls before a step the last one counts. {@link #setBounds} brings the
+     * new place inside, and a circle that {@link #setMass} makes no longer static is there at once. A circle far away flings what it
+     * meets: use {@link #teleport} for jumps.
      *
      * @param handle the circle
      * @param x x of the centre, within the bounds
@@ -258,6 +276,19 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
+        simulation.circles().move(handle, x, y);
+    }
+
+    /**
+     * Puts a circle somewhere else at once, also a static one, past all that lies between; its velocity stays. It may overlap others
+     * there, which are pushed apart (see the class).
+     *
+     * @param handle the circle
+     * @param x x of the centre, within the bounds
+     * @param y y of the centre, within the bounds
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void teleport(long handle, float x, float y) {
         simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 
@@ -431,7 +462,10 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Moves the walls. Circles that are left outside are brought to the nearest place inside.
+     * Moves the walls. They travel to their new places in the first step from here, and push the circles that they meet: these get
+     * the wall's speed, or bounce off by their speed against the wall. Call it before each step to let a wall go on. A wall that is
+     * set farther than the radius of a circle jumps for that circle, which is brought to the nearest place inside at once and gets
+     * no speed.
      *
      * @param minX left wall
      * @param minY lower wall
@@ -495,6 +529,42 @@ public final class World implements AutoCloseable {
      */
     public int subSteps() {
         return simulation.subSteps();
+    }
+
+    /**
+     * The speed up to which impacts do not bounce.
+     *
+     * @return lengths per second; -1 if it follows from gravity, radii and restitutions
+     */
+    public float restitutionThreshold() {
+        return simulation.contacts().restitutionThreshold();
+    }
+
+    /**
+     * The stiffness of contacts.
+     *
+     * @return hertz
+     */
+    public float contactFrequency() {
+        return simulation.contacts().frequency();
+    }
+
+    /**
+     * The damping ratio of contacts.
+     *
+     * @return at least 0
+     */
+    public float contactDamping() {
+        return simulation.contacts().damping();
+    }
+
+    /**
+     * The greatest speed at which overlaps are pushed out that are not deep.
+     *
+     * @return mean radii of the pair a second
+     */
+    public float greatestPushOutSpeed() {
+        return simulation.contacts().pushOutSpeed();
     }
 
     /**
@@ -786,9 +856,19 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Questions about where circles are: overlaps, the circle at a point, the nearest ones, rays and casts.
+     *
+     * @return always the same object; its calls follow the rules of this class
+     */
+    public Queries queries() {
+        return queries;
+    }
+
+    /**
      * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
-     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how contacts are
+     * if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity, sub-steps,
+     * restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */
@@ -831,7 +911,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
-     * gravity, restitution and sub-steps. Equal states give equal bytes, on every back end.
+     * gravity, restitution, sub-steps and how contacts are. Equal states give equal bytes, on every back end.
      *
      * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
      *     meaning
@@ -871,6 +951,7 @@ public final class World implements AutoCloseable {
         private float gravityY;
         private float restitution = 0.5f;
         private int subSteps = 4;
+        private ContactSettings contacts = ContactSettings.DEFAULT;
         private Backend backend = Backend.AUTO;
         private Device device;
         private int threads = defaultThreads();
@@ -934,6 +1015,64 @@ public final class World implements AutoCloseable {
          */
         public Builder subSteps(int subSteps) {
             this.subSteps = Limits.within("the number of sub-steps", subSteps, 1, Limits.SUB_STEPS);
+            return this;
+        }
+
+        /**
+         * The normal speed up to which impacts do not bounce, the same for all circles, elastic ones too, and for walls. At 0 all
+         * impacts bounce, and piles of circles with a restitution take long to rest. By default it follows from gravity, radii and
+         * restitutions, as {@link World} says. A back end by OpenCL compiles its kernels anew for another value.
+         *
+         * @param speed lengths per second, 0 to 1e9
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder restitutionThreshold(float speed) {
+            contacts = contacts.withRestitutionThreshold(
+                    Limits.within("the restitution threshold", speed, 0, Limits.SPEED));
+            return this;
+        }
+
+        /**
+         * The stiffness of contacts, as the frequency of a spring; walls have twice as much. Softer contacts let piles sink in. By
+         * default 67. Times the length of a sub-step it counts as at most 0.3, since stiffer contacts tremble: with four sub-steps
+         * a sixtieth of a second, up to 72 Hz.
+         *
+         * @param hertz 1 to 10,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactFrequency(float hertz) {
+            contacts = contacts.withFrequency(hertz);
+            return this;
+        }
+
+        /**
+         * The damping ratio of contacts and walls: overlaps swing below 1, and shrink the more slowly the greater it is. By default
+         * 20, with which piles rest soonest.
+         *
+         * @param ratio 0 to 1,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactDamping(float ratio) {
+            contacts = contacts.withDamping(ratio);
+            return this;
+        }
+
+        /**
+         * The greatest speed at which overlaps of up to 0.4 mean radii of the pair are pushed out; deeper ones are pushed out faster,
+         * in the same proportion as by default. By default 0.8. A slow one keeps crowds calm in which many circles grow at once. A
+         * fast one soon separates circles, but crowds without room may boil: what a loaded pair overlaps by must be less than it
+         * is pushed out in a fortieth of a second for the pair to bounce. A back end by OpenCL compiles its kernels anew for
+         * another value.
+         *
+         * @param speed mean radii of the pair a second, 0 to 100
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder greatestPushOutSpeed(float speed) {
+            contacts = contacts.withPushOutSpeed(speed);
             return this;
         }
 

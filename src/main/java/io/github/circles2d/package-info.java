@@ -39,6 +39,8 @@
  *   <li>{@link io.github.circles2d.FixedStep}: the loop of a game with a screen, whatever the rate of its frames.
  *   <li>{@link io.github.circles2d.World.Builder}: walls, gravity, restitution, sub-steps, and what to run on ({@link
  *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells what was chosen, and why.
+ *   <li>{@link io.github.circles2d.Queries}: which circles a disc or a box overlaps, which is at a point, which are nearest, and
+ *       which a ray or a moving disc meets.
  *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back,
  *       for replays and roll-back; {@link io.github.circles2d.World#hash} compares two, across machines too.
  *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.Settings;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,6 +32,7 @@ class ReferenceFuzzTest {
         private final SplittableRandom random;
         private final int subSteps;
         private final float restitution;
+        private final Settings settings;
         private final float size;
         private final float fastest;
         private World world;
@@ -46,11 +48,17 @@ class ReferenceFuzzTest {
             restitution = new float[] {0f, -0f, 0.5f, 1f}[random.nextInt(4)];
             size = (float) StrictMath.pow(10, random.nextInt(9) - 4);
             fastest = size * (float) StrictMath.pow(10, random.nextInt(5) - 2);
+            Settings usual = Settings.DEFAULT;
+            settings = new Settings(
+                    random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
+                    random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
+                    random.nextInt(4) > 0 ? usual.damping() : random.nextInt(2) * value(0f, 30f),
+                    random.nextInt(4) > 0 ? usual.pushOutSpeed() : random.nextInt(2) * value(0f, 10f));
         }
 
         void run() {
             world = newWorld();
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             try {
                 setBounds();
                 setGravity();
@@ -67,11 +75,18 @@ class ReferenceFuzzTest {
         private World newWorld() {
             return WorldScenes.onThreads(
                     seed % 16 == 0 ? 3 : 1,
-                    WorldScenes.jvm().restitution(restitution).subSteps(subSteps));
+                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
+        }
+
+        private static World.Builder with(Settings settings, World.Builder builder) {
+            builder.contactFrequency(settings.frequency())
+                    .contactDamping(settings.damping())
+                    .greatestPushOutSpeed(settings.pushOutSpeed());
+            return settings.threshold() < 0f ? builder : builder.restitutionThreshold(settings.threshold());
         }
 
         private void call() {
-            switch (random.nextInt(21)) {
+            switch (random.nextInt(22)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -85,6 +100,7 @@ class ReferenceFuzzTest {
                 case 10 -> saveOrRestore();
                 case 11 -> changeSome();
                 case 12 -> explode();
+                case 13 -> moveWalls();
                 default -> step();
             }
         }
@@ -144,7 +160,11 @@ class ReferenceFuzzTest {
         private void setPosition(long handle) {
             float x = x();
             float y = y();
-            both("setPosition", c -> c.setPosition(handle, x, y));
+            if (random.nextInt(3) == 0) {
+                both("teleport", c -> c.teleport(handle, x, y));
+            } else {
+                both("setPosition", c -> c.setPosition(handle, x, y));
+            }
         }
 
         private void setVelocity(long handle) {
@@ -226,6 +246,26 @@ class ReferenceFuzzTest {
             both("setBounds", c -> c.setBounds(minX, minY, maxX, maxY));
         }
 
+        /** Moves walls by about as much as circles are large, for some steps. */
+        private void moveWalls() {
+            float[] way = new float[4];
+            for (int wall = 0; wall < 4; wall++) {
+                way[wall] = random.nextBoolean() ? 0f : value(-0.05f * size, 0.05f * size);
+            }
+            for (int times = random.nextInt(4); times >= 0; times--) {
+                float minX = world.minX() + way[0];
+                float minY = world.minY() + way[1];
+                float maxX = Math.max(world.maxX() + way[2], minX + 0.5f * size);
+                float maxY = Math.max(world.maxY() + way[3], minY + 0.5f * size);
+                both("move walls", c -> c.setBounds(minX, minY, maxX, maxY));
+                if (random.nextInt(4) > 0) {
+                    step();
+                } else {
+                    saveOrRestore();
+                }
+            }
+        }
+
         /** A restored world goes on as one would on which the calls before the snapshot have been made, and no others. */
         private void saveOrRestore() {
             if (snapshot == null || random.nextBoolean()) {
@@ -241,7 +281,7 @@ class ReferenceFuzzTest {
             }
             world.restore(snapshot.duplicate());
             calls = new ArrayList<>(callsUpToSnapshot);
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             calls.forEach(call -> call.accept(reference));
             compare("restore");
         }

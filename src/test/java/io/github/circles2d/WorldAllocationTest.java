@@ -145,6 +145,42 @@ class WorldAllocationTest {
         }
     }
 
+    @Test
+    void queriesAllocateNothing() {
+        Scene scene = Scenes.packed(1250, Scenes.SEED);
+        int batch = 100;
+        long[] found = new long[20_000];
+        int[] ends = new int[batch];
+        float[] hits = new float[Queries.HIT_STRIDE * found.length];
+        float[] numbers = new float[5 * batch];
+        for (int k = 0; k < numbers.length; k++) {
+            numbers[k] = 0.3f + 0.4f * k / numbers.length;
+        }
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            Queries queries = world.queries();
+            Runnable frame = () -> {
+                world.step(scene.timeStep());
+                int sum = queries.overlapCircle(0.5f, 0.5f, 0.2f, found)
+                        + queries.overlapBox(0.2f, 0.2f, 0.8f, 0.8f, found)
+                        + queries.nearest(0.5f, 0.5f, Float.POSITIVE_INFINITY, 200, found, hits)
+                        + queries.rayCastAll(0, 0, 1, 1, found, hits)
+                        + queries.circleCastAll(0, 0, 0.1f, 1, 1, found, hits);
+                sum += queries.overlapCircle(numbers, batch, ends, found)
+                        + queries.pick(numbers, batch, found)
+                        + queries.nearest(numbers, batch, 0.1f, 9, found, hits)
+                        + queries.rayCast(numbers, batch, found, hits)
+                        + queries.rayCastAll(numbers, batch, ends, found, hits)
+                        + queries.circleCast(numbers, batch, found, hits)
+                        + queries.circleCastAll(numbers, batch, ends, found, hits);
+                consume(sum
+                        + queries.pick(0.5f, 0.5f)
+                        + queries.rayCast(0, 0, 1, 1, hits)
+                        + queries.circleCast(0, 0, 0.1f, 1, 1, hits));
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
     private static void assertAllocatesNothing(Runnable frame) {
         for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
             frame.run();

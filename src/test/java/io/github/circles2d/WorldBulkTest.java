@@ -44,7 +44,7 @@ class WorldBulkTest {
     private static long[] add(World world, int count) {
         long[] handles = new long[count];
         for (int k = 0; k < count; k++) {
-            handles[k] = world.add(1 + k % 8, 1 + k / 8, 0.4f, 1 + k);
+            handles[k] = world.add(1 + k % 8, 1 + k / 8, 0.4f, k % 7 == 3 ? Float.POSITIVE_INFINITY : 1 + k);
         }
         return handles;
     }

@@ -19,6 +19,8 @@ public interface WorldCalls {
 
     void setPosition(long handle, float x, float y);
 
+    void teleport(long handle, float x, float y);
+
     void setVelocity(long handle, float vx, float vy);
 
     void setRadius(long handle, float radius);

@@ -221,11 +221,25 @@ class WorldFuzzTest {
             ask(bad(e), () -> builder.restitution(e));
             int subSteps = random.nextInt(19);
             ask(subSteps < 1 || subSteps > 16, () -> builder.subSteps(subSteps));
+            if (random.nextInt(3) == 0) {
+                setContacts(builder);
+            }
             return builder.build();
         }
 
+        private void setContacts(World.Builder builder) {
+            float threshold = random.nextBoolean() ? value(0, 1e9f) : value(0, 1);
+            ask(!(threshold >= 0) || bad(threshold), () -> builder.restitutionThreshold(threshold));
+            float frequency = random.nextBoolean() ? value(1, 10_000) : value(1, 80);
+            ask(!(frequency >= 1) || bad(frequency), () -> builder.contactFrequency(frequency));
+            float damping = random.nextInt(3) * value(0, 500);
+            ask(!(damping >= 0) || bad(damping), () -> builder.contactDamping(damping));
+            float speed = random.nextInt(3) * value(0, 50);
+            ask(!(speed >= 0) || bad(speed), () -> builder.greatestPushOutSpeed(speed));
+        }
+
         private void call() throws IOException {
-            switch (random.nextInt(23)) {
+            switch (random.nextInt(24)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -242,6 +256,7 @@ class WorldFuzzTest {
                 case 20 -> changeSome();
                 case 21 -> removeSome();
                 case 22 -> explode();
+                case 23 -> query();
                 default -> step();
             }
         }
@@ -294,8 +309,15 @@ class WorldFuzzTest {
             long handle = handle();
             float x = value(model.minX, model.maxX);
             float y = value(model.minY, model.maxY);
-            last = "setPosition " + x + " " + y;
-            ask(unknown(handle) || bad(x) || bad(y), () -> world.setPosition(handle, x, y));
+            boolean teleports = random.nextBoolean();
+            last = (teleports ? "teleport " : "setPosition ") + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                if (teleports) {
+                    world.teleport(handle, x, y);
+                } else {
+                    world.setPosition(handle, x, y);
+                }
+            });
         }
 
         private void setVelocity() {
@@ -341,6 +363,20 @@ class WorldFuzzTest {
                 world.setTag(handle, tag);
                 assertThat(world.tag(handle)).isEqualTo(tag);
             });
+        }
+
+        /** Queries with what may be hostile are refused or answered; those that are answered find what a look at all finds. */
+        private void query() {
+            float w = model.maxX - model.minX;
+            float h = model.maxY - model.minY;
+            float x = value(model.minX - 0.2f * w, model.maxX + 0.2f * w);
+            float y = value(model.minY - 0.2f * h, model.maxY + 0.2f * h);
+            float radius = random.nextInt(3) == 0 ? radius() : value(0, w);
+            float toX = random.nextInt(4) == 0 ? x : value(model.minX, model.maxX);
+            float toY = random.nextInt(4) == 0 ? y : value(model.minY, model.maxY);
+            last = "query " + x + " " + y + " " + radius + " " + toX + " " + toY;
+            boolean bad = bad(x) || bad(y) || bad(radius) || radius < 0 || bad(toX - x) || bad(toY - y);
+            ask(bad, () -> new QueryComparison(world).compare(x, y, radius, toX, toY));
         }
 
         private void impulse() {
@@ -422,7 +458,7 @@ class WorldFuzzTest {
                 last = "setGravity " + gx + " " + gy;
                 ask(bad(gx) || bad(gy), () -> world.setGravity(gx, gy));
             } else {
-                float w = model.maxX - model.minX;
+                float w = (model.maxX - model.minX) * (float) StrictMath.pow(10, -random.nextInt(3));
                 float[] b = {
                     value(model.minX, model.minX + 0.3f * w),
                     value(model.minY - w, model.minY + w),

@@ -49,15 +49,22 @@ public final class BulkChanges {
             }
             simulation.expect(count);
             int changes = 0;
+            int travels = 0;
             for (int i = 0; i < count; i++) {
                 int id = find(circles, i, skipStale);
                 if (id >= 0) {
                     prepare(changes++, operation, id, i, values[2 * i], values[2 * i + 1]);
+                    if (operation == Commands.POSITION && handles.isStatic(id)) {
+                        simulation.travels.ensure(id, travels++);
+                    }
                 }
             }
             simulation.circles().forget(operation);
+            if (travels > 0) {
+                recordTravels(changes);
+            }
             guard.changing = true;
-            commands.admitChanges(changes);
+            commands.admitChanges(travels == 0 ? changes : sendOff(changes));
             guard.changing = false;
             return count - changes;
         } catch (RuntimeException | Error e) {
@@ -65,6 +72,29 @@ public final class BulkChanges {
         } finally {
             guard.user = null;
         }
+    }
+
+    private void recordTravels(int changes) {
+        for (int k = 0; k < changes; k++) {
+            int id = commands.preparedId(k);
+            if (handles.isStatic(id)) {
+                simulation.journal.travel(id, commands.preparedFirst(k), commands.preparedSecond(k));
+            }
+        }
+    }
+
+    /** Static circles travel to the positions that are prepared for them. Returns the number of the other ones that are prepared. */
+    private int sendOff(int changes) {
+        int others = 0;
+        for (int k = 0; k < changes; k++) {
+            int id = commands.preparedId(k);
+            if (handles.isStatic(id)) {
+                simulation.travels.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
+            } else {
+                commands.advancePrepared(k, others++);
+            }
+        }
+        return others;
     }
 
     private void prepare(int ahead, int operation, int id, int i, float a, float b) {

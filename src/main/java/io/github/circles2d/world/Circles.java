@@ -125,6 +125,7 @@ public final class Circles {
     private long admit() {
         int id = handles.add(commands.preparedRadius());
         handles.setRestitution(id, simulation.defaultRestitution);
+        handles.setMass(id, commands.preparedMass());
         commands.admit(id);
         return handles.handle(id);
     }
@@ -204,11 +205,16 @@ public final class Circles {
         try {
             int id = find(handle);
             checkValues(operation, a, b);
-            simulation.expect(1);
+            simulation.expect(2);
             forget(operation);
             guard.changing = true;
+            if (operation == Commands.MASS) {
+                setMass(id, a);
+            }
             commands.set(operation, id, a, b);
-            if (operation == Commands.RADIUS) {
+            if (operation == Commands.POSITION) {
+                simulation.travels.forget(id);
+            } else if (operation == Commands.RADIUS) {
                 handles.setRadius(id, a);
             } else if (operation == Commands.RESTITUTION) {
                 handles.setRestitution(id, a);
@@ -219,6 +225,40 @@ public final class Circles {
         } finally {
             guard.user = null;
         }
+    }
+
+    private void setMass(int id, float mass) {
+        if (mass != Float.POSITIVE_INFINITY && simulation.travels.travels(id)) {
+            simulation.travels.end(id);
+        }
+        handles.setMass(id, mass);
+    }
+
+    /**
+     * Puts a circle somewhere else. A static one is to travel there in the next step.
+     *
+     * @param handle the circle
+     * @param x x of the place
+     * @param y y of the place
+     */
+    public void move(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.position(x, y, simulation.bounds);
+            if (handles.isStatic(id)) {
+                simulation.travels.ensure(id, 0);
+                simulation.snapshots().forget();
+                simulation.journal.travel(id, x, y);
+                simulation.travels.set(id, x, y);
+                return;
+            }
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+        set(Commands.POSITION, handle, x, y);
     }
 
     /**

@@ -26,6 +26,9 @@ public final class Journal {
     private long sinceHash;
     private long steps;
 
+    /** Whether a step is in the log and is being made. If it stays true, the step was not made. */
+    private boolean stepping;
+
     /** How many of the waiting commands are in the log. Whoever clears them sets it to 0. */
     int logged;
 
@@ -60,6 +63,7 @@ public final class Journal {
             sinceHash = 0;
             steps = 0;
             logged = 0;
+            stepping = false;
             log = writer;
             writeHash();
         } catch (RuntimeException | Error e) {
@@ -117,11 +121,6 @@ public final class Journal {
         }
     }
 
-    /** The commands that wait are no calls, but part of how a step is made: a replay makes them as well. */
-    void skipCommands() {
-        logged = commands.count();
-    }
-
     private void write(int record) {
         int at = Commands.STRIDE * record;
         int operation = commands.operation(record);
@@ -130,6 +129,9 @@ public final class Journal {
             CircleField field = CircleField.OF_STEPS.get(commands.records()[at + Commands.FIRST]);
             writeField(field, id, commands.records()[at + Commands.SECOND]);
             return;
+        }
+        if (operation == Commands.DEPART || operation == Commands.ARRIVE) {
+            return; // a replay makes them, too
         }
         int values = Commands.values(operation);
         log.begin(operation, 1 + values);
@@ -157,6 +159,11 @@ public final class Journal {
         }
     }
 
+    /** A static circle is to travel. */
+    void travel(int id, float x, float y) {
+        call(LoggedCall.TRAVEL, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
     /** A call of two words is to change the world. */
     void call(LoggedCall call, int a, int b) {
         call(call, a, b, 0, 0);
@@ -166,6 +173,9 @@ public final class Journal {
     void call(LoggedCall call, int a, int b, int c, int d) {
         if (log != null) {
             writeCommands();
+            if (stepping) {
+                log.fail(new IllegalStateException("a step in it could not be made"));
+            }
             log.begin(call.number, call.words);
             for (int k = 0; k < call.words; k++) {
                 log.word(k == 0 ? a : k == 1 ? b : k == 2 ? c : d);
@@ -200,9 +210,18 @@ public final class Journal {
         to.snapshot(snapshot.array(), length);
     }
 
+    /** Steps are to be made. If they cannot be made, the log ends. */
+    void step(float timeStep, int count) {
+        if (log != null) {
+            call(LoggedCall.STEP, Float.floatToRawIntBits(timeStep), count);
+            stepping = true;
+        }
+    }
+
     /** Steps have been made. */
     void stepped(int count) {
         if (log != null) {
+            stepping = false;
             steps += count;
             sinceHash += count;
             if (sinceHash >= hashEvery) {

@@ -27,7 +27,10 @@ enum LoggedCall {
                     intBitsToFloat(w[0]), intBitsToFloat(w[1]), intBitsToFloat(w[2]), intBitsToFloat(w[3]))),
 
     /** A field of a circle: the field's number, the circle's id, the value as two halves. */
-    FIELD(68, 4, (s, w) -> s.circles().set(field(w[0]), LogPlayer.handle(s, w[1]), value(w[2], w[3])));
+    FIELD(68, 4, (s, w) -> s.circles().set(field(w[0]), LogPlayer.handle(s, w[1]), value(w[2], w[3]))),
+
+    /** A static circle is to travel: the circle's id, x, y. */
+    TRAVEL(69, 3, (s, w) -> s.circles().move(LogPlayer.handle(s, w[0]), intBitsToFloat(w[1]), intBitsToFloat(w[2])));
 
     /** Makes a call again. */
     interface Repetition {
@@ -72,8 +75,8 @@ enum LoggedCall {
 
     private static CircleField field(int number) {
         CircleField field = CircleField.ofNumber(number);
-        if (field == null) {
-            throw LogReader.refused("no field of a circle has the number " + number);
+        if (field == null || !field.isOfSteps() && field != CircleField.TAG) {
+            throw LogReader.refused("calls set no field with the number " + number);
         }
         return field;
     }

@@ -6,6 +6,7 @@ import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
@@ -32,6 +33,13 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
+     * Makes ready for steps with such contacts, however they were before.
+     *
+     * @param contacts how contacts will be
+     */
+    default void prepare(ContactSettings contacts) {}
+
+    /**
      * Makes steps.
      *
      * @param constants numbers of the step
@@ -44,11 +52,12 @@ public interface Pipeline extends AutoCloseable {
     void finish();
 
     /**
-     * Brings circles that have been left outside to the nearest place inside.
+     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there.
      *
-     * @param bounds the new bounds
+     * @param from where the walls were; where they are now if they jumped
+     * @param to the new bounds
      */
-    void confine(Bounds bounds);
+    void confine(Bounds from, Bounds to);
 
     /**
      * The hash of the state, by {@link StateHash}.

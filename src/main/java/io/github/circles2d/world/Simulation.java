@@ -4,15 +4,17 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Collections;
 
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Readings}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -22,19 +24,26 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final LastReading last;
+    final Travels travels = new Travels(handles, commands);
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
     private final Snapshots snapshots;
     final Journal journal;
+    private final Searches searches;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
     Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
     private float gravityX;
     private float gravityY;
     float defaultRestitution;
     private int subSteps;
+    private ContactSettings contacts;
     private float previousTimeStep;
 
     /** What {@link #parameters} gave last. */
@@ -58,7 +67,14 @@ public final class Simulation implements AutoCloseable {
         readings = new Readings(this);
         snapshots = new Snapshots(this);
         journal = new Journal(this);
+        searches = new Searches(this);
         setParameters(start);
+        try {
+            pipeline.prepare(contacts);
+        } catch (RuntimeException | Error e) {
+            pipeline.close();
+            throw e;
+        }
     }
 
     /** The calls on circles. */
@@ -84,6 +100,11 @@ public final class Simulation implements AutoCloseable {
     /** The log of calls, if there is one. */
     public Journal journal() {
         return journal;
+    }
+
+    /** The searches for circles. */
+    public Searches searches() {
+        return searches;
     }
 
     /** Changes gravity. */
@@ -120,7 +141,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves the walls, and brings circles that are left outside to the nearest place inside. */
+    /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
@@ -133,8 +154,11 @@ public final class Simulation implements AutoCloseable {
             applyCommands();
             changed();
             journal.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
+            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(next);
+            pipeline.confine(start, next);
+            travels.confine(next);
+            wallStart = start;
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -174,32 +198,84 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** How contacts are. */
+    public ContactSettings contacts() {
+        guard.enter();
+        try {
+            return contacts;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Makes steps. */
     public void step(float timeStep, int steps) {
         guard.enter();
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            journal.call(LoggedCall.STEP, Float.floatToRawIntBits(timeStep), steps);
-            guard.changing = true;
-            emptyStep = handles.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
+            journal.step(timeStep, steps);
+            int travelling = travels.isEmpty() ? 0 : 1;
+            if (travelling > 0) {
+                travel(timeStep);
             }
-            snapshots.forget();
-            previousTimeStep = timeStep;
-            guard.changing = false;
+            if (steps > travelling) {
+                makeSteps(timeStep, steps - travelling);
+            }
             journal.stepped(steps);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Makes a step in which static circles travel. */
+    private void travel(float timeStep) {
+        travels.makeRoom();
+        guard.changing = true;
+        travels.depart(timeStep);
+        guard.changing = false;
+        try {
+            makeSteps(timeStep, 1);
+        } catch (RuntimeException | Error e) {
+            if (!guard.changing) {
+                travels.stay();
+                journal.logged = Math.min(journal.logged, commands.count());
+            }
+            throw e;
+        }
+        guard.changing = true;
+        travels.arrive();
+        guard.changing = false;
+    }
+
+    private void makeSteps(float timeStep, int steps) {
+        applyCommands();
+        guard.changing = true;
+        emptyStep = handles.size() == 0;
+        if (!emptyStep) {
+            changed();
+            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            enqueue(timeStep, steps);
+        }
+        wallStart = bounds;
+        snapshots.forget();
+        previousTimeStep = timeStep;
+        guard.changing = false;
+    }
+
+    /** Walls move in the first step alone. */
+    private void enqueue(float timeStep, int steps) {
+        float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+        if (!constants.walls.any() || steps == 1) {
+            pipeline.step(constants, levels, steps);
+            return;
+        }
+        pipeline.step(constants, levels, 1);
+        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep, contacts);
+        pipeline.step(constants, levels, steps - 1);
     }
 
     /** Waits until all steps that were asked for have been made. */
@@ -229,7 +305,7 @@ public final class Simulation implements AutoCloseable {
     /** The hash of the state, for callers that are inside already. */
     long currentHash() {
         settle();
-        return pipeline.hash() + handles.fields().hash();
+        return pipeline.hash() + handles.fields().hash() + WorldParameters.hash(bounds, wallStart, contacts);
     }
 
     /** The figures as of now. */
@@ -255,9 +331,17 @@ public final class Simulation implements AutoCloseable {
     /** What there is besides circles. */
     WorldParameters parameters() {
         if (parameters == null
-                || !parameters.has(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep)) {
-            parameters =
-                    new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
+                || !parameters.has(
+                        bounds,
+                        gravityX,
+                        gravityY,
+                        defaultRestitution,
+                        subSteps,
+                        previousTimeStep,
+                        contacts,
+                        wallStart)) {
+            parameters = new WorldParameters(
+                    bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
         }
         return parameters;
     }
@@ -271,10 +355,12 @@ public final class Simulation implements AutoCloseable {
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
+        contacts = p.contacts();
         previousTimeStep = p.previousTimeStep();
     }
 

@@ -107,7 +107,9 @@ public final class Snapshots {
     private void makeRoom() {
         simulation.finishSteps();
         handles.makeRoom(saved);
+        simulation.travels.makeRoom(saved);
         pipeline.makeRoom(saved);
+        pipeline.prepare(saved.parameters().contacts());
         simulation.changed();
         simulation.journal.restore(saved);
     }
@@ -118,6 +120,7 @@ public final class Snapshots {
         handles.load(saved);
         simulation.commands.clear();
         simulation.journal.logged = 0;
+        simulation.travels.restored();
         pipeline.load(saved);
         simulation.restored(saved.parameters());
         guard.changing = false;

@@ -55,6 +55,16 @@ class DocumentationTest {
         assertCompiles("Game", imports + game, folder);
     }
 
+    @Test
+    void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
+        assertCompiles(
+                "Game",
+                "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
+                        + code + "}}",
+                folder);
+    }
+
     private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();

@@ -17,10 +17,15 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
 
     private static final long CIRCLE = 0x636972636C653264L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int TARGET = 9;
+    private static final long CONTACTS = 0x636F6E7461637473L;
+    private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
 
     private final float restitution;
     private final int subSteps;
+    private final Settings settings;
 
     /** By id; null if the id is free. */
     private final List<Circle> byId = new ArrayList<>();
@@ -33,16 +38,28 @@ public final class ReferenceWorld implements WorldCalls {
 
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
+
+    /** Where the walls were in the last step; where they are if they have jumped since. */
+    private float[] startMin = min;
+
+    private float[] startMax = max;
+
     private float[] gravity = {0f, 0f};
     private float previousDt;
 
     public ReferenceWorld(float restitution, int subSteps) {
+        this(restitution, subSteps, Settings.DEFAULT);
+    }
+
+    public ReferenceWorld(float restitution, int subSteps, Settings settings) {
         this.restitution = restitution;
         this.subSteps = subSteps;
+        this.settings = settings;
     }
 
     private StepParameters parameters(float dt) {
-        return new StepParameters(min, max, gravity, dt, subSteps);
+        return new StepParameters(
+                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps, settings);
     }
 
     /** In the order of the ids. */
@@ -57,11 +74,17 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
+            float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             if (size() > 0) {
                 new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
             }
+            for (int i = 0; i < size(); i++) {
+                circles().get(i).arrive(velocities[i]);
+            }
             previousDt = dt;
+            startMin = min;
+            startMax = max;
         }
     }
 
@@ -77,7 +100,7 @@ public final class ReferenceWorld implements WorldCalls {
         c.restitution = restitution;
         c.radius = radius;
         c.mass = mass;
-        setPosition(c.handle, x, y);
+        teleport(c.handle, x, y);
         setVelocity(c.handle, vx, vy);
         return c.handle;
     }
@@ -126,6 +149,16 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPosition(long handle, float x, float y) {
+        if (find(handle).isStatic()) {
+            find(handle).target = new float[] {x, y};
+        } else {
+            teleport(handle, x, y);
+        }
+    }
+
+    @Override
+    public void teleport(long handle, float x, float y) {
+        find(handle).target = null;
         find(handle).place(0, x);
         find(handle).place(1, y);
     }
@@ -144,7 +177,11 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setMass(long handle, float mass) {
-        find(handle).mass = mass;
+        Circle c = find(handle);
+        c.mass = mass;
+        if (c.target != null && !c.isStatic()) {
+            teleport(handle, c.target[0], c.target[1]);
+        }
         forgetImpulses(find(handle));
     }
 
@@ -222,23 +259,54 @@ public final class ReferenceWorld implements WorldCalls {
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         min = new float[] {minX, minY};
         max = new float[] {maxX, maxY};
+        startMin = starts(startMin, min);
+        startMax = starts(startMax, max);
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
-                float inside = Numbers.clamp(c.base[a], c.low(a, parameters(0f)), c.high(a, parameters(0f)));
+                float low = min[a] + margin(startMin[a], min[a], c);
+                float inside = Numbers.clamp(c.base[a], low, max[a] - margin(startMax[a], max[a], c));
                 if (inside != c.base[a]) {
                     c.place(a, inside);
+                }
+                if (c.target != null) {
+                    c.target[a] = Numbers.clamp(c.target[a], min[a], max[a]);
                 }
             }
         }
     }
 
+    /** A wall jumps if it moves farther than every radius. */
+    private float[] starts(float[] from, float[] to) {
+        double greatest = circles().stream().mapToDouble(c -> c.radius).max().orElse(0);
+        float[] start = from.clone();
+        for (int a = 0; a < 2; a++) {
+            start[a] = from[a] == to[a] || Math.abs(to[a] - from[a]) > greatest ? to[a] : from[a];
+        }
+        return start;
+    }
+
+    /** How far a circle is kept from a wall: not at all if the next step pushes it. */
+    private static float margin(float from, float to, Circle c) {
+        boolean pushed = from != to && Math.abs(to - from) <= c.radius;
+        return c.isStatic() || pushed ? 0f : c.radius;
+    }
+
     @Override
     public long hash() {
-        long sum = 0;
+        boolean moved =
+                startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
+        long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
+        if (!settings.equals(Settings.DEFAULT)) {
+            float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
+            sum += absorb(CONTACTS, numbers);
+        }
         for (Circle c : circles()) {
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
+            if (c.target != null) {
+                sum += absorb(absorb(absorb(FIELD, TARGET), c.id), c.target);
+            }
         }
         for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {
             Contact.Pair pair = entry.getKey();

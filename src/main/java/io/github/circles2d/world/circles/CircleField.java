@@ -12,7 +12,13 @@ import java.util.List;
  */
 public enum CircleField {
     /** A number that the caller gives a circle. */
-    TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
+    TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false),
+
+    /**
+     * Where a static circle travels in the next step, as {@link #place} packs it; as it is at first, nowhere. Only
+     * {@code world.Travels} sets it, and a snapshot's is checked there.
+     */
+    TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false);
 
     /** All fields. */
     static final List<CircleField> ALL = List.of(values());
@@ -45,6 +51,21 @@ public enum CircleField {
         this.least = least;
         this.greatest = greatest;
         this.ofSteps = ofSteps;
+    }
+
+    /** The value of a field that is a place. */
+    public static long place(float x, float y) {
+        return Float.floatToRawIntBits(x) & 0xFFFFFFFFL | (long) Float.floatToRawIntBits(y) << Integer.SIZE;
+    }
+
+    /** x of a place. */
+    public static float placeX(long place) {
+        return Float.intBitsToFloat((int) place);
+    }
+
+    /** y of a place. */
+    public static float placeY(long place) {
+        return Float.intBitsToFloat((int) (place >> Integer.SIZE));
     }
 
     /** What snapshots, the hash and logs know the field by. */

@@ -39,6 +39,15 @@ public final class Commands {
     /** New value of a field that steps read: its place in {@link CircleField#OF_STEPS}, the value. */
     public static final int FIELD = 9;
 
+    /**
+     * A static circle gets the velocity that leads it to a place within a step: x, y, length of the step. It keeps its own where
+     * others have the impulses of the walls.
+     */
+    public static final int DEPART = 10;
+
+    /** It is at the place, and gets its own velocity back: x, y. */
+    public static final int ARRIVE = 11;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -53,6 +62,9 @@ public final class Commands {
 
     /** Field of a change: its second value; of no meaning if the operation has one. */
     public static final int SECOND = 3;
+
+    /** Field of {@link #DEPART}: length of the step. */
+    public static final int THIRD = 4;
 
     /** Field of a new circle: x. */
     public static final int ADD_X = 2;
@@ -128,7 +140,8 @@ public final class Commands {
             case ADD -> STRIDE - FIRST;
             case REMOVE -> 0;
             case RADIUS, MASS, RESTITUTION -> 1;
-            case POSITION, VELOCITY, IMPULSE, FIELD -> 2;
+            case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE -> 2;
+            case DEPART -> 3;
             default -> -1;
         };
     }
@@ -190,6 +203,15 @@ public final class Commands {
     }
 
     /**
+     * The mass of the first circle that is prepared.
+     *
+     * @return a mass, positive infinity for a static circle
+     */
+    public float preparedMass() {
+        return Float.intBitsToFloat(records[STRIDE * count + ADD_MASS]);
+    }
+
+    /**
      * Records the first circle that is prepared.
      *
      * @param id its id
@@ -220,6 +242,28 @@ public final class Commands {
         int k = record(operation, id);
         records[k + FIRST] = Float.floatToRawIntBits(a);
         records[k + SECOND] = Float.floatToRawIntBits(b);
+    }
+
+    /**
+     * Records that a static circle is to be somewhere else at the end of a step.
+     *
+     * @param id the circle's id
+     * @param x place
+     * @param y place
+     * @param timeStep length of the step
+     */
+    public void depart(int id, float x, float y, float timeStep) {
+        set(DEPART, id, x, y);
+        records[STRIDE * (count - 1) + THIRD] = Float.floatToRawIntBits(timeStep);
+    }
+
+    /**
+     * Takes the last records back.
+     *
+     * @param records how many
+     */
+    public void drop(int records) {
+        count -= records;
     }
 
     /**
@@ -262,6 +306,36 @@ public final class Commands {
      */
     public int preparedId(int ahead) {
         return records[STRIDE * (count + ahead) + ID];
+    }
+
+    /**
+     * The first value of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return the value
+     */
+    public float preparedFirst(int ahead) {
+        return Float.intBitsToFloat(records[STRIDE * (count + ahead) + FIRST]);
+    }
+
+    /**
+     * The second value of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return the value
+     */
+    public float preparedSecond(int ahead) {
+        return Float.intBitsToFloat(records[STRIDE * (count + ahead) + SECOND]);
+    }
+
+    /**
+     * Moves a change that is prepared to an earlier place, over the one that is there.
+     *
+     * @param from number of changes that come before it
+     * @param to number of changes that are to come before it
+     */
+    public void advancePrepared(int from, int to) {
+        System.arraycopy(records, STRIDE * (count + from), records, STRIDE * (count + to), STRIDE);
     }
 
     /**

@@ -83,7 +83,7 @@ final class FieldSections {
         }
     }
 
-    /** Reads sections behind the records of the ids, and checks them. */
+    /** Reads sections behind the records of the ids, those of {@link ParameterSections} too, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.clearAll();
         SnapshotCodec.require(sections >= 0, "it cannot have fewer sections than 0");
@@ -93,7 +93,11 @@ final class FieldSections {
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
-            readSection(in, s, field(number), in.getInt());
+            if (number >= ParameterSections.FIRST) {
+                ParameterSections.read(in, s, number);
+            } else {
+                readSection(in, s, field(number), in.getInt());
+            }
         }
     }
 

@@ -32,6 +32,10 @@ public final class HandleTable {
     private int[] livingBefore = new int[1];
 
     private boolean livingBeforeCurrent;
+
+    /** As {@link #live}, a bit for each id: whether its circle is static. */
+    private long[] isStatic = new long[1];
+
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private float[] restitution = new float[64];
@@ -188,6 +192,7 @@ public final class HandleTable {
         if (ids > generation.length) {
             int c = Math.max(ids, generation.length + (generation.length >> 1));
             live = Arrays.copyOf(live, word(c) + 1);
+            isStatic = Arrays.copyOf(isStatic, live.length);
             radius = Arrays.copyOf(radius, c);
             restitution = Arrays.copyOf(restitution, c);
             generation = Arrays.copyOf(generation, c);
@@ -239,6 +244,27 @@ public final class HandleTable {
         leave(radius[id]);
         radius[id] = r;
         enter(r);
+    }
+
+    /**
+     * Takes a circle's mass down, of which only whether it is infinite is kept.
+     *
+     * @param id its id
+     * @param mass the mass
+     */
+    public void setMass(int id, float mass) {
+        boolean infinite = mass == Float.POSITIVE_INFINITY;
+        isStatic[word(id)] = isStatic[word(id)] & ~bit(id) | (infinite ? bit(id) : 0);
+    }
+
+    /**
+     * Whether a circle is static.
+     *
+     * @param id its id
+     * @return whether the mass taken down last is infinite
+     */
+    public boolean isStatic(int id) {
+        return (isStatic[word(id)] & bit(id)) != 0;
     }
 
     /**
@@ -370,6 +396,7 @@ public final class HandleTable {
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
             live[word(id)] |= bit(id);
+            setMass(id, from.circle[CircleRow.STRIDE * k + CircleRow.MASS]);
             radius[id] = from.circle[CircleRow.STRIDE * k + CircleRow.RADIUS];
             restitution[id] = from.traits[CircleRow.STRIDE * k + CircleRow.RESTITUTION];
         }

@@ -141,8 +141,8 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds bounds) {
-        state.confine(bounds);
+    public void confine(Bounds from, Bounds to) {
+        state.confine(from, to);
     }
 
     @Override

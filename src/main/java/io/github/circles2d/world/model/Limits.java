@@ -32,14 +32,26 @@ public final class Limits {
     /** Greatest impulse that a snapshot may hold: more than any step leaves, and far from overflow in the next one. */
     public static final float CACHED_IMPULSE = 1e24f;
 
-    /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e11. */
-    public static final float WALL_IMPULSE = 1e12f;
+    /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e13. */
+    public static final float WALL_IMPULSE = 1e15f;
 
     /** Shortest step, seconds. */
     public static final float LEAST_STEP = 1e-6f;
 
     /** Longest step, seconds. */
     public static final float GREATEST_STEP = 1f;
+
+    /** Least frequency of contacts, hertz. */
+    public static final float LEAST_FREQUENCY = 1f;
+
+    /** Greatest frequency of contacts, hertz. */
+    public static final float GREATEST_FREQUENCY = 10_000f;
+
+    /** Greatest damping ratio of contacts. */
+    public static final float DAMPING = 1_000f;
+
+    /** Greatest push-out speed of overlaps that are not deep, mean radii a second. */
+    public static final float PUSH_OUT_SPEED = 100f;
 
     /** Greatest number of sub-steps. */
     public static final int SUB_STEPS = 16;

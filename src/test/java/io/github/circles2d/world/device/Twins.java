@@ -13,10 +13,12 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.UnaryOperator;
 
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
 final class Twins implements AutoCloseable {
@@ -191,6 +193,18 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Moves every wall by up to a length, in or out. */
+    void moveWalls(SplittableRandom random, float most) {
+        Bounds now = simulations[0].bounds();
+        float minX = now.minX() + between(random, -most, most);
+        float minY = now.minY() + between(random, -most, most);
+        float maxX = now.maxX() + between(random, -most, most);
+        float maxY = now.maxY() + between(random, -most, most);
+        for (Simulation simulation : simulations) {
+            simulation.setBounds(minX, minY, maxX, maxY);
+        }
+    }
+
     /** Saves every state, which is the same, and lets each go on from what another has saved. */
     void exchange() {
         ByteBuffer[] saved = new ByteBuffer[simulations.length];
@@ -211,12 +225,20 @@ final class Twins implements AutoCloseable {
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
     void restoreWithSubSteps(int count) {
+        restoreWith(p -> new WorldParameters(
+                p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+    }
+
+    /** Sets how contacts are, by a restore. */
+    void restoreWith(ContactSettings contacts) {
+        restoreWith(p -> p.with(contacts));
+    }
+
+    private void restoreWith(UnaryOperator<WorldParameters> change) {
         for (Simulation simulation : simulations) {
             SavedState state = new SavedState();
             SnapshotCodec.read(snapshot(simulation), state);
-            WorldParameters p = state.parameters();
-            state.setParameters(new WorldParameters(
-                    p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+            state.setParameters(change.apply(state.parameters()));
             ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
             SnapshotCodec.write(state, changed);
             simulation.snapshots().restore(changed.flip());
@@ -240,6 +262,13 @@ final class Twins implements AutoCloseable {
     void set(int operation, int id, float a, float b) {
         for (Simulation simulation : simulations) {
             simulation.circles().set(operation, handles[id], a, b);
+        }
+    }
+
+    /** Puts the circle that had an id last somewhere else; a static one travels there. */
+    void move(int id, float x, float y) {
+        for (Simulation simulation : simulations) {
+            simulation.circles().move(handles[id], x, y);
         }
     }
 
@@ -273,7 +302,7 @@ final class Twins implements AutoCloseable {
             switch (operation) {
                 case Commands.POSITION -> {
                     float x = between(random, bounds.minX(), bounds.maxX());
-                    set(operation, id, x, between(random, bounds.minY(), bounds.maxY()));
+                    move(id, x, between(random, bounds.minY(), bounds.maxY()));
                 }
                 case Commands.VELOCITY, Commands.IMPULSE ->
                     set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
@@ -282,7 +311,7 @@ final class Twins implements AutoCloseable {
             }
         }
         for (CircleField field : CircleField.values()) {
-            for (int k = 0; k < 20; k++) {
+            for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
             }
         }
