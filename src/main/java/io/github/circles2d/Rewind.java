@@ -27,7 +27,7 @@ import java.util.Objects;
  * back differently agree on them. So a game's own data that hold handles belong to the frame too: save and restore them with it.
  *
  * <p><b>Cost.</b> A frame takes 33 bytes a circle and 5 or 6 a contact that presses. 1,000 circles in a dense heap take 49 KB a frame,
- * and 600 frames 30 MB. On the JVM, on one core of an AMD EPYC, {@link #save} takes 0.05 ms for them and {@link #restore} 0.04 ms, and
+ * and 600 frames 30 MB. On the JVM, on one core of an AMD EPYC, {@link #save} takes 0.05 to 0.07 ms for them and {@link #restore} 0.04 ms, and
  * neither leaves garbage once the memory of the frames has grown. (A frame whose time step, gravity or bounds differ from those of the
  * last one leaves some 50 bytes.) On an OpenCL device each waits for the device, copies the whole state and allocates for it.
  *

@@ -41,8 +41,10 @@
  *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells what was chosen, and why.
  *   <li>{@link io.github.circles2d.Queries}: which circles a disc or a box overlaps, which is at a point, which are nearest, and
  *       which a ray or a moving disc meets.
- *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back,
- *       for replays and roll-back; {@link io.github.circles2d.World#hash} compares two, across machines too.
+ *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back;
+ *       {@link io.github.circles2d.World#hash} compares two, across machines too.
+ *   <li>{@link io.github.circles2d.Rewind} goes back to any of the last frames. {@link io.github.circles2d.Recording} writes a log of
+ *       all calls, and {@link io.github.circles2d.Replay} makes them again and compares.
  *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
  *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, where one of several is to be chosen, and the exceptions that tell
  *       what is missing.

@@ -33,7 +33,7 @@ final class ParameterSections {
     }
 
     private static boolean hasContacts(SavedState s) {
-        return !s.parameters().contacts().equals(ContactSettings.DEFAULT);
+        return !s.parameters().contacts().isDefault();
     }
 
     /** The length of all sections. */

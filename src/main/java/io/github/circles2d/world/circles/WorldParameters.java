@@ -54,7 +54,7 @@ public record WorldParameters(
     /** The part of parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
     public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
         long walls = differ(wallStart, bounds) ? StateHash.walls(wallStart) : 0;
-        return walls + (contacts.equals(ContactSettings.DEFAULT) ? 0 : StateHash.contacts(contacts));
+        return walls + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
     }
 
     /**

@@ -26,6 +26,14 @@ public record ContactSettings(float restitutionThreshold, float frequency, float
         Limits.within("the greatest push-out speed", pushOutSpeed, 0f, Limits.PUSH_OUT_SPEED);
     }
 
+    /** Whether all are as by default. A record's own equals would keep its class loader from being collected for long. */
+    public boolean isDefault() {
+        return restitutionThreshold == DEFAULT.restitutionThreshold
+                && frequency == DEFAULT.frequency
+                && damping == DEFAULT.damping
+                && pushOutSpeed == DEFAULT.pushOutSpeed;
+    }
+
     /** Whether formulas of contacts need numbers that are constants by default. */
     public boolean areTuned() {
         return restitutionThreshold != BY_GRAVITY || pushOutSpeed != DEFAULT.pushOutSpeed;
