@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import java.util.Objects;
@@ -26,18 +27,31 @@ public final class Circles {
         last = simulation.last;
     }
 
-    /** Adds a circle, with the world's restitution, and returns its handle. */
+    /** Adds a circle of kind 0 and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        return add(x, y, radius, mass, vx, vy, 0);
+    }
+
+    /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         guard.enter();
         try {
             checkRoom(1);
             check(x, y, radius, mass, vx, vy);
-            simulation.expect(1);
+            KindTable.check(kind);
+            simulation.expect(2);
             handles.ensure(1);
-            commands.prepare(0, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+            if (kind != 0) {
+                handles.fields().ensure(CircleField.KIND, handles.end() + 1);
+            }
+            float restitution = newRestitution(kind);
+            commands.prepare(0, x, y, radius, mass, restitution, vx, vy);
             simulation.changed();
             guard.changing = true;
-            long handle = admit();
+            long handle = admit(restitution);
+            if (kind != 0) {
+                enter(CircleField.KIND, (int) handle, kind);
+            }
             guard.changing = false;
             return handle;
         } catch (RuntimeException | Error e) {
@@ -62,8 +76,9 @@ public final class Circles {
             }
             simulation.changed();
             guard.changing = true;
+            float restitution = newRestitution(0);
             for (int i = 0; i < n; i++) {
-                long handle = admit();
+                long handle = admit(restitution);
                 if (to != null) {
                     to[i] = handle;
                 }
@@ -104,7 +119,7 @@ public final class Circles {
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+        commands.prepare(i, x, y, radius, mass, newRestitution(0), vx, vy);
     }
 
     private void checkRoom(int more) {
@@ -121,10 +136,15 @@ public final class Circles {
         Limits.velocity(vx, vy);
     }
 
+    /** The restitution of a new circle of a kind. */
+    private float newRestitution(int kind) {
+        return simulation.kinds().restitution(kind, simulation.defaultRestitution);
+    }
+
     /** Gives the first circle that is prepared its id, and returns its handle. */
-    private long admit() {
+    private long admit(float restitution) {
         int id = handles.add(commands.preparedRadius());
-        handles.setRestitution(id, simulation.defaultRestitution);
+        handles.setRestitution(id, restitution);
         commands.admit(id);
         return handles.handle(id);
     }
@@ -218,15 +238,44 @@ public final class Circles {
             handles.fields().ensure(field, id + 1);
             simulation.snapshots().forget();
             guard.changing = true;
-            handles.fields().set(field, id, value);
-            if (field.isOfSteps()) {
-                commands.setField(field, id, (int) value);
+            enter(field, id, value);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Gives a circle another kind, and the restitution of the kind if it has one. */
+    public void setKind(long handle, int kind) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            KindTable.check(kind);
+            simulation.expect(2);
+            handles.fields().ensure(CircleField.KIND, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            enter(CircleField.KIND, id, kind);
+            float restitution = simulation.kinds().restitution(kind, Float.NaN);
+            if (!Float.isNaN(restitution)) {
+                commands.set(Commands.RESTITUTION, id, restitution, 0);
+                handles.setRestitution(id, restitution);
             }
             guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
+        }
+    }
+
+    /** Takes down the value of a field, for which there is room. */
+    private void enter(CircleField field, int id, long value) {
+        handles.fields().set(field, id, value);
+        if (field.isOfSteps()) {
+            commands.setField(field, id, (int) value);
         }
     }
 

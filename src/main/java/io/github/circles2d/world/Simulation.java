@@ -2,6 +2,7 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.GridLevels;
@@ -12,7 +13,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -21,7 +22,9 @@ public final class Simulation implements AutoCloseable {
     final Guard guard;
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
+    final KindTable kindTable = new KindTable();
     final LastReading last;
+    private final Kinds kinds;
     private final Circles circles;
     private final Readings readings;
     private final Snapshots snapshots;
@@ -48,6 +51,7 @@ public final class Simulation implements AutoCloseable {
         this.pipeline = pipeline;
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
+        kinds = new Kinds(this);
         circles = new Circles(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
@@ -57,6 +61,11 @@ public final class Simulation implements AutoCloseable {
     /** The calls on circles. */
     public Circles circles() {
         return circles;
+    }
+
+    /** The calls on kinds of circles. */
+    public Kinds kinds() {
+        return kinds;
     }
 
     /** The reads. */
@@ -168,6 +177,7 @@ public final class Simulation implements AutoCloseable {
                 changed();
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+                constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
                 levels.layOut(bounds, handles.greatestRadius(), handles.population());
                 pipeline.step(constants, levels, steps);
             }
@@ -198,7 +208,7 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             settle();
-            return pipeline.hash() + handles.fields().hash();
+            return pipeline.hash() + handles.fields().hash() + kindTable.hash();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

@@ -70,6 +70,7 @@ public final class Snapshots {
             from.position(from.position() + length);
             guard.changing = true;
             handles.load(saved);
+            simulation.kindTable.copy(saved.kinds);
             simulation.commands.clear();
             pipeline.load(saved);
             simulation.restored(saved.parameters());
@@ -92,6 +93,7 @@ public final class Snapshots {
             handles.save(saved);
             pipeline.save(saved);
             saved.setParameters(simulation.parameters());
+            saved.kinds.copy(simulation.kindTable);
             savedCurrent = true;
         }
     }

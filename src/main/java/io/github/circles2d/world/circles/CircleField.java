@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
 import java.util.List;
 
@@ -12,7 +13,13 @@ import java.util.List;
  */
 public enum CircleField {
     /** A number that the caller gives a circle. */
-    TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
+    TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false),
+
+    /** The kind, which says what the circle meets: a row of {@link KindTable}. */
+    KIND(2, "kind", 0, 0, PairTable.KINDS - 1, true),
+
+    /** The exclusion group: circles of one group do not meet. 0 is no group. */
+    GROUP(3, "group", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, true);
 
     /** All fields. */
     static final List<CircleField> ALL = List.of(values());

@@ -108,6 +108,11 @@ public final class CircleFields {
         return sum;
     }
 
+    /** Whether a circle has, or has had, another value than the initial one. */
+    public boolean isUsed(CircleField field) {
+        return end(field) > 0;
+    }
+
     /** The ids from which on all circles have the initial value of a field. */
     int end(CircleField field) {
         return words[field.ordinal()].length / field.words();

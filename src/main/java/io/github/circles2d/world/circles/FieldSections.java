@@ -80,9 +80,10 @@ final class FieldSections {
         }
     }
 
-    /** Reads sections behind the records of the ids, and checks them. */
+    /** Reads sections behind the records of the ids, those of fields and the one of kinds, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.copy(new CircleFields(CircleField.ALL));
+        s.kinds.clear();
         SnapshotCodec.require(sections >= 0, "it cannot have " + sections + " sections");
         int before = 0;
         for (int k = 0; k < sections; k++) {
@@ -90,7 +91,11 @@ final class FieldSections {
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
-            readSection(in, s, field(number), in.getInt());
+            if (number == KindSection.NUMBER) {
+                KindSection.read(in, s.kinds, in.getInt());
+            } else {
+                readSection(in, s, field(number), in.getInt());
+            }
         }
     }
 

@@ -1,18 +1,22 @@
 package io.github.circles2d.world.circles;
 
 /**
- * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, and one per field of a
- * circle ({@link CircleField}) that has not its initial value. A sum of integers does
- * not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
+ * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, one per field of a
+ * circle ({@link CircleField}) or of a kind ({@link KindField}) that has not its initial value, and one per pair of kinds whose
+ * response is set. A sum of integers does not depend on its order, so every back end can form it in parallel. It depends on ids and
+ * not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
  * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
- * and the lower and the upper half of its value. All floats enter as their bits.
+ * and the lower and the upper half of its value; a field of a kind with its number, the kind and its value; a pair of kinds with
+ * the lesser one, the greater one and 1 for solid, 2 for ignored, 3 for sensed. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
     private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final long KIND = 0x6B696E64A5C3D21FL;
+    private static final long RESPONSE = 0x726573706F6E7365L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -29,6 +33,16 @@ public final class StateHash {
     static long field(int number, int id, long value) {
         long h = absorb(absorb(FIELD, number), id);
         return absorb(absorb(h, (int) value), (int) (value >> Integer.SIZE));
+    }
+
+    /** The number of a field's value of a kind. */
+    static long kind(int number, int kind, int value) {
+        return absorb(absorb(absorb(KIND, number), kind), value);
+    }
+
+    /** The number of a pair of kinds. */
+    static long response(int a, int b, int setting) {
+        return absorb(absorb(absorb(RESPONSE, a), b), setting);
     }
 
     public static long absorb(long hash, int word) {

@@ -82,6 +82,8 @@ public final class JvmPipeline implements Pipeline {
         levels.copy(shape);
         constants = stepConstants;
         steps = count;
+        state.filtering = constants.filtering;
+        state.responses = constants.responses;
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
     }
 

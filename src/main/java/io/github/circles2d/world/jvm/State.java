@@ -76,6 +76,12 @@ public final class State {
     /** By id: the fields that steps read. */
     final CircleFields fields = new CircleFields(CircleField.OF_STEPS);
 
+    /** Within a step: whether pairs have to be filtered. */
+    boolean filtering;
+
+    /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
+    int[] responses;
+
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
     private float[] traitsSpare = new float[0];

@@ -71,6 +71,15 @@ public final class StepConstants {
     /** The arena. */
     public Bounds bounds;
 
+    /** Whether pairs have to be filtered: whether some pair of kinds is not solid, or some circle has a group. */
+    public boolean filtering;
+
+    /** By pair of kinds, what their circles do to each other: a table of {@link PairTable}. */
+    public int[] responses;
+
+    /** Counts the changes of the kinds. */
+    public int kindsVersion;
+
     /** No constants, until they are set. */
     public StepConstants() {}
 
@@ -116,5 +125,18 @@ public final class StepConstants {
         restRate = Tuning.REST_SPEED * 0.5f;
         flightRestRate = Tuning.FLIGHT_REST_SPEED * 0.5f;
         pushRate = Tuning.PUSH;
+    }
+
+    /**
+     * Sets what filters pairs.
+     *
+     * @param filters whether any pair may be filtered
+     * @param table by pair of kinds, what their circles do to each other; read during the step
+     * @param version counts the changes of the table
+     */
+    public void setPairs(boolean filters, int[] table, int version) {
+        filtering = filters;
+        responses = table;
+        kindsVersion = version;
     }
 }

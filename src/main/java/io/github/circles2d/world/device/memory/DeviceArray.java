@@ -25,6 +25,7 @@ public enum DeviceArray {
             "first entry in impulseCache as the lower id; NONE; FRESH: its id's entries are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
     FIELDS(FieldsStruct.NAME, "fields", Index.ID, "the fields that only calls change"),
+    RESPONSES("int", "responses", Index.TABLE, "two bits a pair of kinds: PAIR_SOLID, PAIR_IGNORE or PAIR_SENSE"),
 
     // Stage Grid.
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
@@ -131,6 +132,7 @@ public enum DeviceArray {
     enum Index {
         STRUCT("once", false),
         STATUS("once", false),
+        TABLE("once", false),
         HOME_SLOT("by slot at home", true),
         ID("by id", true),
         SLOT("by slot", false),

@@ -4,6 +4,7 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.PairTable;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.EnumMap;
@@ -48,6 +49,8 @@ public final class DeviceArrays {
         allocateOnce(DeviceArray.CONSTANTS, StepParameters.CONSTANTS.words());
         allocateOnce(DeviceArray.LEVELS, StepParameters.LEVELS.words());
         allocateOnce(DeviceArray.STATUS, StatusWord.WORDS);
+        allocateOnce(DeviceArray.RESPONSES, PairTable.WORDS);
+        get(DeviceArray.RESPONSES).write(0, IntBuffer.wrap(new int[PairTable.WORDS]));
         int circles = Math.max(capacity, LEAST_CAPACITY);
         ensureSlots(circles, 0);
         ensureIds(circles);

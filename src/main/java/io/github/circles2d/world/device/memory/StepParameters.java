@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -42,6 +43,7 @@ public final class StepParameters {
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
+            .field("int", "filtering", (k, to) -> to.put(k.filtering ? 1 : 0), "1 where pairs have to be filtered")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
@@ -90,6 +92,12 @@ public final class StepParameters {
     private final int[] otherLevels = new int[LEVELS.words()];
     private final int[] sentConstants = new int[CONSTANTS.words()];
     private final int[] sentLevels = new int[LEVELS.words()];
+    /** The table of {@link DeviceArray#RESPONSES}; all zeros at first, as on the device. */
+    private final int[] responses = new int[PairTable.WORDS];
+
+    private int responsesVersion;
+    private boolean responsesSent = true;
+    private final IntBuffer responsesView = IntBuffer.wrap(responses);
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
 
@@ -97,6 +105,11 @@ public final class StepParameters {
     public void set(StepConstants k, GridLevels shape) {
         CONSTANTS.pack(k, constants);
         LEVELS.pack(shape, levels);
+        if (responsesVersion != k.kindsVersion) {
+            System.arraycopy(k.responses, 0, responses, 0, responses.length);
+            responsesVersion = k.kindsVersion;
+            responsesSent = false;
+        }
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
@@ -106,7 +119,9 @@ public final class StepParameters {
         CONSTANTS.pack(k, otherConstants);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return Arrays.equals(constants, otherConstants) && Arrays.equals(levels, otherLevels);
+        return responsesVersion == k.kindsVersion
+                && Arrays.equals(constants, otherConstants)
+                && Arrays.equals(levels, otherLevels);
     }
 
     /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
@@ -129,10 +144,14 @@ public final class StepParameters {
         constants[TILED] = tiled ? 1 : 0;
     }
 
-    /** Sends both, in the order of the device's commands, where they are not there yet. */
+    /** Sends all, in the order of the device's commands, where they are not there yet. */
     public void send(DeviceArrays arrays) {
         send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
         send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
+        if (!responsesSent) {
+            arrays.get(DeviceArray.RESPONSES).write(0, responsesView);
+            responsesSent = true;
+        }
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {

@@ -1,0 +1,116 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.PairTable;
+import java.nio.ByteBuffer;
+
+/**
+ * The kinds of circles in a snapshot: a section behind those of {@link FieldSections}, if some kind is not as it is at first.
+ *
+ * <pre>
+ * section    int {@link #NUMBER}, number of values, number of responses; for each value that is not the initial one, in ascending
+ *            order of kind and field: byte kind, byte number of the field, int value; for each response that is set, in ascending
+ *            order of both kinds: byte lesser kind, byte greater kind, byte setting
+ * </pre>
+ */
+final class KindSection {
+    /** Greater than the number of any field of circles. */
+    static final int NUMBER = 1000;
+
+    private static final int HEAD = 3 * Integer.BYTES;
+    private static final int VALUE = 2 + Integer.BYTES;
+    private static final int RESPONSE = 3;
+
+    private KindSection() {}
+
+    /** The number of sections: 1 or none. */
+    static int count(KindTable kinds) {
+        return values(kinds) + kinds.settings() > 0 ? 1 : 0;
+    }
+
+    private static int values(KindTable kinds) {
+        int count = 0;
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            for (KindField field : KindField.ALL) {
+                count += kinds.get(field, kind) != field.initial() ? 1 : 0;
+            }
+        }
+        return count;
+    }
+
+    /** The length of the section. */
+    static long bytes(KindTable kinds) {
+        return count(kinds) == 0 ? 0 : HEAD + (long) VALUE * values(kinds) + (long) RESPONSE * kinds.settings();
+    }
+
+    static void write(KindTable kinds, ByteBuffer out) {
+        if (count(kinds) == 0) {
+            return;
+        }
+        out.putInt(NUMBER).putInt(values(kinds)).putInt(kinds.settings());
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            for (KindField field : KindField.ALL) {
+                if (kinds.get(field, kind) != field.initial()) {
+                    out.put((byte) kind).put((byte) field.number()).putInt(kinds.get(field, kind));
+                }
+            }
+        }
+        for (int a = 0; a < PairTable.KINDS; a++) {
+            for (int b = a; b < PairTable.KINDS; b++) {
+                if (kinds.setting(a, b) != KindTable.BY_MASK) {
+                    out.put((byte) a).put((byte) b).put((byte) kinds.setting(a, b));
+                }
+            }
+        }
+    }
+
+    /** Reads the section behind its number and its number of values, into kinds that are as they are at first, and checks it. */
+    static void read(ByteBuffer in, KindTable kinds, int values) {
+        SnapshotCodec.require(in.remaining() >= Integer.BYTES, "it ends early");
+        int responses = in.getInt();
+        SnapshotCodec.require(
+                values >= 0
+                        && responses >= 0
+                        && (long) values + responses > 0
+                        && (long) VALUE * values + (long) RESPONSE * responses <= in.remaining(),
+                "it cannot hold " + values + " values and " + responses + " responses of kinds");
+        int before = -1;
+        for (int k = 0; k < values; k++) {
+            int kind = Byte.toUnsignedInt(in.get());
+            int number = Byte.toUnsignedInt(in.get());
+            before = ascending(before, kind << Byte.SIZE | number);
+            readValue(kinds, kind, field(number), in.getInt());
+        }
+        before = -1;
+        for (int k = 0; k < responses; k++) {
+            int a = Byte.toUnsignedInt(in.get());
+            int b = Byte.toUnsignedInt(in.get());
+            before = ascending(before, a << Byte.SIZE | b);
+            int setting = in.get();
+            SnapshotCodec.require(
+                    a <= b && setting >= KindTable.RESPONSE && setting <= KindTable.RESPONSE + PairTable.SENSE,
+                    "a response of kinds is out of range");
+            kinds.setSetting(a, b, setting);
+        }
+    }
+
+    private static int ascending(int before, int next) {
+        SnapshotCodec.require(next > before, "its kinds are not in order");
+        return next;
+    }
+
+    private static KindField field(int number) {
+        for (KindField field : KindField.ALL) {
+            if (field.number() == number) {
+                return field;
+            }
+        }
+        throw new IllegalArgumentException(
+                "this is no snapshot of a world: no field of a kind has the number " + number);
+    }
+
+    private static void readValue(KindTable kinds, int kind, KindField field, int value) {
+        SnapshotCodec.require(value != field.initial(), "it has an initial value of a kind");
+        field.check(value);
+        kinds.set(field, kind, value);
+    }
+}
