@@ -87,6 +87,24 @@ interface GoldenChange {
         }
     }
 
+    /** Circles get kinds and groups, and what kinds do to each other changes while they touch. */
+    static void kinds(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        SplittableRandom random = run.random();
+        int n = world.size();
+        long[] handles = run.readHandles();
+        for (int k = 0; k < n / 16; k++) {
+            world.setKind(handles[random.nextInt(n)], random.nextInt(4));
+            world.setGroup(handles[random.nextInt(n)], random.nextInt(3));
+        }
+        switch (random.nextInt(4)) {
+            case 0 -> world.setResponse(random.nextInt(4), random.nextInt(4), Response.values()[random.nextInt(4)]);
+            case 1 -> world.setPairs(1, 1 << random.nextInt(2), -1 - random.nextInt(3), false);
+            case 2 -> world.setPairs(2, 2, 3, random.nextInt(8) == 0);
+            default -> world.setKindRestitution(3, unit(random));
+        }
+    }
+
     private static float unit(SplittableRandom random) {
         return random.nextInt(1 << 24) * 0x1p-24f;
     }

@@ -70,7 +70,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(18)) {
+            switch (random.nextInt(22)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -82,6 +82,10 @@ class ReferenceFuzzTest {
                 case 8 -> setGravity();
                 case 9 -> setBounds();
                 case 10 -> saveOrRestore();
+                case 11 -> withSome(this::setKind);
+                case 12 -> withSome(this::setGroup);
+                case 13 -> setPairs();
+                case 14 -> setResponse();
                 default -> step();
             }
         }
@@ -116,7 +120,12 @@ class ReferenceFuzzTest {
                 float mass = mass();
                 float vx = speed();
                 float vy = speed();
-                both("add", c -> c.add(x, y, radius, mass, vx, vy));
+                if (random.nextInt(4) == 0) {
+                    int kind = kind();
+                    both("add", c -> c.add(x, y, radius, mass, vx, vy, kind));
+                } else {
+                    both("add", c -> c.add(x, y, radius, mass, vx, vy));
+                }
             }
         }
 
@@ -165,6 +174,37 @@ class ReferenceFuzzTest {
             if (Math.abs(impulseX) < 1e18f) {
                 both("applyImpulse", c -> c.applyImpulse(handle, impulseX, impulseY));
             }
+        }
+
+        private void setKind(long handle) {
+            int kind = kind();
+            both("setKind", c -> c.setKind(handle, kind));
+        }
+
+        private void setGroup(long handle) {
+            int group = random.nextInt(4) - 1;
+            both("setGroup", c -> c.setGroup(handle, group));
+        }
+
+        private void setPairs() {
+            int kind = kind();
+            int category = 1 << random.nextInt(2);
+            int mask = random.nextInt(5) - 1;
+            boolean sensor = random.nextInt(4) == 0;
+            both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
+            float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
+            both("setKindRestitution", c -> c.setKindRestitution(kind, e));
+        }
+
+        private void setResponse() {
+            int kind = kind();
+            int other = kind();
+            Response response = Response.values()[random.nextInt(4)];
+            both("setResponse", c -> c.setResponse(kind, other, response));
+        }
+
+        private int kind() {
+            return random.nextInt(3) == 0 ? 255 - random.nextInt(2) : random.nextInt(3);
         }
 
         private void setGravity() {

@@ -163,7 +163,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(20)) {
+            switch (random.nextInt(23)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -177,6 +177,9 @@ class WorldFuzzTest {
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
                 case 19 -> setTag();
+                case 20 -> setKind();
+                case 21 -> setGroup();
+                case 22 -> setPairs();
                 default -> step();
             }
         }
@@ -185,8 +188,13 @@ class WorldFuzzTest {
             float[] c = circle();
             float vx = value(-speed(), speed());
             float vy = value(-speed(), speed());
-            last = "add " + Arrays.toString(c) + " " + vx + " " + vy;
-            ask(bad(c) || bad(vx) || bad(vy), () -> entered(world.add(c[0], c[1], c[2], c[3], vx, vy), c[2], c[3]));
+            int kind = kind();
+            last = "add " + Arrays.toString(c) + " " + vx + " " + vy + " " + kind;
+            ask(bad(c) || bad(vx) || bad(vy) || !isKind(kind), () -> {
+                long handle = world.add(c[0], c[1], c[2], c[3], vx, vy, kind);
+                entered(handle, c[2], c[3]);
+                assertThat(world.kind(handle)).isEqualTo(kind);
+            });
         }
 
         private void addAll() {
@@ -274,6 +282,55 @@ class WorldFuzzTest {
             ask(unknown(handle), () -> {
                 world.setTag(handle, tag);
                 assertThat(world.tag(handle)).isEqualTo(tag);
+            });
+        }
+
+        private int kind() {
+            return random.nextInt(20) == 0 ? random.nextInt() : random.nextInt(3) == 0 ? 255 : random.nextInt(3);
+        }
+
+        private static boolean isKind(int kind) {
+            return kind >= 0 && kind <= 255;
+        }
+
+        private void setKind() {
+            long handle = handle();
+            int kind = kind();
+            last = "setKind " + kind;
+            ask(unknown(handle) || !isKind(kind), () -> {
+                world.setKind(handle, kind);
+                assertThat(world.kind(handle)).isEqualTo(kind);
+            });
+        }
+
+        private void setGroup() {
+            long handle = handle();
+            int group = random.nextInt() >> random.nextInt(32);
+            last = "setGroup " + group;
+            ask(unknown(handle), () -> {
+                world.setGroup(handle, group);
+                assertThat(world.group(handle)).isEqualTo(group);
+            });
+        }
+
+        private void setPairs() {
+            int kind = kind();
+            int other = kind();
+            float e = value(0, 1);
+            Response response = Response.values()[random.nextInt(4)];
+            last = "setPairs " + kind + " " + other + " " + e + " " + response;
+            ask(!isKind(kind) || !isKind(other), () -> {
+                world.setResponse(kind, other, response);
+                assertThat(world.response(other, kind)).isEqualTo(response);
+            });
+            int mask = random.nextInt() >> random.nextInt(32);
+            ask(!isKind(kind), () -> {
+                world.kind(kind).setMask(mask).setCategory(random.nextInt(4)).setSensor(random.nextInt(3) == 0);
+                assertThat(world.kind(kind).mask()).isEqualTo(mask);
+            });
+            ask(!isKind(kind) || !Float.isNaN(e) && !(e >= 0 && e <= 1), () -> {
+                world.kind(kind).setRestitution(e);
+                assertThat(Float.compare(world.kind(kind).restitution(), e)).isZero();
             });
         }
 

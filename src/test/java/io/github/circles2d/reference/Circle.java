@@ -17,6 +17,8 @@ final class Circle {
     float radius;
     float mass;
     float restitution;
+    int kind;
+    int group;
 
     // within a step
     final float[] path = new float[2];

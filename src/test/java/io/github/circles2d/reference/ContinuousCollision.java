@@ -20,8 +20,10 @@ final class ContinuousCollision {
     private final List<Circle> circles;
     private final Grid grid;
     private final StepParameters k;
+    private final Kinds kinds;
 
-    ContinuousCollision(List<Circle> circles, Grid grid, StepParameters k) {
+    ContinuousCollision(List<Circle> circles, Grid grid, StepParameters k, Kinds kinds) {
+        this.kinds = kinds;
         this.circles = circles;
         this.grid = grid;
         this.k = k;
@@ -77,7 +79,7 @@ final class ContinuousCollision {
     private void look(Circle c, Circle other, boolean pushers) {
         float[] u = minus(c.path, other.path);
         float[] d = minus(other.base, c.base);
-        if (c.isStatic() && other.isStatic()
+        if (!kinds.mayMeet(c, other)
                 || !(length2(u) > c.leastPath * c.leastPath)
                 || !c.isStatic() && !other.isStatic() && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;

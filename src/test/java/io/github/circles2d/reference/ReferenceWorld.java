@@ -1,5 +1,7 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Kind;
+import io.github.circles2d.Response;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -16,6 +18,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int KIND_FIELD = 2;
+    private static final int GROUP_FIELD = 3;
 
     private final float restitution;
     private final int subSteps;
@@ -29,6 +34,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** The impulses greater than 0 with which contacts ended the last step. */
     private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
 
+    private final Kinds kinds = new Kinds();
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
     private float[] gravity = {0f, 0f};
@@ -57,7 +63,7 @@ public final class ReferenceWorld implements WorldCalls {
         for (int k = 0; k < steps; k++) {
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             if (size() > 0) {
-                new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
+                new Step(circles(), parameters(dt), kinds).make(impulseCache, warmScale);
             }
             previousDt = dt;
         }
@@ -65,6 +71,11 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        return add(x, y, radius, mass, vx, vy, 0);
+    }
+
+    @Override
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         if (!byId.contains(null)) {
             byId.add(null);
         }
@@ -77,6 +88,7 @@ public final class ReferenceWorld implements WorldCalls {
         c.mass = mass;
         setPosition(c.handle, x, y);
         setVelocity(c.handle, vx, vy);
+        setKind(c.handle, kind);
         return c.handle;
     }
 
@@ -151,6 +163,39 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setKind(long handle, int kind) {
+        find(handle).kind = kind;
+        find(handle).restitution = kinds.restitution(kind, find(handle).restitution);
+    }
+
+    @Override
+    public void setGroup(long handle, int group) {
+        find(handle).group = group;
+    }
+
+    @Override
+    public void setResponse(int kindA, int kindB, Response response) {
+        kinds.setResponse(kindA, kindB, response);
+    }
+
+    @Override
+    public Kind kind(int number) {
+        throw new UnsupportedOperationException("kinds belong to a World");
+    }
+
+    @Override
+    public void setPairs(int kind, int category, int mask, boolean sensor) {
+        kinds.set(kind, Kinds.CATEGORY, category);
+        kinds.set(kind, Kinds.MASK, mask);
+        kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+    }
+
+    @Override
+    public void setKindRestitution(int kind, float e) {
+        kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
+    }
+
+    @Override
     public void applyImpulse(long handle, float impulseX, float impulseY) {
         Circle c = find(handle);
         c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
@@ -178,8 +223,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long hash() {
-        long sum = 0;
+        long sum = kinds.hash();
         for (Circle c : circles()) {
+            sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
@@ -191,7 +237,12 @@ public final class ReferenceWorld implements WorldCalls {
         return sum;
     }
 
-    private static long absorb(long hash, int word) {
+    private static long hashOfField(int field, int id, long value) {
+        long h = absorb(absorb(FIELD, field), id);
+        return value == 0 ? 0 : absorb(absorb(h, (int) value), (int) (value >> 32));
+    }
+
+    static long absorb(long hash, int word) {
         long h = (hash ^ (word & 0xFFFFFFFFL)) * 0x9E3779B97F4A7C15L;
         return h ^ (h >>> 32);
     }

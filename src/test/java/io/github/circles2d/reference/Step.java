@@ -16,19 +16,21 @@ final class Step {
 
     private final List<Circle> circles;
     private final StepParameters k;
+    private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
 
     /** Circles are in the order of their ids. */
-    Step(List<Circle> circles, StepParameters k) {
+    Step(List<Circle> circles, StepParameters k, Kinds kinds) {
         this.circles = circles;
         this.k = k;
+        this.kinds = kinds;
     }
 
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
         Grid grid = new Grid(circles, k);
         circles.forEach(this::planMotion);
-        new ContinuousCollision(circles, grid, k).clampMotion();
+        new ContinuousCollision(circles, grid, k, kinds).clampMotion();
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
@@ -58,7 +60,7 @@ final class Step {
         for (int i = 0; i < circles.size(); i++) {
             Circle a = circles.get(i);
             for (Circle b : circles.subList(i + 1, circles.size())) {
-                if (a.isNear(b) && !(a.isStatic() && b.isStatic())) {
+                if (a.isNear(b) && kinds.mayMeet(a, b)) {
                     candidates.add(new Contact.Pair(a, b));
                     a.candidates += b.level <= a.level ? 1 : 0;
                     b.candidates += a.level <= b.level ? 1 : 0;

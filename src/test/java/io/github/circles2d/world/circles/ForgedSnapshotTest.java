@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Response;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
@@ -45,6 +46,10 @@ class ForgedSnapshotTest {
             }
             world.setTag(world.add(70, 20, 1, 1), -5);
             world.setTag(world.add(75, 20, 1, 1), Long.MAX_VALUE);
+            world.setKind(world.add(80, 20, 1, 1), 3);
+            world.setGroup(world.add(80, 21, 1, 1), -7);
+            world.kind(3).setMask(5).setRestitution(0.25f).setSensor(true);
+            world.setResponse(0, 3, Response.SOLID);
             world.remove(world.add(50, 20, 1, 1));
             world.step(1 / 60f, 30);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);

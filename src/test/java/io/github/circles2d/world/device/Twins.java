@@ -9,10 +9,13 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -214,10 +217,48 @@ final class Twins implements AutoCloseable {
                 default -> set(operation, id, between(random, 0.1f, 1), 0);
             }
         }
+        if (random.nextInt(8) == 0) {
+            changeKinds(random);
+        }
         for (CircleField field : CircleField.values()) {
             for (int k = 0; k < 20; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
             }
+        }
+    }
+
+    /** Changes what a kind is, or what two kinds do to each other. */
+    private void changeKinds(SplittableRandom random) {
+        int kind = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int other = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int setting = random.nextInt(4);
+        int mask = random.nextInt(4) - 1;
+        int category = 1 << random.nextInt(2);
+        int sensor = random.nextInt(4) == 0 ? 1 : 0;
+        boolean byMatrix = random.nextBoolean();
+        for (Simulation simulation : simulations) {
+            if (byMatrix) {
+                simulation.kinds().setSetting(kind, other, setting);
+            } else {
+                simulation.kinds().set(KindField.MASK, kind, mask);
+                simulation.kinds().set(KindField.CATEGORY, kind, category);
+                simulation.kinds().set(KindField.SENSOR, kind, sensor);
+            }
+        }
+    }
+
+    /** Makes some circles ignore others, by kind and by group. */
+    void filterSome() {
+        for (Simulation simulation : simulations) {
+            for (int id = 0; id < handles.length; id++) {
+                if (lives(id)) {
+                    simulation.circles().setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
+                    simulation.circles().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
+                }
+            }
+            simulation.kinds().setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
+            simulation.kinds().set(KindField.MASK, 0, ~2);
+            simulation.kinds().set(KindField.CATEGORY, 200, 2);
         }
     }
 
