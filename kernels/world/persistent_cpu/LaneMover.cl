@@ -26,12 +26,12 @@ void integrateVelocitiesOfRow(const World *shared, int row) {
         float2 before, v;
         float2 bounce = (float2)(0.0f);
         bool loaded = l.w > 0.0f;
-        bool clear = integrateOffWalls(&w->k, c, m, t.x, (float2)(l.x, l.y), &before, &v);
+        bool clear = integrateOffWalls(w, slot, c, m, t.x, (float2)(l.x, l.y), &before, &v);
         if (clear & (t.z == 0.0f) & (t.w == 0.0f)) {
             m.zw = v;
             t.zw = noWalls(&w->k, c);
         } else {
-            integrateVelocities(shared, c, &m, &t, l, &before, &bounce, &loaded);
+            integrateVelocities(shared, slot, c, &m, &t, l, &before, &bounce, &loaded);
         }
         w->motion[slot] = m;
         w->traits[slot] = t;

@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/stages/Grid.cl world/stages/PairFilter.cl
+// uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Grid.cl world/stages/PairFilter.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
@@ -201,8 +201,9 @@ void setMotionClamp(const World *w, int slot) {
             allowance = isFast(pushed.w, r) ? CARRIED : 0.0f;
         }
         w->sight[slot].z = speculativeDistance(r, 0.0f);
-        w->motion[slot].z -= rest * (k->gravityStepX * k->subSteps);
-        w->motion[slot].w -= rest * (k->gravityStepY * k->subSteps);
+        float2 gain = gainOf(w, w->id[slot]);
+        w->motion[slot].z -= rest * (gain.x * k->subSteps);
+        w->motion[slot].w -= rest * (gain.y * k->subSteps);
     } else if (allowance >= 0.0f) {
         path = (float2)(limit * path.x, limit * path.y);
     }

@@ -31,6 +31,9 @@ import io.github.circles2d.world.circles.KindField;
  * on: circles that overlap and ignore each other from now on separate freely; if they are solid again they are pushed out slowly, as
  * any overlap is. Kinds are in snapshots and in the hash.
  *
+ * <p><b>How circles move:</b> a kind scales gravity, damps velocities and limits the speed of its circles, unless they are static.
+ * Numbers that are as at first change no bit.
+ *
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
 public final class Kind {
@@ -129,6 +132,70 @@ public final class Kind {
      */
     public float restitution() {
         return kinds.getFloat(KindField.RESTITUTION, number);
+    }
+
+    /**
+     * Sets what gravity is multiplied by for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
+     * whatever the kind.
+     *
+     * @param scale -1000 to 1000: 0 for circles that do not fall, less for some that rise. Gravity times this is at most 1e9 along each
+     *     axis
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setGravityScale(float scale) {
+        return set(KindField.GRAVITY_SCALE, scale);
+    }
+
+    /**
+     * What gravity is multiplied by for circles of the kind.
+     *
+     * @return a factor; 1 at first
+     */
+    public float gravityScale() {
+        return kinds.getFloat(KindField.GRAVITY_SCALE, number);
+    }
+
+    /**
+     * Sets how fast circles of the kind lose their velocity, as by the drag of air. In a time of t seconds about 1 - e^(-damping t) of
+     * it goes.
+     *
+     * @param damping per second, 0 to 1e6
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setDamping(float damping) {
+        return set(KindField.DAMPING, damping);
+    }
+
+    /**
+     * How fast circles of the kind lose their velocity.
+     *
+     * @return per second; 0 at first
+     */
+    public float damping() {
+        return kinds.getFloat(KindField.DAMPING, number);
+    }
+
+    /**
+     * Sets the greatest speed of circles of the kind. A collision may give a circle more for the rest of a sub-step; a velocity that is
+     * set, or an impulse, is cut down in the next step.
+     *
+     * @param speed lengths per second, at least 0; infinite for none
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setGreatestSpeed(float speed) {
+        return set(KindField.GREATEST_SPEED, speed);
+    }
+
+    /**
+     * The greatest speed of circles of the kind.
+     *
+     * @return lengths per second; infinite at first
+     */
+    public float greatestSpeed() {
+        return kinds.getFloat(KindField.GREATEST_SPEED, number);
     }
 
     private Kind set(KindField field, int value) {

@@ -97,7 +97,8 @@ interface GoldenChange {
             world.setKind(handles[random.nextInt(n)], random.nextInt(4));
             world.setGroup(handles[random.nextInt(n)], random.nextInt(3));
         }
-        switch (random.nextInt(4)) {
+        switch (random.nextInt(5)) {
+            case 4 -> world.setMotion(random.nextInt(4), 2 * unit(random), unit(random), 1 + unit(random));
             case 0 -> world.setResponse(random.nextInt(4), random.nextInt(4), Response.values()[random.nextInt(4)]);
             case 1 -> world.setPairs(1, 1 << random.nextInt(2), -1 - random.nextInt(3), false);
             case 2 -> world.setPairs(2, 2, 3, random.nextInt(8) == 0);

@@ -70,7 +70,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(22)) {
+            switch (random.nextInt(23)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -86,6 +86,7 @@ class ReferenceFuzzTest {
                 case 12 -> withSome(this::setGroup);
                 case 13 -> setPairs();
                 case 14 -> setResponse();
+                case 15 -> setMotion();
                 default -> step();
             }
         }
@@ -194,6 +195,15 @@ class ReferenceFuzzTest {
             both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
             float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
             both("setKindRestitution", c -> c.setKindRestitution(kind, e));
+        }
+
+        private void setMotion() {
+            int kind = kind();
+            float scale = random.nextInt(3) == 0 ? random.nextInt(3) - 1 : value(-2f, 3f);
+            float damping = random.nextInt(2) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1e4f : 5f);
+            float most =
+                    random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : random.nextInt(9) == 0 ? 0f : value(0f, size);
+            both("setMotion", c -> c.setMotion(kind, scale, damping, most));
         }
 
         private void setResponse() {

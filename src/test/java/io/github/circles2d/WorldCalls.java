@@ -43,6 +43,11 @@ public interface WorldCalls {
         kind(kind).setCategory(category).setMask(mask).setSensor(sensor);
     }
 
+    /** Sets how circles of a kind move. */
+    default void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
+        kind(kind).setGravityScale(gravityScale).setDamping(damping).setGreatestSpeed(greatestSpeed);
+    }
+
     /** Sets the restitution that circles get with a kind. */
     default void setKindRestitution(int kind, float restitution) {
         kind(kind).setRestitution(restitution);

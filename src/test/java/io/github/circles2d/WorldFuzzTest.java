@@ -163,7 +163,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(23)) {
+            switch (random.nextInt(24)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -180,6 +180,7 @@ class WorldFuzzTest {
                 case 20 -> setKind();
                 case 21 -> setGroup();
                 case 22 -> setPairs();
+                case 23 -> setMotion();
                 default -> step();
             }
         }
@@ -300,6 +301,26 @@ class WorldFuzzTest {
             ask(unknown(handle) || !isKind(kind), () -> {
                 world.setKind(handle, kind);
                 assertThat(world.kind(handle)).isEqualTo(kind);
+            });
+        }
+
+        private void setMotion() {
+            int kind = kind();
+            float scale = value(-1000, 1000);
+            float damping = value(0, 10);
+            float most = value(0, speed());
+            last = "setMotion " + kind + " " + scale + " " + damping + " " + most;
+            ask(!isKind(kind) || bad(scale), () -> {
+                world.kind(kind).setGravityScale(scale);
+                assertThat(world.kind(kind).gravityScale()).isEqualTo(scale);
+            });
+            ask(!isKind(kind) || bad(damping) || damping < 0, () -> {
+                world.kind(kind).setDamping(damping);
+                assertThat(world.kind(kind).damping()).isEqualTo(damping);
+            });
+            ask(!isKind(kind) || Float.isNaN(most) || most < 0, () -> {
+                world.kind(kind).setGreatestSpeed(most);
+                assertThat(world.kind(kind).greatestSpeed()).isEqualTo(most);
             });
         }
 

@@ -178,6 +178,7 @@ public final class Simulation implements AutoCloseable {
                 float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
                 constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
+                constants.setMotion(kinds.drive(), kindTable);
                 levels.layOut(bounds, handles.greatestRadius(), handles.population());
                 pipeline.step(constants, levels, steps);
             }

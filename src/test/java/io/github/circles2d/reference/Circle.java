@@ -21,6 +21,9 @@ final class Circle {
     int group;
 
     // within a step
+    /** What is added to the velocity in a sub-step. */
+    final float[] gain = new float[2];
+
     final float[] path = new float[2];
     final float[] freePath = new float[2];
     final float[] impulses = new float[2];

@@ -161,7 +161,7 @@ final class ContinuousCollision {
             for (int a = 0; a < 2; a++) {
                 float own = c.timeOfImpact * c.path[a];
                 c.freePath[a] = c.pusher == null ? own : own + rest * c.pusher.path[a];
-                c.velocity[a] -= rest * (k.gravityStep(a) * k.subSteps());
+                c.velocity[a] -= rest * (c.gain[a] * k.subSteps());
             }
             c.allowance = 0f;
             c.stands = false;

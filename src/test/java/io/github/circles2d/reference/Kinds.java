@@ -19,8 +19,23 @@ final class Kinds {
     /** The number of a field: the bits of the restitution that circles get with the kind. */
     static final int RESTITUTION = 4;
 
-    private static final Map<Integer, Integer> AT_FIRST =
-            Map.of(CATEGORY, 1, MASK, -1, SENSOR, 0, RESTITUTION, Float.floatToIntBits(Float.NaN));
+    /** The number of a field: the bits of what gravity is multiplied by. */
+    static final int GRAVITY_SCALE = 5;
+
+    /** The number of a field: the bits of the damping. */
+    static final int DAMPING = 6;
+
+    /** The number of a field: the bits of the greatest speed. */
+    static final int GREATEST_SPEED = 7;
+
+    private static final Map<Integer, Integer> AT_FIRST = Map.of(
+            CATEGORY, 1,
+            MASK, -1,
+            SENSOR, 0,
+            RESTITUTION, Float.floatToIntBits(Float.NaN),
+            GRAVITY_SCALE, Float.floatToIntBits(1f),
+            DAMPING, 0,
+            GREATEST_SPEED, Float.floatToIntBits(Float.POSITIVE_INFINITY));
 
     private static final long KIND = 0x6B696E64A5C3D21FL;
     private static final long RESPONSE = 0x726573706F6E7365L;
@@ -40,12 +55,16 @@ final class Kinds {
                 .removeIf(entry -> AT_FIRST.get(entry.getKey().number()).equals(entry.getValue()));
     }
 
+    float getFloat(int kind, int field) {
+        return Float.intBitsToFloat(get(kind, field));
+    }
+
     private int get(int kind, int field) {
         return values.getOrDefault(new Field(kind, field), AT_FIRST.get(field));
     }
 
     float restitution(int kind, float otherwise) {
-        float own = Float.intBitsToFloat(get(kind, RESTITUTION));
+        float own = getFloat(kind, RESTITUTION);
         return Float.isNaN(own) ? otherwise : own;
     }
 

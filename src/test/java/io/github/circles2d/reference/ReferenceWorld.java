@@ -191,6 +191,13 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
+        kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
+        kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
+        kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
+    }
+
+    @Override
     public void setKindRestitution(int kind, float e) {
         kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
     }

@@ -29,6 +29,7 @@ final class Step {
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
         Grid grid = new Grid(circles, k);
+        circles.forEach(this::findGain);
         circles.forEach(this::planMotion);
         new ContinuousCollision(circles, grid, k, kinds).clampMotion();
         findContacts(grid);
@@ -43,9 +44,43 @@ final class Step {
         storeImpulses(impulseCache);
     }
 
-    private void planMotion(Circle c) {
+    private void findGain(Circle c) {
+        float scale = kinds.getFloat(c.kind, Kinds.GRAVITY_SCALE);
         for (int a = 0; a < 2; a++) {
-            c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
+            c.gain[a] = limitSpeed(k.gravity()[a] * scale) * k.h();
+        }
+    }
+
+    /** What is left of a velocity after a sub-step's damping. */
+    private float dampingFactor(Circle c) {
+        return 1f / (1f + kinds.getFloat(c.kind, Kinds.DAMPING) * k.h());
+    }
+
+    /** Multiplies a vector so that it is not longer than a length. */
+    private static void cut(float[] vector, float most) {
+        float length = length(vector);
+        for (int a = 0; a < 2 && length > most; a++) {
+            vector[a] *= most / length;
+        }
+    }
+
+    private void planMotion(Circle c) {
+        float factor = dampingFactor(c);
+        float powers = 0f;
+        float falls = 0f;
+        float power = 1f;
+        for (int subStep = 0; subStep < k.subSteps(); subStep++) {
+            power *= factor;
+            powers += power;
+            falls += powers;
+        }
+        // The sums of powers of 1 are whole numbers, but their product with h need not be dt.
+        float time = factor == 1f || c.isStatic() ? k.dt() : k.h() * powers;
+        for (int a = 0; a < 2; a++) {
+            c.path[a] = c.velocity[a] * time + (c.isStatic() ? 0f : c.gain[a] * k.h() * falls);
+        }
+        if (!c.isStatic()) {
+            cut(c.path, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED) * k.dt());
         }
         c.pathLength = length(c.path);
         if (!c.isStatic()) {
@@ -96,9 +131,13 @@ final class Step {
     private void integrateVelocities(Circle c) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
         for (int a = 0; a < 2; a++) {
-            c.velocityBeforeImpulses[a] = c.velocity[a];
+            c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
+        }
+        if (!c.isStatic()) {
+            cut(c.velocityBeforeImpulses, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED));
+        }
+        for (int a = 0; a < 2; a++) {
             if (!c.isStatic()) {
-                c.velocityBeforeImpulses[a] += k.gravityStep(a);
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
                 c.walls[a].measure();
                 c.walls[a].apply(c.walls[a].normalImpulse);

@@ -9,13 +9,4 @@ record StepParameters(float[] min, float[] max, float[] gravity, float dt, int s
     float inverseH() {
         return subSteps / dt;
     }
-
-    float gravityStep(int axis) {
-        return gravity[axis] * h();
-    }
-
-    /** How far gravity moves a circle in a step. */
-    float fall(int axis) {
-        return gravityStep(axis) * h() * (0.5f * subSteps * (subSteps + 1));
-    }
 }

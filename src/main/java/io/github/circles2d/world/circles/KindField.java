@@ -15,7 +15,24 @@ public enum KindField {
     SENSOR(3, "sensor", 0, value -> Limits.within("sensor", value, 0, 1)),
 
     /** The restitution that circles get with the kind, or NaN for none. */
-    RESTITUTION(4, "restitution", Float.floatToRawIntBits(Float.NaN), Check.RESTITUTION);
+    RESTITUTION(4, "restitution", Float.floatToRawIntBits(Float.NaN), Check.RESTITUTION),
+
+    /** What gravity is multiplied by for the kind, a float. */
+    GRAVITY_SCALE(
+            5,
+            "gravity scale",
+            Float.floatToRawIntBits(1),
+            ofFloat("gravity scale", -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE)),
+
+    /** Damping, 1/s, a float. */
+    DAMPING(6, "damping", 0, ofFloat("damping", 0, Limits.DAMPING)),
+
+    /** Greatest speed, a float. */
+    GREATEST_SPEED(
+            7,
+            "greatest speed",
+            Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
+            ofFloat("greatest speed", 0, Float.POSITIVE_INFINITY));
 
     /** All fields. */
     static final List<KindField> ALL = List.of(values());
@@ -30,6 +47,10 @@ public enum KindField {
         };
 
         void of(int value);
+    }
+
+    private static Check ofFloat(String label, float least, float greatest) {
+        return value -> Limits.within(label, Float.intBitsToFloat(value), least, greatest);
     }
 
     private final int number;

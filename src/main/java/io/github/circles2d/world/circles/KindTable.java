@@ -2,13 +2,14 @@ package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable {
+public final class KindTable implements StepConstants.KindValues {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 
@@ -26,6 +27,9 @@ public final class KindTable {
 
     /** Kinds that are paired with some kind in a way that is not solid, counted once for each such pair. */
     private int notSolid;
+
+    /** Values that make circles of a kind move in another way than others. */
+    private int motions;
 
     /** Pairs of which the matrix says something, counted likewise. */
     private int settings;
@@ -67,6 +71,9 @@ public final class KindTable {
     /** Sets a field of a kind, to a value that has been checked. */
     public void set(KindField field, int kind, int value) {
         if (value != get(field, kind)) {
+            if (field.ordinal() >= KindField.GRAVITY_SCALE.ordinal()) {
+                motions += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
+            }
             values[at(field, kind)] = value;
             for (int other = 0; other < PairTable.KINDS; other++) {
                 resolve(kind, other);
@@ -119,6 +126,26 @@ public final class KindTable {
         return notSolid > 0;
     }
 
+    /** Whether circles of some kind move in another way than those of a kind as it is at first. */
+    public boolean moves() {
+        return motions > 0;
+    }
+
+    @Override
+    public float gravityScale(int kind) {
+        return Float.intBitsToFloat(get(KindField.GRAVITY_SCALE, kind));
+    }
+
+    @Override
+    public float damping(int kind) {
+        return Float.intBitsToFloat(get(KindField.DAMPING, kind));
+    }
+
+    @Override
+    public float greatestSpeed(int kind) {
+        return Float.intBitsToFloat(get(KindField.GREATEST_SPEED, kind));
+    }
+
     /** Counts the changes. */
     public int version() {
         return version;
@@ -131,6 +158,7 @@ public final class KindTable {
         System.arraycopy(from.responses, 0, responses, 0, responses.length);
         notSolid = from.notSolid;
         settings = from.settings;
+        motions = from.motions;
         version++;
     }
 
@@ -141,6 +169,7 @@ public final class KindTable {
         Arrays.fill(responses, 0);
         notSolid = 0;
         settings = 0;
+        motions = 0;
         version++;
     }
 

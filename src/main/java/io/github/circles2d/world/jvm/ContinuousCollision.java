@@ -380,8 +380,8 @@ public final class ContinuousCollision {
                     allowed = carries(pusher[slot], r) ? Tuning.CARRIED : 0f;
                 }
                 grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
-                state.motion[s + VX] -= rest * (k.gravityStepX * k.subSteps);
-                state.motion[s + VY] -= rest * (k.gravityStepY * k.subSteps);
+                state.motion[s + VX] -= rest * (state.gainX(slot, k) * k.subSteps);
+                state.motion[s + VY] -= rest * (state.gainY(slot, k) * k.subSteps);
             } else if (allowed >= 0f) {
                 px = limit * px;
                 py = limit * py;

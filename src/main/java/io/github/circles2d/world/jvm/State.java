@@ -21,6 +21,8 @@ import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
@@ -75,6 +77,9 @@ public final class State {
 
     /** By id: the fields that steps read. */
     final CircleFields fields = new CircleFields(CircleField.OF_STEPS);
+
+    /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
+    float[] kindMotion;
 
     /** Within a step: whether pairs have to be filtered. */
     boolean filtering;
@@ -250,6 +255,21 @@ public final class State {
             fresh[slot] = fresh[last];
             slotOf[id[slot]] = slot;
         }
+    }
+
+    /** Where the row of a circle's kind begins in {@link #kindMotion}. */
+    int motionRow(int slot) {
+        return KindMotion.of(fields.getInt(CircleField.KIND, id[slot]));
+    }
+
+    /** What gravity and a force add to a circle's speed along x in a sub-step. */
+    float gainX(int slot, StepConstants k) {
+        return kindMotion == null ? k.gravityStepX : kindMotion[motionRow(slot) + KindMotion.GAIN_X];
+    }
+
+    /** What gravity and a force add to a circle's speed along y in a sub-step. */
+    float gainY(int slot, StepConstants k) {
+        return kindMotion == null ? k.gravityStepY : kindMotion[motionRow(slot) + KindMotion.GAIN_Y];
     }
 
     /** Whether a circle has an infinite mass. */

@@ -97,7 +97,7 @@ final class OclgrindWorlds {
         try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             if (!scene.name().equals(Scenes.onePoint(1, 1).name())) {
                 // All of a crowd meet: it must stay one.
-                twins.filterSome();
+                twins.giveKinds();
             }
             twins.step(dt, steps);
             twins.assertEqual(scene.name());

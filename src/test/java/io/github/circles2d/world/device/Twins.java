@@ -236,7 +236,13 @@ final class Twins implements AutoCloseable {
         int category = 1 << random.nextInt(2);
         int sensor = random.nextInt(4) == 0 ? 1 : 0;
         boolean byMatrix = random.nextBoolean();
+        float scale = between(random, -1, 2);
+        float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 5);
+        float most = random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : between(random, 0, 5);
         for (Simulation simulation : simulations) {
+            simulation.kinds().set(KindField.GRAVITY_SCALE, kind, scale);
+            simulation.kinds().set(KindField.DAMPING, kind, damping);
+            simulation.kinds().set(KindField.GREATEST_SPEED, kind, most);
             if (byMatrix) {
                 simulation.kinds().setSetting(kind, other, setting);
             } else {
@@ -247,18 +253,25 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Makes some circles ignore others, by kind and by group. */
-    void filterSome() {
+    /** Makes some circles ignore others, by kind and by group, and some move by their kind; some become static. */
+    void giveKinds() {
         for (Simulation simulation : simulations) {
             for (int id = 0; id < handles.length; id++) {
                 if (lives(id)) {
                     simulation.circles().setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
+                    if (id % 11 == 0) {
+                        simulation.circles().set(Commands.MASS, handles[id], Float.POSITIVE_INFINITY, 0);
+                    }
                     simulation.circles().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
                 }
             }
             simulation.kinds().setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
             simulation.kinds().set(KindField.MASK, 0, ~2);
             simulation.kinds().set(KindField.CATEGORY, 200, 2);
+            simulation.kinds().set(KindField.GRAVITY_SCALE, 200, -0.5f);
+            simulation.kinds().set(KindField.DAMPING, 200, 0.5f);
+            simulation.kinds().set(KindField.DAMPING, 0, 0.25f);
+            simulation.kinds().set(KindField.GREATEST_SPEED, 1, 2f);
         }
     }
 

@@ -4,6 +4,7 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -50,6 +51,8 @@ public final class DeviceArrays {
         allocateOnce(DeviceArray.LEVELS, StepParameters.LEVELS.words());
         allocateOnce(DeviceArray.STATUS, StatusWord.WORDS);
         allocateOnce(DeviceArray.RESPONSES, PairTable.WORDS);
+        allocateOnce(DeviceArray.KIND_MOTION, KindMotion.of(PairTable.KINDS));
+        get(DeviceArray.KIND_MOTION).write(0, IntBuffer.wrap(new int[KindMotion.of(PairTable.KINDS)]));
         get(DeviceArray.RESPONSES).write(0, IntBuffer.wrap(new int[PairTable.WORDS]));
         int circles = Math.max(capacity, LEAST_CAPACITY);
         ensureSlots(circles, 0);

@@ -2,8 +2,10 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -43,6 +45,11 @@ public final class StepParameters {
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
+            .field(
+                    "int",
+                    "driving",
+                    (k, to) -> to.put(k.driving ? 1 : 0),
+                    "1 where circles may move by their kinds or by forces")
             .field("int", "filtering", (k, to) -> to.put(k.filtering ? 1 : 0), "1 where pairs have to be filtered")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
@@ -95,6 +102,10 @@ public final class StepParameters {
     /** The table of {@link DeviceArray#RESPONSES}; all zeros at first, as on the device. */
     private final int[] responses = new int[PairTable.WORDS];
 
+    private final float[] kindMotion = new float[KindMotion.of(PairTable.KINDS)];
+    private int motionVersion;
+    private boolean motionSent = true;
+    private final FloatBuffer motionView = FloatBuffer.wrap(kindMotion);
     private int responsesVersion;
     private boolean responsesSent = true;
     private final IntBuffer responsesView = IntBuffer.wrap(responses);
@@ -110,6 +121,11 @@ public final class StepParameters {
             responsesVersion = k.kindsVersion;
             responsesSent = false;
         }
+        if (motionVersion != k.motionVersion) {
+            System.arraycopy(k.kindMotion, 0, kindMotion, 0, kindMotion.length);
+            motionVersion = k.motionVersion;
+            motionSent = false;
+        }
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
@@ -120,6 +136,7 @@ public final class StepParameters {
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
         return responsesVersion == k.kindsVersion
+                && motionVersion == k.motionVersion
                 && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels);
     }
@@ -151,6 +168,10 @@ public final class StepParameters {
         if (!responsesSent) {
             arrays.get(DeviceArray.RESPONSES).write(0, responsesView);
             responsesSent = true;
+        }
+        if (!motionSent) {
+            arrays.get(DeviceArray.KIND_MOTION).write(motionView);
+            motionSent = true;
         }
     }
 
