@@ -35,11 +35,11 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
 }
 
 // What is added along the normals in a sub-step to the speeds of those circles of pairs that are not static.
-float4 fallsOfPairs(const World *w, uint4 i, uint4 j, float4 invMassA, float4 nx, float4 ny) {
-    float2 x = gainOfPair(w, i.x, invMassA.x, j.x);
-    float2 y = gainOfPair(w, i.y, invMassA.y, j.y);
-    float2 z = gainOfPair(w, i.z, invMassA.z, j.z);
-    float2 u = gainOfPair(w, i.w, invMassA.w, j.w);
+float4 fallsOfPairs(const World *w, uint4 i, uint4 j, float4 invMassA, float4 invMassB, float4 nx, float4 ny) {
+    float2 x = gainOfPair(w, i.x, invMassA.x, j.x, invMassB.x);
+    float2 y = gainOfPair(w, i.y, invMassA.y, j.y, invMassB.y);
+    float2 z = gainOfPair(w, i.z, invMassA.z, j.z, invMassB.z);
+    float2 u = gainOfPair(w, i.w, invMassA.w, j.w, invMassB.w);
     return nx * (float4)(x.x, y.x, z.x, u.x) + ny * (float4)(x.y, y.y, z.y, u.y);
 }
 
@@ -62,7 +62,7 @@ INLINE void solveWide(const World *w, int wide) {
     found.before = along4(nx, ny, beforeX, beforeY);
     found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
     float4 fall = nx * w->k.gravityStepX + ny * w->k.gravityStepY;
-    if (w->k.driving) fall = fallsOfPairs(w, i, j, masses[0], nx, ny);
+    if (w->k.driving) fall = fallsOfPairs(w, i, j, masses[0], masses[1], nx, ny);
     found.halfFall = halfFall4(fall, masses[0], masses[1]);
     Ready4 ready;
     makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, &ready);

@@ -3,8 +3,8 @@
 // positions; and its state at the end of the step.
 
 // The velocity before any impulse. m: motion.
-INLINE float2 beforeImpulses(const World *w, int slot, float4 m) {
-    if (w->k.driving) return drivenVelocity(w, w->id[slot], m);
+INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
+    if (w->k.driving) return drivenVelocity(w, w->id[slot], invMass, m);
     return (float2)(m.z + w->k.gravityStepX, m.w + w->k.gravityStepY);
 }
 
@@ -20,7 +20,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
         *loaded = false;
         return;
     }
-    *before = beforeImpulses(w, slot, *m);
+    *before = beforeImpulses(w, slot, t->x, *m);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
     // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
     // fewer work-groups at once, although few circles are at walls.
@@ -49,7 +49,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
                               float2 *v) {
     const StepConstants *k = &w->k;
-    *before = beforeImpulses(w, slot, m);
+    *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
     // Adding zeros, as the visits would: the signs of zeros are part of the state.
     *v = next + noWalls(k, c);

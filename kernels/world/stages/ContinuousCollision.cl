@@ -201,7 +201,7 @@ void setMotionClamp(const World *w, int slot) {
             allowance = isFast(pushed.w, r) ? CARRIED : 0.0f;
         }
         w->sight[slot].z = speculativeDistance(r, 0.0f);
-        float2 gain = gainOf(w, w->id[slot]);
+        float2 gain = gainOf(w, w->id[slot], sight.w);
         w->motion[slot].z -= rest * (gain.x * k->subSteps);
         w->motion[slot].w -= rest * (gain.y * k->subSteps);
     } else if (allowance >= 0.0f) {

@@ -89,7 +89,7 @@ bool gatherCircle(const World *w, int i) {
     float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     if (w->k.driving && !isStatic) {
-        float2 driven = drivenPath(w, listed.x, m);
+        float2 driven = drivenPath(w, listed.x, t.x, m);
         px = driven.x;
         py = driven.y;
     }

@@ -61,7 +61,7 @@ void solveContact(const World *w, int c) {
     found.pushSpeed = q.z;
     found.before = along(n.x, n.y, before.x, before.y);
     found.squaredSpeed = before.x * before.x + before.y * before.y;
-    float2 fall = gainOfPair(w, pr.x, q.x, pr.y);
+    float2 fall = gainOfPair(w, pr.x, q.x, pr.y, q.y);
     found.halfFall = halfFall(along(n.x, n.y, fall.x, fall.y), q.x, q.y);
     Ready ready;
     makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, &ready);

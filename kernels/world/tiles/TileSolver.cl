@@ -138,7 +138,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
         float2 fall = (float2)(w->k.gravityStepX, w->k.gravityStepY);
         if (w->k.driving && isContact(r->contact) && (wi == 0.0f || wj == 0.0f)) {
             uint2 pair = w->ordered[r->contact.x & ~NOT_OWN];
-            fall = gainOfPair(w, pair.x, wi, pair.y);
+            fall = gainOfPair(w, pair.x, v->invMassA, pair.y, v->invMassB);
         }
         f.halfFall = halfFall(along(r->normal.x, r->normal.y, fall.x, fall.y), v->invMassA, v->invMassB);
         makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);

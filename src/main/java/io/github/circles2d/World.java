@@ -325,6 +325,34 @@ public final class World implements AutoCloseable {
         simulation.circles().set(Commands.IMPULSE, handle, x, y);
     }
 
+    /**
+     * Sets a force on a circle, which acts in every step until it is changed: thrust, steering, wind. It adds the force over the mass to
+     * the velocity, each second; static circles do not feel it. Forces do not wipe out what collisions do, as
+     * {@link #setVelocity} would.
+     *
+     * @param handle the circle
+     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude; in a sub-step it changes a velocity by at
+     *     most 1e9
+     * @param y force along y, likewise
+     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     */
+    public void setForce(long handle, float x, float y) {
+        simulation.circles().setForce(handle, x, y);
+    }
+
+    /**
+     * Applies a force to a circle in the next step alone (the first of several that are made by one call), besides the one that is set
+     * for it. Several that are applied before a step add up. For a push that is over at once there is {@link #applyImpulse}.
+     *
+     * @param handle the circle
+     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude, as is their sum
+     * @param y force along y, likewise
+     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     */
+    public void applyForce(long handle, float x, float y) {
+        simulation.circles().applyForce(handle, x, y);
+    }
+
     // ---- the world
     // ---------------------------------------------------------------------------------------------------
 
@@ -671,6 +699,28 @@ public final class World implements AutoCloseable {
      */
     public float restitution(long handle) {
         return simulation.circles().restitution(handle);
+    }
+
+    /**
+     * The force that is set for a circle, along x. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the force; 0 at first
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float forceX(long handle) {
+        return simulation.circles().force(CircleField.FORCE_X, handle);
+    }
+
+    /**
+     * The force that is set for a circle, along y. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the force; 0 at first
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float forceY(long handle) {
+        return simulation.circles().force(CircleField.FORCE_Y, handle);
     }
 
     /**

@@ -70,7 +70,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(23)) {
+            switch (random.nextInt(25)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -87,6 +87,8 @@ class ReferenceFuzzTest {
                 case 13 -> setPairs();
                 case 14 -> setResponse();
                 case 15 -> setMotion();
+                case 16 -> withSome(this::setForce);
+                case 17 -> withSome(this::applyForce);
                 default -> step();
             }
         }
@@ -197,6 +199,22 @@ class ReferenceFuzzTest {
             both("setKindRestitution", c -> c.setKindRestitution(kind, e));
         }
 
+        private void setForce(long handle) {
+            float x = force();
+            float y = force();
+            both("setForce", c -> c.setForce(handle, x, y));
+        }
+
+        private void applyForce(long handle) {
+            float x = force();
+            float y = force();
+            both("applyForce", c -> c.applyForce(handle, x, y));
+        }
+
+        private float force() {
+            return random.nextInt(4) == 0 ? -0f : 10f * mass(2f) * value(-size, size);
+        }
+
         private void setMotion() {
             int kind = kind();
             float scale = random.nextInt(3) == 0 ? random.nextInt(3) - 1 : value(-2f, 3f);
@@ -280,9 +298,11 @@ class ReferenceFuzzTest {
         }
 
         private float mass() {
-            return random.nextInt(8) == 0
-                    ? Float.POSITIVE_INFINITY
-                    : (float) StrictMath.pow(10, random.nextInt(5) - 2) * value(1f, 2f);
+            return random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : mass(2f);
+        }
+
+        private float mass(float most) {
+            return (float) StrictMath.pow(10, random.nextInt(5) - 2) * value(1f, most);
         }
 
         private float speed() {

@@ -55,6 +55,10 @@ public interface WorldCalls {
 
     void applyImpulse(long handle, float x, float y);
 
+    void setForce(long handle, float x, float y);
+
+    void applyForce(long handle, float x, float y);
+
     void setGravity(float x, float y);
 
     void setBounds(float minX, float minY, float maxX, float maxY);

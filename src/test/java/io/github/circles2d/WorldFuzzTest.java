@@ -163,7 +163,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(24)) {
+            switch (random.nextInt(25)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -181,6 +181,7 @@ class WorldFuzzTest {
                 case 21 -> setGroup();
                 case 22 -> setPairs();
                 case 23 -> setMotion();
+                case 24 -> setForce();
                 default -> step();
             }
         }
@@ -322,6 +323,20 @@ class WorldFuzzTest {
                 world.kind(kind).setGreatestSpeed(most);
                 assertThat(world.kind(kind).greatestSpeed()).isEqualTo(most);
             });
+        }
+
+        private void setForce() {
+            long handle = handle();
+            float x = value(-1e18f, 1e18f);
+            float y = value(-1, 1);
+            last = "setForce " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                world.setForce(handle, x, y);
+                assertThat(world.forceX(handle)).isEqualTo(x + 0f);
+                assertThat(world.forceY(handle)).isEqualTo(y + 0f);
+            });
+            last = "applyForce " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> world.applyForce(handle, x, y));
         }
 
         private void setGroup() {

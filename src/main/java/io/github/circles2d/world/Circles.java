@@ -271,6 +271,52 @@ public final class Circles {
         }
     }
 
+    /** Sets the force on a circle. */
+    public void setForce(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.force(x, y);
+            simulation.expect(2);
+            handles.fields().ensure(CircleField.FORCE_X, id + 1);
+            handles.fields().ensure(CircleField.FORCE_Y, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            enter(CircleField.FORCE_X, id, Forces.bits(x));
+            enter(CircleField.FORCE_Y, id, Forces.bits(y));
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Applies a force to a circle in the next step. */
+    public void applyForce(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.force(x, y);
+            simulation.forces.ensure();
+            handles.fields().ensure(CircleField.APPLIED_X, id + 1);
+            handles.fields().ensure(CircleField.APPLIED_Y, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            simulation.forces.apply(id, x, y);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** A component of the force that is set for a circle: {@link CircleField#FORCE_X} or {@code FORCE_Y}. */
+    public float force(CircleField component, long handle) {
+        return Float.intBitsToFloat((int) get(component, handle));
+    }
+
     /** Takes down the value of a field, for which there is room. */
     private void enter(CircleField field, int id, long value) {
         handles.fields().set(field, id, value);

@@ -89,11 +89,6 @@ public final class Kinds {
         }
     }
 
-    /** Whether some circle may move by its kind. */
-    boolean drive() {
-        return table.moves();
-    }
-
     /** The restitution that a circle gets with a kind, or else. */
     float restitution(int kind, float otherwise) {
         float own = Float.intBitsToFloat(table.get(KindField.RESTITUTION, kind));

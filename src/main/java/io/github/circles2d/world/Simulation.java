@@ -23,6 +23,7 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final KindTable kindTable = new KindTable();
+    final Forces forces = new Forces(this);
     final LastReading last;
     private final Kinds kinds;
     private final Circles circles;
@@ -171,25 +172,37 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             applyCommands();
-            guard.changing = true;
-            emptyStep = handles.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
-                constants.setMotion(kinds.drive(), kindTable);
-                levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
+            boolean applied = forces.begin();
+            makeSteps(timeStep, applied ? 1 : steps);
+            if (applied) {
+                forces.end();
+                if (steps > 1) {
+                    applyCommands();
+                    makeSteps(timeStep, steps - 1);
+                }
             }
-            snapshots.forget();
-            previousTimeStep = timeStep;
-            guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    private void makeSteps(float timeStep, int steps) {
+        guard.changing = true;
+        emptyStep = handles.size() == 0;
+        if (!emptyStep) {
+            changed();
+            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+            constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+            constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
+            constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
+            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            pipeline.step(constants, levels, steps);
+        }
+        snapshots.forget();
+        previousTimeStep = timeStep;
+        guard.changing = false;
     }
 
     /** Waits until all steps that were asked for have been made. */

@@ -65,12 +65,14 @@ public final class Snapshots {
             int length = SnapshotCodec.read(from, saved);
             simulation.finishSteps();
             handles.makeRoom(saved);
+            simulation.forces.makeRoom(saved);
             pipeline.makeRoom(saved);
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;
             handles.load(saved);
             simulation.kindTable.copy(saved.kinds);
+            simulation.forces.restored(saved);
             simulation.commands.clear();
             pipeline.load(saved);
             simulation.restored(saved.parameters());

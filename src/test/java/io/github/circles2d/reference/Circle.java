@@ -19,8 +19,15 @@ final class Circle {
     float restitution;
     int kind;
     int group;
+    final float[] force = new float[2];
+
+    /** What acts in the next step alone. */
+    final float[] appliedForce = new float[2];
 
     // within a step
+    /** The whole force in this step. */
+    final float[] actingForce = new float[2];
+
     /** What is added to the velocity in a sub-step. */
     final float[] gain = new float[2];
 

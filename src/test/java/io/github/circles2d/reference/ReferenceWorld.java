@@ -15,12 +15,15 @@ import java.util.Objects;
  */
 public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
+    private static final float GREATEST_FORCE = 1e18f;
 
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
     private static final long FIELD = 0x666965E5C2D1F01DL;
     private static final int KIND_FIELD = 2;
     private static final int GROUP_FIELD = 3;
+    private static final int FORCE_FIELDS = 4;
+    private static final int APPLIED_FORCE_FIELDS = 6;
 
     private final float restitution;
     private final int subSteps;
@@ -62,6 +65,13 @@ public final class ReferenceWorld implements WorldCalls {
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
+            for (Circle c : circles()) {
+                c.actingForce[0] = c.force[0];
+                c.actingForce[1] = c.force[1];
+                addForce(c.actingForce, c.appliedForce[0], c.appliedForce[1]);
+                c.appliedForce[0] = 0f;
+                c.appliedForce[1] = 0f;
+            }
             if (size() > 0) {
                 new Step(circles(), parameters(dt), kinds).make(impulseCache, warmScale);
             }
@@ -210,6 +220,23 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setForce(long handle, float x, float y) {
+        // A zero is always +0.
+        find(handle).force[0] = x + 0f;
+        find(handle).force[1] = y + 0f;
+    }
+
+    @Override
+    public void applyForce(long handle, float x, float y) {
+        addForce(find(handle).appliedForce, x, y);
+    }
+
+    private static void addForce(float[] to, float x, float y) {
+        to[0] = Numbers.clamp(to[0] + x, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+        to[1] = Numbers.clamp(to[1] + y, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+    }
+
+    @Override
     public void setGravity(float gx, float gy) {
         gravity = new float[] {gx, gy};
     }
@@ -233,6 +260,10 @@ public final class ReferenceWorld implements WorldCalls {
         long sum = kinds.hash();
         for (Circle c : circles()) {
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
+            for (int a = 0; a < 2; a++) {
+                sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));
+                sum += hashOfField(APPLIED_FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.appliedForce[a]));
+            }
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);

@@ -48,6 +48,9 @@ final class Step {
         float scale = kinds.getFloat(c.kind, Kinds.GRAVITY_SCALE);
         for (int a = 0; a < 2; a++) {
             c.gain[a] = limitSpeed(k.gravity()[a] * scale) * k.h();
+            if (c.actingForce[a] != 0f) {
+                c.gain[a] = limitSpeed(c.gain[a] + c.actingForce[a] * c.inverseMass() * k.h());
+            }
         }
     }
 

@@ -20,15 +20,7 @@ final class FieldSections {
     static int count(SavedState s) {
         int count = 0;
         for (CircleField field : CircleField.ALL) {
-            count += values(s.fields, field) > 0 ? 1 : 0;
-        }
-        return count;
-    }
-
-    private static int values(CircleFields fields, CircleField field) {
-        int count = 0;
-        for (int id = 0; id < fields.end(field); id++) {
-            count += fields.get(field, id) != field.initial() ? 1 : 0;
+            count += s.fields.used(field) > 0 ? 1 : 0;
         }
         return count;
     }
@@ -56,7 +48,7 @@ final class FieldSections {
 
     static void write(SavedState s, ByteBuffer out) {
         for (CircleField field : CircleField.ALL) {
-            int values = values(s.fields, field);
+            int values = s.fields.used(field);
             if (values > 0) {
                 out.putInt(field.number()).putInt(values);
                 int previous = -1;

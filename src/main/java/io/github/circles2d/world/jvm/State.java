@@ -264,12 +264,21 @@ public final class State {
 
     /** What gravity and a force add to a circle's speed along x in a sub-step. */
     float gainX(int slot, StepConstants k) {
-        return kindMotion == null ? k.gravityStepX : kindMotion[motionRow(slot) + KindMotion.GAIN_X];
+        return kindMotion == null
+                ? k.gravityStepX
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, k);
     }
 
     /** What gravity and a force add to a circle's speed along y in a sub-step. */
     float gainY(int slot, StepConstants k) {
-        return kindMotion == null ? k.gravityStepY : kindMotion[motionRow(slot) + KindMotion.GAIN_Y];
+        return kindMotion == null
+                ? k.gravityStepY
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, k);
+    }
+
+    private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
+        float w = traits[CircleRow.of(slot) + INVERSE_MASS];
+        return CircleMath.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
     /** Whether a circle has an infinite mass. */

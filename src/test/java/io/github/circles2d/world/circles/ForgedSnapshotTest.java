@@ -50,8 +50,11 @@ class ForgedSnapshotTest {
             world.setGroup(world.add(80, 21, 1, 1), -7);
             world.kind(3).setMask(5).setRestitution(0.25f).setSensor(true);
             world.setResponse(0, 3, Response.SOLID);
+            world.kind(3).setDamping(2).setGravityScale(-1).setGreatestSpeed(7);
+            world.setForce(world.add(85, 21, 1, 1), -7, 3);
             world.remove(world.add(50, 20, 1, 1));
             world.step(1 / 60f, 30);
+            world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
             for (int k = 0; k < FORGERIES; k++) {

@@ -262,6 +262,10 @@ final class Twins implements AutoCloseable {
                     if (id % 11 == 0) {
                         simulation.circles().set(Commands.MASS, handles[id], Float.POSITIVE_INFINITY, 0);
                     }
+                    if (id % 7 == 0) {
+                        simulation.circles().setForce(handles[id], 0.5f, -1);
+                        simulation.circles().applyForce(handles[id], -3, 0.25f);
+                    }
                     simulation.circles().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
                 }
             }
@@ -278,8 +282,14 @@ final class Twins implements AutoCloseable {
     /** Gives the circle that had an id last the allowed value that is nearest to a number. */
     private void setField(CircleField field, int id, long number) {
         if (lives(id)) {
-            long value = Math.max(field.least(), Math.min(number, field.greatest()));
+            long value = field.isFloat()
+                    ? Float.floatToIntBits((int) (number % 64) / 16f)
+                    : Math.max(field.least(), Math.min(number, field.greatest()));
             for (Simulation simulation : simulations) {
+                if (field == CircleField.APPLIED_X || field == CircleField.APPLIED_Y) {
+                    simulation.circles().applyForce(handles[id], Float.intBitsToFloat((int) value), 0.5f);
+                    continue;
+                }
                 simulation.circles().set(field, handles[id], value);
             }
         }
