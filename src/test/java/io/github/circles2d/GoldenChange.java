@@ -87,7 +87,7 @@ interface GoldenChange {
         }
     }
 
-    /** Circles get kinds and groups, and what kinds do to each other changes while they touch. */
+    /** Circles get kinds, groups and forces, and what kinds do to each other changes while they touch. */
     static void kinds(GoldenScene.Run run) {
         WorldCalls world = run.calls();
         SplittableRandom random = run.random();
@@ -96,6 +96,10 @@ interface GoldenChange {
         for (int k = 0; k < n / 16; k++) {
             world.setKind(handles[random.nextInt(n)], random.nextInt(4));
             world.setGroup(handles[random.nextInt(n)], random.nextInt(3));
+        }
+        for (int k = 0; k < 8; k++) {
+            world.setForce(handles[random.nextInt(n)], 20 * unit(random) - 10, 10 * unit(random));
+            world.applyForce(handles[random.nextInt(n)], 200 * unit(random) - 100, 0);
         }
         switch (random.nextInt(5)) {
             case 4 -> world.setMotion(random.nextInt(4), 2 * unit(random), unit(random), 1 + unit(random));
