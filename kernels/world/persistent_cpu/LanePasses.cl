@@ -43,8 +43,8 @@ float4 fallsOfPairs(const World *w, uint4 i, uint4 j, float4 invMassA, float4 in
     return nx * (float4)(x.x, y.x, z.x, u.x) + ny * (float4)(x.y, y.y, z.y, u.y);
 }
 
-// The biased pass over a wide contact.
-INLINE void solveWide(const World *w, int wide) {
+// The biased pass over a wide contact. driving: whether that of the step is not 0, so that a loop decides it once.
+INLINE void solveWide(const World *w, int wide, bool driving) {
     uint4 i = slotsOf(w, wide, 0);
     uint4 j = slotsOf(w, wide, 1);
     global float4 *masses = massesOf(w, wide);
@@ -62,7 +62,7 @@ INLINE void solveWide(const World *w, int wide) {
     found.before = along4(nx, ny, beforeX, beforeY);
     found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
     float4 fall = nx * w->k.gravityStepX + ny * w->k.gravityStepY;
-    if (w->k.driving) fall = fallsOfPairs(w, i, j, masses[0], masses[1], nx, ny);
+    if (driving) fall = fallsOfPairs(w, i, j, masses[0], masses[1], nx, ny);
     found.halfFall = halfFall4(fall, masses[0], masses[1]);
     Ready4 ready;
     makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, &ready);
@@ -138,7 +138,12 @@ INLINE void relaxWide(const World *w, int wide, bool last) {
 void solveRow(const World *shared, int row) {
     World w = *shared;
     int end = w.groupStart[2 * row + 1];
-    for (int wide = w.groupStart[2 * row]; wide < end; wide++) solveWide(&w, wide);
+    int from = w.groupStart[2 * row];
+    if (w.k.driving) {
+        for (int wide = from; wide < end; wide++) solveWide(&w, wide, true);
+    } else {
+        for (int wide = from; wide < end; wide++) solveWide(&w, wide, false);
+    }
 }
 
 #define MEASURED_AHEAD 32 // wide contacts
