@@ -93,6 +93,7 @@ void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
+    w->subStep = 0;
     if (get_global_id(0) == 0) startStep(w);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
@@ -110,12 +111,16 @@ void listAll(World *w, local Local *l) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
         EACH(slot, w->circles) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, false);
+            if (looksAhead(w, slot)) lookAhead(w, slot, STOPS);
         }
         deviceBarrier(arrivals);
-        if (w->status[PUSHED]) {
+        if (w->status[CARRYING]) {
             EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, true);
+                if (looksAhead(w, slot)) lookAhead(w, slot, CARRY_TIMES);
+            }
+            deviceBarrier(arrivals);
+            EACH(slot, w->circles) {
+                if (looksAhead(w, slot)) lookAhead(w, slot, CARRIERS);
             }
             deviceBarrier(arrivals);
         }
@@ -147,7 +152,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t) {
+void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -157,6 +162,7 @@ void solveAll(const World *w, local Tile *t) {
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
+        w->subStep = subStep + (relaxing ? 1 : 0); // circles start into the next one
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);

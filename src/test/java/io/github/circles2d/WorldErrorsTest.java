@@ -61,6 +61,8 @@ class WorldErrorsTest {
     private static void callRead(World world, String method) {
         switch (method) {
             case "readCircles" -> {
+                assertThat(catchThrowable(() -> world.queries().pick(0.4f, 0.5f)))
+                        .isNotNull();
                 assertThat(catchThrowable(() -> world.x(1L << 32))).isNotNull();
                 world.read(new float[8]);
             }

@@ -10,7 +10,9 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -112,6 +114,12 @@ class WorldFuzzTest {
         /** The positions at the last request that has not been taken; null where there is none. */
         private float[] requested;
 
+        /** The handles of the circles at that request. */
+        private long[] requestedHandles = {};
+
+        /** Those of them that have been there all the time since. */
+        private final Set<Long> survivors = new TreeSet<>();
+
         private String last = "";
 
         Program(long seed, World twin) {
@@ -159,11 +167,25 @@ class WorldFuzzTest {
             ask(bad(e), () -> builder.restitution(e));
             int subSteps = random.nextInt(19);
             ask(subSteps < 1 || subSteps > 16, () -> builder.subSteps(subSteps));
+            if (random.nextInt(3) == 0) {
+                setContacts(builder);
+            }
             return builder.build();
         }
 
+        private void setContacts(World.Builder builder) {
+            float threshold = random.nextBoolean() ? value(0, 1e9f) : value(0, 1);
+            ask(!(threshold >= 0) || bad(threshold), () -> builder.restitutionThreshold(threshold));
+            float frequency = random.nextBoolean() ? value(1, 10_000) : value(1, 80);
+            ask(!(frequency >= 1) || bad(frequency), () -> builder.contactFrequency(frequency));
+            float damping = random.nextInt(3) * value(0, 500);
+            ask(!(damping >= 0) || bad(damping), () -> builder.contactDamping(damping));
+            float speed = random.nextInt(3) * value(0, 50);
+            ask(!(speed >= 0) || bad(speed), () -> builder.greatestPushOutSpeed(speed));
+        }
+
         private void call() {
-            switch (random.nextInt(25)) {
+            switch (random.nextInt(29)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -182,6 +204,10 @@ class WorldFuzzTest {
                 case 22 -> setPairs();
                 case 23 -> setMotion();
                 case 24 -> setForce();
+                case 25 -> changeSome();
+                case 26 -> removeSome();
+                case 27 -> explode();
+                case 28 -> query();
                 default -> step();
             }
         }
@@ -231,6 +257,7 @@ class WorldFuzzTest {
                 world.remove(handle);
                 model.circles.remove(handle);
                 stale.add(handle);
+                survivors.remove(handle);
             });
         }
 
@@ -238,8 +265,15 @@ class WorldFuzzTest {
             long handle = handle();
             float x = value(model.minX, model.maxX);
             float y = value(model.minY, model.maxY);
-            last = "setPosition " + x + " " + y;
-            ask(unknown(handle) || bad(x) || bad(y), () -> world.setPosition(handle, x, y));
+            boolean teleports = random.nextBoolean();
+            last = (teleports ? "teleport " : "setPosition ") + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                if (teleports) {
+                    world.teleport(handle, x, y);
+                } else {
+                    world.setPosition(handle, x, y);
+                }
+            });
         }
 
         private void setVelocity() {
@@ -370,12 +404,90 @@ class WorldFuzzTest {
             });
         }
 
+        /** Queries with what may be hostile are refused or answered; those that are answered find what a look at all finds. */
+        private void query() {
+            float w = model.maxX - model.minX;
+            float h = model.maxY - model.minY;
+            float x = value(model.minX - 0.2f * w, model.maxX + 0.2f * w);
+            float y = value(model.minY - 0.2f * h, model.maxY + 0.2f * h);
+            float radius = random.nextInt(3) == 0 ? radius() : value(0, w);
+            float toX = random.nextInt(4) == 0 ? x : value(model.minX, model.maxX);
+            float toY = random.nextInt(4) == 0 ? y : value(model.minY, model.maxY);
+            last = "query " + x + " " + y + " " + radius + " " + toX + " " + toY;
+            boolean bad = bad(x) || bad(y) || bad(radius) || radius < 0 || bad(toX - x) || bad(toY - y);
+            ask(bad, () -> new QueryComparison(world).compare(x, y, radius, toX, toY));
+        }
+
         private void impulse() {
             long handle = handle();
             float x = value(-1e18f, 1e18f);
             float y = value(-1, 1);
             last = "applyImpulse " + x + " " + y;
             ask(unknown(handle) || bad(x) || bad(y), () -> world.applyImpulse(handle, x, y));
+        }
+
+        private void changeSome() {
+            int call = random.nextInt(3);
+            float x = call == 0 ? model.minX : call == 1 ? -speed() : -1e18f;
+            float y = call == 0 ? model.minY : call == 1 ? -speed() : -1;
+            float toX = call == 0 ? model.maxX : -x;
+            float toY = call == 0 ? model.maxY : -y;
+            long[] handles = new long[random.nextInt(6)];
+            float[] values = new float[2 * handles.length];
+            boolean bad = false;
+            int unknown = 0;
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                values[2 * k] = value(x, toX);
+                values[2 * k + 1] = value(y, toY);
+                unknown += unknown(handles[k]) ? 1 : 0;
+                bad |= !unknown(handles[k]) && (bad(values[2 * k]) || bad(values[2 * k + 1]));
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = unknown;
+            last = "change " + call + " of some, " + stale + " " + Arrays.toString(values);
+            ask(bad || skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                int result =
+                        switch (call) {
+                            case 0 -> world.setPositions(handles, handles.length, values, stale);
+                            case 1 -> world.setVelocities(handles, handles.length, values, stale);
+                            default -> world.applyImpulses(handles, handles.length, values, stale);
+                        };
+                assertThat(result).isEqualTo(skipped);
+            });
+        }
+
+        private void removeSome() {
+            long[] handles = new long[random.nextInt(4)];
+            Set<Long> known = new TreeSet<>();
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                if (!unknown(handles[k])) {
+                    known.add(handles[k]);
+                }
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = handles.length - known.size();
+            last = "removeAll " + Arrays.toString(handles) + " " + stale;
+            ask(skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                assertThat(world.removeAll(handles, handles.length, stale)).isEqualTo(skipped);
+                known.forEach(model.circles::remove);
+                this.stale.addAll(known);
+                survivors.removeAll(known);
+            });
+        }
+
+        private void explode() {
+            float x = value(model.minX, model.maxX);
+            float y = value(model.minY, model.maxY);
+            float size = model.maxX - model.minX;
+            float radius = value(0, size);
+            float falloff = value(0, size);
+            float impulse = value(-speed(), speed());
+            last = "explode " + x + " " + y + " " + radius + " " + impulse + " " + falloff;
+            ask(bad(x) || bad(y) || !(radius >= 0) || !(falloff >= 0) || bad(impulse) || bad(radius + falloff), () -> {
+                assertThat(world.explode(x, y, radius, impulse, falloff)).isBetween(0, model.circles.size());
+            });
         }
 
         private void setWorld() {
@@ -385,7 +497,7 @@ class WorldFuzzTest {
                 last = "setGravity " + gx + " " + gy;
                 ask(bad(gx) || bad(gy), () -> world.setGravity(gx, gy));
             } else {
-                float w = model.maxX - model.minX;
+                float w = (model.maxX - model.minX) * (float) StrictMath.pow(10, -random.nextInt(3));
                 float[] b = {
                     value(model.minX, model.minX + 0.3f * w),
                     value(model.minY - w, model.minY + w),
@@ -406,8 +518,12 @@ class WorldFuzzTest {
                 assertThatIllegalStateException().isThrownBy(world::takePositions);
             } else if (random.nextBoolean()) {
                 last = "takePositions";
-                FloatBuffer taken = world.takePositions();
-                assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                if (random.nextBoolean()) {
+                    FloatBuffer taken = world.takePositions();
+                    assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                } else {
+                    takeById();
+                }
                 requested = null;
                 return;
             }
@@ -415,10 +531,27 @@ class WorldFuzzTest {
             float[] circles = new float[4 * world.size()];
             world.read(circles);
             world.requestPositions();
+            requestedHandles = new long[world.size()];
+            world.readHandles(requestedHandles);
+            survivors.clear();
+            Arrays.stream(requestedHandles).forEach(survivors::add);
             requested = new float[2 * world.size()];
             for (int i = 0; i < requested.length; i++) {
                 requested[i] = circles[4 * (i / 2) + i % 2];
             }
+        }
+
+        /** Shown are the circles of the request that are still there. */
+        private void takeById() {
+            FloatBuffer taken = world.takePositionsById(null);
+            float[] expected = new float[taken.limit()];
+            Arrays.fill(expected, Float.NaN);
+            for (int k = 0; k < requestedHandles.length; k++) {
+                if (survivors.contains(requestedHandles[k])) {
+                    System.arraycopy(requested, 2 * k, expected, 2 * World.id(requestedHandles[k]), 2);
+                }
+            }
+            assertThat(taken).isEqualTo(FloatBuffer.wrap(expected));
         }
 
         private void saveOrRestore() {
@@ -444,6 +577,7 @@ class WorldFuzzTest {
                 requested = null;
             }
             world.restore(snapshot.duplicate());
+            survivors.removeIf(handle -> !world.contains(handle));
             model = snapshotModel.copy();
             stale = new ArrayList<>(snapshotStale);
             check();
@@ -495,9 +629,17 @@ class WorldFuzzTest {
             world.read(circles);
             world.readVelocities(velocities);
             world.readHandles(handles);
+            float[] byId = new float[4 * world.idLimit()];
+            long[] living = new long[world.idLimit() / 64 + 1];
+            world.readById(byId, living);
+            assertThat(Arrays.stream(living).map(Long::bitCount).sum()).isEqualTo(n);
             int k = 0;
             for (Map.Entry<Long, float[]> entry : model.circles.entrySet()) {
+                int id = World.id(handles[k]);
                 boolean sound = handles[k] == entry.getKey()
+                        && handles[k] == world.handle(id)
+                        && Arrays.equals(circles, 4 * k, 4 * k + 4, byId, 4 * id, 4 * id + 4)
+                        && (living[id / 64] >>> id & 1) != 0
                         && circles[4 * k] >= model.minX
                         && circles[4 * k] <= model.maxX
                         && circles[4 * k + 1] >= model.minY

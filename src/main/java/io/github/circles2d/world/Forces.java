@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.CircleFields;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
@@ -14,7 +15,6 @@ import java.util.Arrays;
  * once more.
  */
 final class Forces {
-    private final Simulation simulation;
     private final CircleFields fields;
     private final Commands commands;
 
@@ -23,10 +23,9 @@ final class Forces {
 
     private int count;
 
-    Forces(Simulation simulation) {
-        this.simulation = simulation;
-        fields = simulation.handles.fields();
-        commands = simulation.commands;
+    Forces(HandleTable handles, Commands commands) {
+        this.commands = commands;
+        fields = handles.fields();
     }
 
     /** Whether some circle has a force, or has had one. */
@@ -67,11 +66,13 @@ final class Forces {
         return Float.floatToRawIntBits(force + 0f);
     }
 
-    /** Hands over what acts in the next step alone. Returns whether there is anything; then {@link #end} must follow that step. */
-    boolean begin() {
-        if (count == 0) {
-            return false;
-        }
+    /** Whether no force acts in the next step alone. */
+    boolean isEmpty() {
+        return count == 0;
+    }
+
+    /** Before the step: records what acts in it alone. */
+    void begin() {
         commands.ensure(2 * count);
         for (int k = 0; k < count; k++) {
             if (isApplied(ids[k])) {
@@ -79,15 +80,13 @@ final class Forces {
                 hand(ids[k], CircleField.FORCE_Y, CircleField.APPLIED_Y);
             }
         }
-        simulation.applyCommands();
-        return true;
     }
 
     private void hand(int id, CircleField set, CircleField applied) {
         commands.setField(set, id, bits(sum(fields.getFloat(set, id), fields.getFloat(applied, id))));
     }
 
-    /** Puts back what has been set. There is room, since as many records were there for {@link #begin}. */
+    /** After the step: puts back what has been set. There is room, since as many records were there for {@link #begin}. */
     void end() {
         for (int k = 0; k < count; k++) {
             int id = ids[k];

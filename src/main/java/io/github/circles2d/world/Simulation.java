@@ -5,15 +5,17 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Collections;
 
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -23,20 +25,28 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final KindTable kindTable = new KindTable();
-    final Forces forces = new Forces(this);
+    final Forces forces = new Forces(handles, commands);
     final LastReading last;
     private final Kinds kinds;
+    final Travels travels = new Travels(handles, commands);
     private final Circles circles;
+    private final BulkChanges bulk;
     private final Readings readings;
     private final Snapshots snapshots;
+    private final Searches searches;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
     Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
     private float gravityX;
     private float gravityY;
     float defaultRestitution;
     private int subSteps;
+    private ContactSettings contacts;
     private float previousTimeStep;
 
     /** Whether the last step had no circles; also if there has been none, or none since a restore. */
@@ -54,9 +64,17 @@ public final class Simulation implements AutoCloseable {
         last = new LastReading(pipeline, handles, this::settle);
         kinds = new Kinds(this);
         circles = new Circles(this);
+        bulk = new BulkChanges(this);
         readings = new Readings(this);
         snapshots = new Snapshots(this);
+        searches = new Searches(this);
         setParameters(start);
+        try {
+            pipeline.prepare(contacts);
+        } catch (RuntimeException | Error e) {
+            pipeline.close();
+            throw e;
+        }
     }
 
     /** The calls on circles. */
@@ -69,6 +87,11 @@ public final class Simulation implements AutoCloseable {
         return kinds;
     }
 
+    /** The calls that change many circles at once. */
+    public BulkChanges bulk() {
+        return bulk;
+    }
+
     /** The reads. */
     public Readings readings() {
         return readings;
@@ -77,6 +100,11 @@ public final class Simulation implements AutoCloseable {
     /** The snapshots. */
     public Snapshots snapshots() {
         return snapshots;
+    }
+
+    /** The searches for circles. */
+    public Searches searches() {
+        return searches;
     }
 
     /** Changes gravity. */
@@ -112,7 +140,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves the walls, and brings circles that are left outside to the nearest place inside. */
+    /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
@@ -124,8 +152,11 @@ public final class Simulation implements AutoCloseable {
             }
             applyCommands();
             changed();
+            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(next);
+            pipeline.confine(start, next);
+            travels.confine(next);
+            wallStart = start;
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -165,21 +196,28 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** How contacts are. */
+    public ContactSettings contacts() {
+        guard.enter();
+        try {
+            return contacts;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Makes steps. */
     public void step(float timeStep, int steps) {
         guard.enter();
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            boolean applied = forces.begin();
-            makeSteps(timeStep, applied ? 1 : steps);
-            if (applied) {
-                forces.end();
-                if (steps > 1) {
-                    applyCommands();
-                    makeSteps(timeStep, steps - 1);
-                }
+            int first = hasFirstStep() ? 1 : 0;
+            if (first > 0) {
+                makeFirstStep(timeStep);
+            }
+            if (steps > first) {
+                makeSteps(timeStep, steps - first);
             }
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
@@ -188,13 +226,41 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** Whether the next step is another than those behind it: some static circle travels, a wall moves, or a force is applied. */
+    private boolean hasFirstStep() {
+        return !travels.isEmpty() || !forces.isEmpty() || !wallStart.equals(bounds);
+    }
+
+    /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
+    private void makeFirstStep(float timeStep) {
+        forces.begin();
+        travels.makeRoom();
+        guard.changing = true;
+        travels.depart(timeStep);
+        guard.changing = false;
+        try {
+            makeSteps(timeStep, 1);
+        } catch (RuntimeException | Error e) {
+            if (!guard.changing) {
+                travels.stay();
+            }
+            throw e;
+        }
+        guard.changing = true;
+        wallStart = bounds;
+        travels.arrive();
+        forces.end();
+        guard.changing = false;
+    }
+
     private void makeSteps(float timeStep, int steps) {
+        applyCommands();
         guard.changing = true;
         emptyStep = handles.size() == 0;
         if (!emptyStep) {
             changed();
             float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-            constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
+            constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
@@ -222,7 +288,10 @@ public final class Simulation implements AutoCloseable {
         guard.enter();
         try {
             settle();
-            return pipeline.hash() + handles.fields().hash() + kindTable.hash();
+            return pipeline.hash()
+                    + handles.fields().hash()
+                    + kindTable.hash()
+                    + WorldParameters.hash(bounds, wallStart, contacts);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -252,7 +321,8 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
-        return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
+        return new WorldParameters(
+                bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
     }
 
     /** A snapshot has taken the place of all that was. */
@@ -263,10 +333,12 @@ public final class Simulation implements AutoCloseable {
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
+        contacts = p.contacts();
         previousTimeStep = p.previousTimeStep();
     }
 

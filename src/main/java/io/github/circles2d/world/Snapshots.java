@@ -66,7 +66,9 @@ public final class Snapshots {
             simulation.finishSteps();
             handles.makeRoom(saved);
             simulation.forces.makeRoom(saved);
+            simulation.travels.makeRoom(saved);
             pipeline.makeRoom(saved);
+            pipeline.prepare(saved.parameters().contacts());
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;
@@ -74,6 +76,7 @@ public final class Snapshots {
             simulation.kindTable.copy(saved.kinds);
             simulation.forces.restored(saved);
             simulation.commands.clear();
+            simulation.travels.restored();
             pipeline.load(saved);
             simulation.restored(saved.parameters());
             guard.changing = false;

@@ -30,11 +30,36 @@ class DocumentationTest {
 
     @Test
     void theGameLoopOfTheReadmeCompilesWithoutAWarning(@TempDir Path folder) throws IOException {
+        assertCompiles("Game", block(read("README.md"), "java"), folder);
+    }
+
+    @Test
+    void theLoopWithASteadyStepOfTheReadmeCompilesInAGame(@TempDir Path folder) throws IOException {
+        String loop = first("(?s)```java\\n(FixedStep .*?)```", read("README.md"));
+        String game = "abstract class Loop { io.github.circles2d.World world; long player;"
+                + " abstract float stickX(); abstract float stickY(); abstract boolean playing();"
+                + " abstract float secondsSinceTheLastFrame(); abstract void draw(float x, float y);"
+                + " void run() {\n" + loop + "} }";
+        String imports = "import io.github.circles2d.FixedStep; import io.github.circles2d.World;"
+                + " import java.nio.FloatBuffer;\n";
+        assertCompiles("Loop", imports + game, folder);
+    }
+
+    @Test
+    void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
+        assertCompiles(
+                "Game",
+                "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
+                        + code + "}}",
+                folder);
+    }
+
+    private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
-        String code = block(read("README.md"), "java");
         JavaFileObject source =
-                new SimpleJavaFileObject(URI.create("string:///Game.java"), JavaFileObject.Kind.SOURCE) {
+                new SimpleJavaFileObject(URI.create("string:///" + name + ".java"), JavaFileObject.Kind.SOURCE) {
                     @Override
                     public CharSequence getCharContent(boolean ignoreEncodingErrors) {
                         return code;
@@ -53,7 +78,7 @@ class DocumentationTest {
         boolean compiles = compiler.getTask(log, null, null, options, null, List.of(source))
                 .call();
         assertThat(compiles).as(log.toString()).isTrue();
-        assertThat(folder.resolve("Game.class")).exists();
+        assertThat(folder.resolve(name + ".class")).exists();
     }
 
     @Test

@@ -82,9 +82,9 @@ final class Contact extends Constraint {
 
     /** By a lower threshold than that of circles that are carried: elastic ones bounce at any speed. */
     @Override
-    boolean isImpactInFlight(float vn) {
+    float squaredFlightThreshold() {
         float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
-        return vn * vn > gravityRate * (inelasticity * radii) + creep * creep;
+        return gravityRate * (inelasticity * radii) + creep * creep;
     }
 
     /** Not 0 only if one circle is static, since circles that both fall gain no speed against each other. */

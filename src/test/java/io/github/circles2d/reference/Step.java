@@ -35,9 +35,10 @@ final class Step {
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
-            circles.forEach(this::integrateVelocities);
+            int now = subStep;
+            circles.forEach(c -> integrateVelocities(c, now));
             contacts.forEach(Contact::solve);
-            circles.forEach(this::integratePositions);
+            circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
         }
         circles.forEach(this::finalizePositions);
@@ -86,7 +87,9 @@ final class Step {
             cut(c.path, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED) * k.dt());
         }
         c.pathLength = length(c.path);
-        if (!c.isStatic()) {
+        if (c.isStatic()) {
+            ContinuousCollision.cutStaticPath(c, k);
+        } else {
             ContinuousCollision.cutPath(c, k);
         }
         c.speculativeDistance = (c.radius + Circle.MARGIN * c.radius) + min(c.pathLength, Circle.CAP * c.radius);
@@ -131,7 +134,7 @@ final class Step {
         }
     }
 
-    private void integrateVelocities(Circle c) {
+    private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
@@ -142,14 +145,14 @@ final class Step {
         for (int a = 0; a < 2; a++) {
             if (!c.isStatic()) {
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
-                c.walls[a].measure();
+                c.walls[a].measure(subStep);
                 c.walls[a].apply(c.walls[a].normalImpulse);
-                c.walls[a].solve();
+                c.walls[a].solveInFrame();
             }
         }
     }
 
-    private void integratePositions(Circle c) {
+    private void integratePositions(Circle c, int subStep) {
         float[] to = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocity[a] = limitSpeed(c.velocity[a]);
@@ -160,12 +163,12 @@ final class Step {
         }
         for (int a = 0; a < 2; a++) {
             float x = c.base[a] + to[a];
-            float low = c.low(a, k);
-            float high = c.high(a, k);
+            float low = c.isStatic() ? c.low(a, k) : (k.min()[a] - k.behind(k.minIn()[a], subStep)) + c.radius;
+            float high = c.isStatic() ? c.high(a, k) : (k.max()[a] + k.behind(k.maxIn()[a], subStep)) - c.radius;
             c.displacement[a] = x < low ? low - c.base[a] : x > high ? high - c.base[a] : to[a];
             if (!c.isStatic()) {
                 c.walls[a].stopAtFarWall(to[a]);
-                c.walls[a].measure();
+                c.walls[a].measure(subStep);
                 c.walls[a].relax();
                 c.walls[a].storeImpulse();
             } else if (c.displacement[a] != to[a]) {

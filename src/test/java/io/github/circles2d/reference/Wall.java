@@ -15,6 +15,12 @@ final class Wall extends Constraint {
     /** The direction away from the wall: 1 for the lower wall, -1 for the upper. */
     private final float normal;
 
+    /** What the wall comes in during the step. */
+    private final float in;
+
+    /** The speed of the wall inwards, for this circle: it jumps if its way is longer than the radius. */
+    private final float speed;
+
     Wall(Circle c, int axis, StepParameters step) {
         super(step, WALL_STIFFNESS, Math.abs(step.gravity()[axis]), 2f * c.radius, c.restitution, 1f);
         this.c = c;
@@ -23,11 +29,35 @@ final class Wall extends Constraint {
         float belowMax = step.max()[axis] - c.base[axis];
         height = Numbers.min(belowMax, aboveMin);
         normal = aboveMin <= belowMax ? 1f : -1f;
+        in = normal > 0f ? step.minIn()[axis] : step.maxIn()[axis];
+        speed = moves(in, c) ? Numbers.limitSpeed(in / step.dt()) : 0f;
         normalImpulse = Numbers.max(normal * c.wallImpulse[axis], 0f);
     }
 
-    void measure() {
-        separation = (height - c.radius) + normal * c.displacement[axis];
+    /** Whether a circle feels the velocity of a wall. */
+    static boolean moves(float in, Circle c) {
+        return in != 0f && Math.abs(in) <= c.radius;
+    }
+
+    /** By where the wall is at the end of a sub-step. */
+    void measure(int subStep) {
+        separation = ((height - c.radius) + normal * c.displacement[axis]) + step.behind(in, subStep);
+    }
+
+    /** The biased visit of a wall that has been measured; in the frame of the wall, by where it is before the sub-step. */
+    void solveInFrame() {
+        float v = normal * c.velocity[axis];
+        float before = normal * c.velocityBeforeImpulses[axis];
+        boolean staysClear = separation > 0f
+                && normalImpulse == 0f
+                && separation * step.inverseH() + v >= 0f
+                && separation + before * step.h() >= 0f;
+        if (staysClear) {
+            bounceSpeed = 0f;
+            return;
+        }
+        separation += moves(in, c) ? step.sweep(in) : 0f;
+        solve();
     }
 
     /**
@@ -47,7 +77,7 @@ final class Wall extends Constraint {
 
     @Override
     float normalVelocity(Function<Circle, float[]> velocity) {
-        return normal * velocity.apply(c)[axis];
+        return normal * velocity.apply(c)[axis] - speed;
     }
 
     @Override

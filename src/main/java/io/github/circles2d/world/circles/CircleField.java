@@ -32,7 +32,13 @@ public enum CircleField {
     APPLIED_X(6, "applied force x", Limits.FORCE, false),
 
     /** The same along y. */
-    APPLIED_Y(7, "applied force y", Limits.FORCE, false);
+    APPLIED_Y(7, "applied force y", Limits.FORCE, false),
+
+    /**
+     * Where a static circle travels in the next step, as {@link #place} packs it; as it is at first, nowhere. Only
+     * {@code world.Travels} sets it, and a snapshot's is checked there.
+     */
+    TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false);
 
     /** All fields. */
     static final List<CircleField> ALL = List.of(values());
@@ -92,6 +98,21 @@ public enum CircleField {
     /** Whether a value is the bits of a float. */
     public boolean isFloat() {
         return most > 0;
+    }
+
+    /** The value of a field that is a place. */
+    public static long place(float x, float y) {
+        return Float.floatToRawIntBits(x) & 0xFFFFFFFFL | (long) Float.floatToRawIntBits(y) << Integer.SIZE;
+    }
+
+    /** x of a place. */
+    public static float placeX(long place) {
+        return Float.intBitsToFloat((int) place);
+    }
+
+    /** y of a place. */
+    public static float placeY(long place) {
+        return Float.intBitsToFloat((int) (place >> Integer.SIZE));
     }
 
     /** What snapshots and the hash know the field by. */

@@ -72,7 +72,7 @@ final class FieldSections {
         }
     }
 
-    /** Reads sections behind the records of the ids, those of fields and the one of kinds, and checks them. */
+    /** Reads sections behind the records of the ids, those of {@link ParameterSections} too, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.copy(new CircleFields(CircleField.ALL));
         s.kinds.clear();
@@ -83,8 +83,8 @@ final class FieldSections {
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
-            if (number == KindSection.NUMBER) {
-                KindSection.read(in, s.kinds, in.getInt());
+            if (number >= ParameterSections.FIRST) {
+                ParameterSections.read(in, s, number);
             } else {
                 readSection(in, s, field(number), in.getInt());
             }

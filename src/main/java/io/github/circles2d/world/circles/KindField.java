@@ -25,7 +25,7 @@ public enum KindField {
             ofFloat("gravity scale", -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE)),
 
     /** Damping, 1/s, a float. */
-    DAMPING(6, "damping", 0, ofFloat("damping", 0, Limits.DAMPING)),
+    DAMPING(6, "damping", 0, ofFloat("damping", 0, Limits.VELOCITY_DAMPING)),
 
     /** Greatest speed, a float. */
     GREATEST_SPEED(

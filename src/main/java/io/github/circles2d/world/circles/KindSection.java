@@ -4,27 +4,24 @@ import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 
 /**
- * The kinds of circles in a snapshot: a section behind those of {@link FieldSections}, if some kind is not as it is at first.
+ * The kinds of circles in a snapshot: a section of {@link ParameterSections}, if some kind is not as it is at first.
  *
  * <pre>
- * section    int {@link #NUMBER}, number of values, number of responses; for each value that is not the initial one, in ascending
- *            order of kind and field: byte kind, byte number of the field, int value; for each response that is set, in ascending
- *            order of both kinds: byte lesser kind, byte greater kind, byte setting
+ * section    int number of values, number of responses; for each value that is not the initial one, in ascending order of kind and
+ *            field: byte kind, byte number of the field, int value; for each response that is set, in ascending order of both kinds:
+ *            byte lesser kind, byte greater kind, byte setting
  * </pre>
  */
 final class KindSection {
-    /** Greater than the number of any field of circles. */
-    static final int NUMBER = 1000;
-
-    private static final int HEAD = 3 * Integer.BYTES;
+    private static final int HEAD = 2 * Integer.BYTES;
     private static final int VALUE = 2 + Integer.BYTES;
     private static final int RESPONSE = 3;
 
     private KindSection() {}
 
-    /** The number of sections: 1 or none. */
-    static int count(KindTable kinds) {
-        return values(kinds) + kinds.settings() > 0 ? 1 : 0;
+    /** Whether some kind is not as it is at first. */
+    static boolean isNeeded(KindTable kinds) {
+        return values(kinds) + kinds.settings() > 0;
     }
 
     private static int values(KindTable kinds) {
@@ -37,16 +34,13 @@ final class KindSection {
         return count;
     }
 
-    /** The length of the section. */
-    static long bytes(KindTable kinds) {
-        return count(kinds) == 0 ? 0 : HEAD + (long) VALUE * values(kinds) + (long) RESPONSE * kinds.settings();
+    /** The length of the section behind its number. */
+    static int bytes(KindTable kinds) {
+        return HEAD + VALUE * values(kinds) + RESPONSE * kinds.settings();
     }
 
     static void write(KindTable kinds, ByteBuffer out) {
-        if (count(kinds) == 0) {
-            return;
-        }
-        out.putInt(NUMBER).putInt(values(kinds)).putInt(kinds.settings());
+        out.putInt(values(kinds)).putInt(kinds.settings());
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             for (KindField field : KindField.ALL) {
                 if (kinds.get(field, kind) != field.initial()) {
@@ -63,9 +57,10 @@ final class KindSection {
         }
     }
 
-    /** Reads the section behind its number and its number of values, into kinds that are as they are at first, and checks it. */
-    static void read(ByteBuffer in, KindTable kinds, int values) {
-        SnapshotCodec.require(in.remaining() >= Integer.BYTES, "it ends early");
+    /** Reads the section behind its number, into kinds that are as they are at first, and checks it. */
+    static void read(ByteBuffer in, KindTable kinds) {
+        SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
+        int values = in.getInt();
         int responses = in.getInt();
         SnapshotCodec.require(
                 values >= 0

@@ -8,13 +8,14 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, the fields of circles that
- * are not the initial ones ({@link FieldSections}), and the kinds that are not as they are at first ({@link KindSection}). Equal states have equal bytes, whatever they were computed on.
+ * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, the fields of circles that are
+ * not the initial ones ({@link FieldSections}), and what most worlds have not ({@link ParameterSections}). Equal states have equal
+ * bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
  *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int number of sections
- *            of fields and kinds, 0 in snapshots of versions without them; long check
+ *            behind the records, 0 in snapshots of versions without them; long check
  * free id    byte flags; varint generation if it is not 0
  * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; if the flags say so: varint generation,
  *            float restitution (else the world's), wall impulse x, wall impulse y; number of impulses in the flags, or 7 and
@@ -66,7 +67,7 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s) + KindSection.bytes(s.kinds);
+        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s) + ParameterSections.bytes(s);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -111,7 +112,7 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s) + KindSection.count(s.kinds)).putLong(0);
+        out.putInt(FieldSections.count(s) + ParameterSections.count(s)).putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -130,7 +131,7 @@ public final class SnapshotCodec {
             impulse = end;
         }
         FieldSections.write(s, out);
-        KindSection.write(s.kinds, out);
+        ParameterSections.write(s, out);
         int length = out.position();
         out.putInt(LENGTH_AT, length);
         out.putLong(CHECK_AT, check(out, length));
@@ -240,6 +241,7 @@ public final class SnapshotCodec {
         FieldSections.read(in, s, sections);
         require(s.impulses == impulses && in.position() == length, "its records do not fit its header");
         checkPairs(s);
+        checkTargets(s);
         return length;
     }
 
@@ -348,6 +350,22 @@ public final class SnapshotCodec {
         }
         for (int k = 0; k < s.impulses; k++) {
             require(lives[s.hi[k]], "an impulse has no second circle");
+        }
+    }
+
+    /** Only static circles travel, and only to places within the bounds. */
+    private static void checkTargets(SavedState s) {
+        for (int k = 0; k < s.circles; k++) {
+            long target = s.fields.get(CircleField.TARGET, s.id[k]);
+            if (target != CircleField.TARGET.initial()) {
+                require(
+                        s.traits[CircleRow.STRIDE * k + CircleRow.INVERSE_MASS] == 0,
+                        "a circle travels that is not static");
+                Limits.position(
+                        CircleField.placeX(target),
+                        CircleField.placeY(target),
+                        s.parameters().bounds());
+            }
         }
     }
 

@@ -17,6 +17,7 @@ import io.github.circles2d.world.model.StepConstants;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Stage Grid: sorts the circles by (level, bucket), and by id within a bucket, so that a bucket's circles have consecutive
@@ -61,6 +62,9 @@ public final class Grid {
 
     private volatile boolean movingStatics;
 
+    /** The longest path of a circle that is not static, as the bits of a float, which sort like the float itself. */
+    private final AtomicInteger longestPath = new AtomicInteger();
+
     Grid(State state, GridLevels levels, Team team) {
         this.state = state;
         this.levels = levels;
@@ -85,6 +89,7 @@ public final class Grid {
         moved = false;
         fast = false;
         movingStatics = false;
+        longestPath.set(0);
     }
 
     void build(int worker, StepConstants constants) {
@@ -181,7 +186,9 @@ public final class Grid {
         float[] kinds = state.kindMotion;
         boolean some = false;
         boolean moving = false;
+        float longest = 0f;
         float least = leastRadius();
+        Bounds b = constants.bounds;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
@@ -200,8 +207,12 @@ public final class Grid {
                 py = most * py;
                 length = CircleMath.norm(px, py);
             }
-            if (!isStatic && length > r) {
-                Bounds b = constants.bounds;
+            if (isStatic) {
+                // it stops at the bounds
+                px = CircleMath.within(circle[s + X], px, b.minX(), b.maxX());
+                py = CircleMath.within(circle[s + Y], py, b.minY(), b.maxY());
+                length = CircleMath.norm(px, py);
+            } else if (length > r) {
                 px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
                 py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
                 length = CircleMath.norm(px, py);
@@ -214,6 +225,7 @@ public final class Grid {
             speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
             some |= CircleMath.isFast(path[slot], isStatic ? least : r);
             moving |= isStatic && length > 0f;
+            longest = isStatic ? longest : CircleMath.greatest(path[slot], longest);
         }
         if (some) {
             fast = true;
@@ -221,6 +233,7 @@ public final class Grid {
         if (moving) {
             movingStatics = true;
         }
+        longestPath.accumulateAndGet(Float.floatToRawIntBits(longest), Math::max);
     }
 
     /** About the least radius: a static circle that moves is fast if it is so for circles of this radius. */
@@ -236,6 +249,11 @@ public final class Grid {
     /** Whether any circle is fast in this step. */
     boolean anyFast() {
         return fast;
+    }
+
+    /** The length of the longest path of a circle that is not static. */
+    float longestPath() {
+        return Float.intBitsToFloat(longestPath.get());
     }
 
     /** Whether any static circle moves in this step. */

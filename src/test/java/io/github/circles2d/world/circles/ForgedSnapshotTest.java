@@ -53,8 +53,10 @@ class ForgedSnapshotTest {
             world.kind(3).setDamping(2).setGravityScale(-1).setGreatestSpeed(7);
             world.setForce(world.add(85, 21, 1, 1), -7, 3);
             world.remove(world.add(50, 20, 1, 1));
+            long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
             world.applyForce(world.add(85, 25, 1, 1), 40, 0);
+            world.setPosition(travelling, 25, 22);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
             for (int k = 0; k < FORGERIES; k++) {

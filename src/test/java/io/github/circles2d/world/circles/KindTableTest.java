@@ -99,7 +99,7 @@ class KindTableTest {
         }
         assertThat(kinds.filters()).isFalse();
         assertThat(kinds.hash()).isZero();
-        assertThat(KindSection.count(kinds)).isZero();
+        assertThat(KindSection.isNeeded(kinds)).isFalse();
     }
 
     private boolean anyNotSolid() {

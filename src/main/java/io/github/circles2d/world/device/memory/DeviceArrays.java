@@ -49,6 +49,7 @@ public final class DeviceArrays {
         this.tiled = tiled;
         allocateOnce(DeviceArray.CONSTANTS, StepParameters.CONSTANTS.words());
         allocateOnce(DeviceArray.LEVELS, StepParameters.LEVELS.words());
+        allocateOnce(DeviceArray.WALLS, StepParameters.WALLS.words());
         allocateOnce(DeviceArray.STATUS, StatusWord.WORDS);
         allocateOnce(DeviceArray.RESPONSES, PairTable.WORDS);
         allocateOnce(DeviceArray.KIND_MOTION, KindMotion.of(PairTable.KINDS));

@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -38,7 +39,9 @@ public final class StepParameters {
                     "flightRestRate",
                     (k, to) -> to.put(k.flightRestRate),
                     "the same, of circles that nothing carries")
+            .field("float", "fixedThreshold", (k, to) -> to.put(k.fixedThreshold), "in place of all of these, or 0")
             .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
+            .field("float", "deepRate", (k, to) -> to.put(k.deepRate), "its gain per depth of deep overlaps")
             .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
             .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
@@ -54,6 +57,13 @@ public final class StepParameters {
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
+
+    /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
+    static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
+            .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
+            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.sweep), "in a sub-step; 0 if it goes out")
+            .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
+            .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
     static final HostStruct<GridLevels> LEVELS = new HostStruct<GridLevels>("Levels")
             .field("float", "minX", (s, to) -> to.put(s.minX), "where cells begin")
@@ -95,8 +105,10 @@ public final class StepParameters {
 
     private final int[] constants = new int[CONSTANTS.words()];
     private final int[] levels = new int[LEVELS.words()];
+    private final int[] walls = new int[WALLS.words()];
     private final int[] otherConstants = new int[CONSTANTS.words()];
     private final int[] otherLevels = new int[LEVELS.words()];
+    private final int[] otherWalls = new int[WALLS.words()];
     private final int[] sentConstants = new int[CONSTANTS.words()];
     private final int[] sentLevels = new int[LEVELS.words()];
     /** The table of {@link DeviceArray#RESPONSES}; all zeros at first, as on the device. */
@@ -109,12 +121,21 @@ public final class StepParameters {
     private int responsesVersion;
     private boolean responsesSent = true;
     private final IntBuffer responsesView = IntBuffer.wrap(responses);
+    private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
+    private final IntBuffer wallsView = IntBuffer.wrap(walls);
+
+    /** Nothing has been sent. */
+    public StepParameters() {
+        // No constants and no shape are all zeros. The motion of walls may be, but it has no -1 at the end.
+        Arrays.fill(sentWalls, -1);
+    }
 
     /** Takes down what the next steps are made with. */
     public void set(StepConstants k, GridLevels shape) {
         CONSTANTS.pack(k, constants);
+        WALLS.pack(k.walls, walls);
         LEVELS.pack(shape, levels);
         if (responsesVersion != k.kindsVersion) {
             System.arraycopy(k.responses, 0, responses, 0, responses.length);
@@ -133,12 +154,14 @@ public final class StepParameters {
         System.arraycopy(constants, 0, otherConstants, 0, constants.length);
         System.arraycopy(levels, 0, otherLevels, 0, levels.length);
         CONSTANTS.pack(k, otherConstants);
+        WALLS.pack(k.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
         return responsesVersion == k.kindsVersion
                 && motionVersion == k.motionVersion
                 && Arrays.equals(constants, otherConstants)
-                && Arrays.equals(levels, otherLevels);
+                && Arrays.equals(levels, otherLevels)
+                && Arrays.equals(walls, otherWalls);
     }
 
     /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
@@ -165,6 +188,7 @@ public final class StepParameters {
     public void send(DeviceArrays arrays) {
         send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
         send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
+        send(walls, wallsView, sentWalls, arrays.get(DeviceArray.WALLS));
         if (!responsesSent) {
             arrays.get(DeviceArray.RESPONSES).write(0, responsesView);
             responsesSent = true;
@@ -176,7 +200,6 @@ public final class StepParameters {
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {
-        // No constants and no shape are all zeros.
         if (!Arrays.equals(words, sent)) {
             to.write(0, view);
             System.arraycopy(words, 0, sent, 0, words.length);

@@ -1,0 +1,96 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+
+/**
+ * The parameters of a world in a snapshot that have no place in its header: a section for each that is not what most worlds have. They
+ * come behind those of fields ({@link FieldSections}), whose numbers are lower.
+ *
+ * <pre>
+ * section    int number
+ *            1,000: int 4; floats: where walls that the next step moves start: min x, min y, max x, max y
+ *            1,001: int 4; floats: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
+ *            1,002: kinds, as {@link KindSection} has them
+ * </pre>
+ */
+final class ParameterSections {
+    /** The number of the first section; fields have lower ones. */
+    static final int FIRST = 1_000;
+
+    private static final int WALL_START = FIRST;
+    private static final int CONTACTS = FIRST + 1;
+    private static final int KINDS = FIRST + 2;
+
+    private static final int FLOATS = 4;
+    private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
+
+    private ParameterSections() {}
+
+    /** The number of sections of a state. */
+    static int count(SavedState s) {
+        return ofFloats(s) + (KindSection.isNeeded(s.kinds) ? 1 : 0);
+    }
+
+    private static int ofFloats(SavedState s) {
+        return (s.parameters().wallsMove() ? 1 : 0) + (hasContacts(s) ? 1 : 0);
+    }
+
+    private static boolean hasContacts(SavedState s) {
+        return !s.parameters().contacts().equals(ContactSettings.DEFAULT);
+    }
+
+    /** The length of all sections. */
+    static int bytes(SavedState s) {
+        int kinds = KindSection.isNeeded(s.kinds) ? Integer.BYTES + KindSection.bytes(s.kinds) : 0;
+        return ofFloats(s) * BYTES + kinds;
+    }
+
+    static void write(SavedState s, ByteBuffer out) {
+        if (s.parameters().wallsMove()) {
+            Bounds b = s.parameters().wallStart();
+            write(out, WALL_START, b.minX(), b.minY(), b.maxX(), b.maxY());
+        }
+        if (hasContacts(s)) {
+            ContactSettings c = s.parameters().contacts();
+            write(out, CONTACTS, c.restitutionThreshold(), c.frequency(), c.damping(), c.pushOutSpeed());
+        }
+        if (KindSection.isNeeded(s.kinds)) {
+            out.putInt(KINDS);
+            KindSection.write(s.kinds, out);
+        }
+    }
+
+    private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
+        out.putInt(number).putInt(FLOATS).putFloat(a).putFloat(b).putFloat(c).putFloat(d);
+    }
+
+    /** Reads a section behind its number, and checks it. */
+    static void read(ByteBuffer in, SavedState s, int number) {
+        if (number == KINDS) {
+            KindSection.read(in, s.kinds);
+        } else {
+            readFloats(in, s, number);
+        }
+    }
+
+    private static void readFloats(ByteBuffer in, SavedState s, int number) {
+        SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
+        SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
+        WorldParameters p = s.parameters();
+        if (number == WALL_START) {
+            s.setParameters(p.startingAt(new Bounds(wall(in), wall(in), wall(in), wall(in))));
+            SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
+        } else {
+            SnapshotCodec.require(number == CONTACTS, "no section has the number " + number);
+            s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
+            SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
+        }
+    }
+
+    private static float wall(ByteBuffer in) {
+        return Limits.within("the start of a wall", in.getFloat(), -Limits.COORDINATE, Limits.COORDINATE);
+    }
+}
