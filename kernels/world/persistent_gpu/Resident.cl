@@ -110,17 +110,12 @@ void listAll(World *w, local Local *l) {
     if (w->k.sweeping) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
-        EACH(slot, w->circles) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, STOPS);
-        }
-        deviceBarrier(arrivals);
-        if (w->status[CARRYING]) {
+        // A loop, so that what looks ahead is there once: three times would be a third of the kernel.
+        int looks = w->status[CARRYING] ? CARRIERS : STOPS;
+#pragma unroll 1
+        for (int look = STOPS; look <= looks; look++) {
             EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, CARRY_TIMES);
-            }
-            deviceBarrier(arrivals);
-            EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, CARRIERS);
+                if (looksAhead(w, slot)) lookAhead(w, slot, (Look) look);
             }
             deviceBarrier(arrivals);
         }

@@ -58,13 +58,9 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     int wall;
     Found f = foundWall(w, axis, x, *dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     v += side * f.normalImpulse;
-    if (staysClear(k, f.separation, side * v, side * before) & (f.normalImpulse == 0.0f)) {
-        *stored = side * f.normalImpulse;
-        *bounce = 0.0f;
-        return v;
-    }
-    float speed = speedFor(w, wall, r);
-    f.separation += sweepFor(w, wall, r);
+    bool clear = staysClear(k, f.separation, side * v, side * before) & (f.normalImpulse == 0.0f);
+    float speed = clear ? 0.0f : speedFor(w, wall, r);
+    f.separation += clear ? 0.0f : sweepFor(w, wall, r);
     f.before = side * before - speed;
     Ready c;
     makeReadyToSolve(k, wallSoftness(k), &f, &c);

@@ -210,24 +210,32 @@ kernel void continuousCollision_look(WORLD_PARAMETERS) {
     if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, STOPS);
 }
 
-// Where static circles move, finds out when they take others along. Index space and cost: the same.
-kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && status[CARRYING] && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, CARRY_TIMES);
+// Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.
+void lookForCarriers(const World *w, Look look) {
+    if (!w->status[CARRYING] || refused(w)) return;
+    for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
+        if (looksAhead(w, slot)) lookAhead(w, slot, look);
+    }
 }
 
-// Then finds out which of them takes whom along. Index space and cost: the same.
+// Where static circles move, finds out when they take others along. Index space: any number of work-items. Cost: the same.
+kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
+    World w = WORLD;
+    lookForCarriers(&w, CARRY_TIMES);
+}
+
+// Then finds out which of them takes whom along. Index space and cost: as before it.
 kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
     World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && status[CARRYING] && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, CARRIERS);
+    lookForCarriers(&w, CARRIERS);
 }
 
 // Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far
 // it may leave that, negative, and the share of it that is free. A circle that stops loses time, and so what gravity would give it
 // in that time. After all have looked ahead.
 void setMotionClamp(const World *w, int slot) {
+    // Nothing is in the way of most circles, and stage Grid has set their clamps.
+    if (freeShare(w, slot) >= 1.0f && carryTime(w, slot) > 1.0f) return;
     float4 sight = w->sight[slot];
     if (sight.w == 0.0f) return;
     const StepConstants *k = &w->k;

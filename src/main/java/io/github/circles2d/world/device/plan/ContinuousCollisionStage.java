@@ -10,6 +10,9 @@ import io.github.circles2d.world.model.GridLevels;
  * same.
  */
 final class ContinuousCollisionStage {
+    /** Work-items of a kernel that has nothing to do in most steps. */
+    private static final int MOST_CARRY_ITEMS = 1 << 15;
+
     private final Kernel summarize;
     private final Kernel look;
     private final Kernel carryTimes;
@@ -27,8 +30,8 @@ final class ContinuousCollisionStage {
     void sweep(GridLevels levels, int circles) {
         summarize.run(DeviceArrays.cellBlocks(levels.buckets()));
         look.run(circles);
-        carryTimes.run(circles);
-        carriers.run(circles);
+        carryTimes.run(Math.min(circles, MOST_CARRY_ITEMS));
+        carriers.run(Math.min(circles, MOST_CARRY_ITEMS));
         clamp.run(circles);
     }
 }
