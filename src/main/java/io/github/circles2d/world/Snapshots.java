@@ -107,6 +107,7 @@ public final class Snapshots {
     private void makeRoom() {
         simulation.finishSteps();
         handles.makeRoom(saved);
+        simulation.forces.makeRoom(saved);
         simulation.travels.makeRoom(saved);
         pipeline.makeRoom(saved);
         pipeline.prepare(saved.parameters().contacts());
@@ -118,6 +119,8 @@ public final class Snapshots {
     private void load() {
         guard.changing = true;
         handles.load(saved);
+        simulation.kindTable.copy(saved.kinds);
+        simulation.forces.restored(saved);
         simulation.commands.clear();
         simulation.journal.logged = 0;
         simulation.travels.restored();
@@ -143,6 +146,7 @@ public final class Snapshots {
             handles.save(saved);
             pipeline.save(saved);
             saved.setParameters(simulation.parameters());
+            saved.kinds.copy(simulation.kindTable);
             savedCurrent = true;
         }
     }
