@@ -67,7 +67,7 @@ final class KindSection {
                         && responses >= 0
                         && (long) values + responses > 0
                         && (long) VALUE * values + (long) RESPONSE * responses <= in.remaining(),
-                "it cannot hold " + values + " values and " + responses + " responses of kinds");
+                "its kinds have more values, or fewer, than it can hold");
         int before = -1;
         for (int k = 0; k < values; k++) {
             int kind = Byte.toUnsignedInt(in.get());
@@ -95,7 +95,7 @@ final class KindSection {
 
     private static KindField field(int number) {
         KindField field = KindField.ofNumber(number);
-        SnapshotCodec.require(field != null, "no field of a kind has the number " + number);
+        SnapshotCodec.require(field != null, "a field of a kind has a number that is none");
         return field;
     }
 
