@@ -56,6 +56,15 @@ class DocumentationTest {
     }
 
     @Test
+    void theKindsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(int bullet .*?)```", read("README.md"));
+        assertCompiles(
+                "Game",
+                "import io.github.circles2d.*;\nclass Game { void load(World world, long player) {\n" + code + "}}",
+                folder);
+    }
+
+    @Test
     void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
         String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
         assertCompiles(
