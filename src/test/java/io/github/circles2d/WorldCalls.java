@@ -29,6 +29,10 @@ public interface WorldCalls {
 
     void applyImpulse(long handle, float x, float y);
 
+    void report(int types);
+
+    void setHitSpeed(float speed);
+
     void setGravity(float x, float y);
 
     void setBounds(float minX, float minY, float maxX, float maxY);

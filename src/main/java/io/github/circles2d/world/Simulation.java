@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
@@ -12,7 +13,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Snapshots}.
+ * {@link Circles}, {@link Readings}, {@link Reports}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -21,9 +22,11 @@ public final class Simulation implements AutoCloseable {
     final Guard guard;
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
+    final ContactEvents events = new ContactEvents();
     final LastReading last;
     private final Circles circles;
     private final Readings readings;
+    private final Reports reports;
     private final Snapshots snapshots;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
@@ -50,6 +53,7 @@ public final class Simulation implements AutoCloseable {
         last = new LastReading(pipeline, handles, this::settle);
         circles = new Circles(this);
         readings = new Readings(this);
+        reports = new Reports(this);
         snapshots = new Snapshots(this);
         setParameters(start);
     }
@@ -62,6 +66,11 @@ public final class Simulation implements AutoCloseable {
     /** The reads. */
     public Readings readings() {
         return readings;
+    }
+
+    /** The calls on events. */
+    public Reports reports() {
+        return reports;
     }
 
     /** The snapshots. */
@@ -170,6 +179,10 @@ public final class Simulation implements AutoCloseable {
                 constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
                 levels.layOut(bounds, handles.greatestRadius(), handles.population());
                 pipeline.step(constants, levels, steps);
+            } else if (events.isOn()) {
+                finishSteps();
+                guard.changing = true;
+                events.emptySteps(steps);
             }
             snapshots.forget();
             previousTimeStep = timeStep;
@@ -216,7 +229,7 @@ public final class Simulation implements AutoCloseable {
                     emptyStep ? 0 : pipeline.candidatePairs(),
                     emptyStep ? 0 : pipeline.contacts(),
                     emptyStep ? 0 : pipeline.greatestContacts(),
-                    pipeline.bytesHeld(),
+                    pipeline.bytesHeld() + events.bytes(),
                     Collections.unmodifiableMap(pipeline.stageMillis()),
                     pipeline.device());
         } catch (RuntimeException | Error e) {
@@ -266,7 +279,13 @@ public final class Simulation implements AutoCloseable {
         if (commands.count() > 0) {
             finishSteps();
             pipeline.makeRoom(commands);
+            if (events.isOn()) {
+                events.makeRoom(commands);
+            }
             guard.changing = true;
+            if (events.isOn()) {
+                events.apply(commands, handles);
+            }
             pipeline.apply(commands);
             commands.clear();
             guard.changing = false;

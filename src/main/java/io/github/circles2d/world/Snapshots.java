@@ -66,6 +66,7 @@ public final class Snapshots {
             simulation.finishSteps();
             handles.makeRoom(saved);
             pipeline.makeRoom(saved);
+            simulation.events.makeRoom(saved.touches, saved.ids);
             simulation.changed();
             from.position(from.position() + length);
             guard.changing = true;
@@ -73,6 +74,7 @@ public final class Snapshots {
             simulation.commands.clear();
             pipeline.load(saved);
             simulation.restored(saved.parameters());
+            simulation.events.load(saved.touches, handles);
             guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
@@ -91,6 +93,7 @@ public final class Snapshots {
             simulation.settle();
             handles.save(saved);
             pipeline.save(saved);
+            simulation.events.save(saved.touches);
             saved.setParameters(simulation.parameters());
             savedCurrent = true;
         }

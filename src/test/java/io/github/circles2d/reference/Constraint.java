@@ -95,6 +95,9 @@ abstract class Constraint {
         return 0f;
     }
 
+    /** Takes note of an impulse that the constraint does not keep. */
+    void note(float impulse) {}
+
     /** Applies the impulse of a bounce in free flight. */
     void applyFreeBounce(float impulse) {
         apply(impulse);
@@ -112,8 +115,12 @@ abstract class Constraint {
     /** The visit without bias, which takes the speed of the push-out away again. Returns whether the constraint carries. */
     final boolean relax() {
         boolean idle = separation > 0f && normalImpulse == 0f && bounceSpeed == 0f;
+        float old = normalImpulse;
         boolean carries = !idle && visit(false);
-        normalImpulse = bounceSpeed > 0f ? 0f : normalImpulse;
+        if (bounceSpeed > 0f) {
+            note(old + (normalImpulse - old));
+            normalImpulse = 0f;
+        }
         return carries;
     }
 
@@ -125,7 +132,9 @@ abstract class Constraint {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
             if (vn < 0f && meets) {
                 float speed = biased ? vn - halfFall() : vn;
-                applyFreeBounce(-(1f + restitution) * speed * mass);
+                float impulse = -(1f + restitution) * speed * mass;
+                applyFreeBounce(impulse);
+                note(impulse);
             }
             if (vn > 0f ? !(biased && lingers()) : meets) {
                 return false;

@@ -29,6 +29,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** The impulses greater than 0 with which contacts ended the last step. */
     private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
 
+    private final TouchEvents events = new TouchEvents();
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
     private float[] gravity = {0f, 0f};
@@ -56,9 +57,13 @@ public final class ReferenceWorld implements WorldCalls {
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
+            List<Contact> contacts = List.of();
             if (size() > 0) {
-                new Step(circles(), parameters(dt)).make(impulseCache, warmScale);
+                Step step = new Step(circles(), parameters(dt));
+                step.make(impulseCache, warmScale);
+                contacts = step.contacts();
             }
+            events.step(contacts, circles());
             previousDt = dt;
         }
     }
@@ -82,6 +87,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
+        events.removed(find(handle));
         forgetImpulses(find(handle));
         byId.set((int) handle, null);
     }
@@ -155,6 +161,21 @@ public final class ReferenceWorld implements WorldCalls {
         Circle c = find(handle);
         c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
         c.velocity[1] = Numbers.limitSpeed(c.velocity[1] + c.inverseMass() * impulseY);
+    }
+
+    @Override
+    public void report(int types) {
+        events.report(types);
+    }
+
+    @Override
+    public void setHitSpeed(float speed) {
+        events.setHitSpeed(speed);
+    }
+
+    /** The events since the last call. */
+    public List<Event> takeEvents() {
+        return events.take();
     }
 
     @Override

@@ -34,11 +34,19 @@ final class Step {
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
             circles.forEach(this::integrateVelocities);
             contacts.forEach(Contact::solve);
+            contacts.forEach(Contact::lookAfterSolve);
             circles.forEach(this::integratePositions);
             contacts.forEach(Step::relax);
+            contacts.forEach(Contact::lookAfterRelax);
         }
         circles.forEach(this::finalizePositions);
+        contacts.forEach(Contact::lookAfterStep);
         storeImpulses(impulseCache);
+    }
+
+    /** The contacts of the step. */
+    List<Contact> contacts() {
+        return contacts;
     }
 
     private void planMotion(Circle c) {
@@ -93,20 +101,28 @@ final class Step {
 
     private void integrateVelocities(Circle c) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
+        float[] before = new float[2];
+        float[] gap = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.velocity[a];
             if (!c.isStatic()) {
                 c.velocityBeforeImpulses[a] += k.gravityStep(a);
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
                 c.walls[a].measure();
+                before[a] = c.velocity[a];
+                gap[a] = c.walls[a].separation;
                 c.walls[a].apply(c.walls[a].normalImpulse);
                 c.walls[a].solve();
             }
+        }
+        for (int a = 0; a < 2 && !c.isStatic(); a++) {
+            c.walls[a].look(c.velocityBeforeImpulses[a], before[a], gap[a]);
         }
     }
 
     private void integratePositions(Circle c) {
         float[] to = new float[2];
+        float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocity[a] = limitSpeed(c.velocity[a]);
             to[a] = c.displacement[a] + c.velocity[a] * k.h();
@@ -122,11 +138,15 @@ final class Step {
             if (!c.isStatic()) {
                 c.walls[a].stopAtFarWall(to[a]);
                 c.walls[a].measure();
+                before[a] = c.velocity[a];
                 c.walls[a].relax();
                 c.walls[a].storeImpulse();
             } else if (c.displacement[a] != to[a]) {
                 c.velocity[a] = 0f;
             }
+        }
+        for (int a = 0; a < 2 && !c.isStatic(); a++) {
+            c.walls[a].look(before[a], before[a], c.walls[a].separation);
         }
         clearImpulses(c);
     }

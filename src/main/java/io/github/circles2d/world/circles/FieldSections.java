@@ -83,6 +83,7 @@ final class FieldSections {
     /** Reads sections behind the records of the ids, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.copy(new CircleFields(CircleField.ALL));
+        s.touches.clear();
         SnapshotCodec.require(sections >= 0, "it cannot have " + sections + " sections");
         int before = 0;
         for (int k = 0; k < sections; k++) {
@@ -90,7 +91,11 @@ final class FieldSections {
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
-            readSection(in, s, field(number), in.getInt());
+            if (number == TouchSection.NUMBER) {
+                TouchSection.read(in, s, in.getInt());
+            } else {
+                readSection(in, s, field(number), in.getInt());
+            }
         }
     }
 

@@ -9,7 +9,8 @@ import java.nio.ByteOrder;
 
 /**
  * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, and the fields of
- * circles that are not the initial ones ({@link FieldSections}). Equal states have equal bytes, whatever they were computed on.
+ * circles that are not the initial ones ({@link FieldSections}), and the pairs that touch if events are reported
+ * ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
@@ -66,7 +67,7 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s);
+        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s) + TouchSection.bytes(s.touches);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -111,7 +112,7 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s)).putLong(0);
+        out.putInt(FieldSections.count(s) + TouchSection.count(s.touches)).putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -130,6 +131,7 @@ public final class SnapshotCodec {
             impulse = end;
         }
         FieldSections.write(s, out);
+        TouchSection.write(s.touches, out);
         int length = out.position();
         out.putInt(LENGTH_AT, length);
         out.putLong(CHECK_AT, check(out, length));

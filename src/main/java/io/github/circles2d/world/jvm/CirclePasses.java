@@ -37,6 +37,9 @@ final class CirclePasses {
 
     private final State state;
 
+    /** What is told of visits of walls; null if they are not recorded. */
+    WallTouches touches;
+
     CirclePasses(State state) {
         this.state = state;
     }
@@ -100,6 +103,10 @@ final class CirclePasses {
             } else {
                 solveWall(slot, X, minX, maxX, k);
                 solveWall(slot, Y, minY, maxY, k);
+                if (touches != null) {
+                    touches.visited(slot, X, sideX, vx, nextX, gapX);
+                    touches.visited(slot, Y, sideY, vy, nextY, gapY);
+                }
             }
         }
     }
@@ -246,7 +253,11 @@ final class CirclePasses {
         float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
         if (Constraints.isIdle(gap, impulse, bounce) == 0) {
+            float v = m[s + VX + axis];
             relaxWall(s, axis, side, gap, impulse, bounce, k);
+            if (touches != null) {
+                touches.visited(slot, axis, side, v, v, gap);
+            }
         }
     }
 

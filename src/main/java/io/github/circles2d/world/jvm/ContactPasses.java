@@ -41,6 +41,9 @@ final class ContactPasses {
     private final State state;
     private final Contacts contacts;
 
+    /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
+    Touches touches;
+
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
 
@@ -160,6 +163,9 @@ final class ContactPasses {
                 float fall = CircleMath.along(nx, ny, k.gravityStepX, k.gravityStepY);
                 float halfFall = CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]);
                 applied = CircleMath.freeBounce(restitution, vn - halfFall, mass);
+                if (touches != null) {
+                    touches.add(c, applied);
+                }
             } else {
                 continue;
             }
@@ -233,7 +239,11 @@ final class ContactPasses {
             }
             if (visit != Constraints.SOLVE) {
                 if (visit == Constraints.BOUNCE) {
-                    apply(a, b, nx, ny, invMassA, invMassB, CircleMath.freeBounce(restitution, vn, mass));
+                    float applied = CircleMath.freeBounce(restitution, vn, mass);
+                    apply(a, b, nx, ny, invMassA, invMassB, applied);
+                    if (touches != null) {
+                        touches.add(c, applied);
+                    }
                 }
                 continue;
             }
@@ -242,6 +252,9 @@ final class ContactPasses {
             apply(a, b, nx, ny, invMassA, invMassB, applied);
             if (bounce > 0f) {
                 next = 0f;
+                if (touches != null) {
+                    touches.add(c, impulse + applied);
+                }
             }
             q[o + NORMAL_IMPULSE] = next;
             float after = vn + applied * (invMassA + invMassB);

@@ -12,10 +12,13 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Bounds;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
@@ -70,6 +73,35 @@ final class Twins implements AutoCloseable {
                     .as(when + " on " + simulation.figures().device())
                     .isEqualTo(expected);
         }
+    }
+
+    /** Has events reported. */
+    void report(int types) {
+        for (Simulation simulation : simulations) {
+            simulation.reports().report(types);
+        }
+    }
+
+    /** Takes the events from every pipeline, and returns their number. */
+    int assertSameEvents(String when) {
+        List<String> expected = events(simulations[0]);
+        for (int k = 1; k < simulations.length; k++) {
+            assertThat(events(simulations[k]))
+                    .as(when + " on " + simulations[k].figures().device())
+                    .isEqualTo(expected);
+        }
+        return expected.size();
+    }
+
+    private static List<String> events(Simulation simulation) {
+        EventRows rows = simulation.reports().take();
+        List<String> events = new ArrayList<>();
+        for (int i = 0; i < rows.size(); i++) {
+            events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "
+                    + rows.speed(i) + " " + rows.impulse(i) + " " + rows.x(i) + " " + rows.y(i) + " " + rows.normalX(i)
+                    + " " + rows.normalY(i));
+        }
+        return events;
     }
 
     void assertSameFigures() {

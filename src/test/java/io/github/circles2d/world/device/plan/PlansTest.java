@@ -85,6 +85,6 @@ class PlansTest {
         GridLevels levels = new GridLevels();
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false);
     }
 }

@@ -1,0 +1,237 @@
+// uses: world/stages/Solver.cl
+// Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
+// wall after each pass. The Java classes world.model.TouchRule, world.jvm.Touches and world.jvm.WallTouches are the same.
+//
+// touch: by contact, two float4: approach speed, impulse, normal x, y; point x, y, approach speed of the sub-step, impulse of the
+// sub-step that the contact does not keep.
+// wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
+// records: by record, three int4; see writeRecord.
+
+#define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
+
+float approachSpeed(float vn) { return greatest(-vn, 0.0f); }
+
+bool touches(float approach, float separation) { return approach >= 0.0f || separation <= 0.0f; }
+
+bool staysInTouch(float approach, float separation, float radii) {
+    return approach >= 0.0f || separation <= TOUCH_SLACK * radii;
+}
+
+float touchPoint(float x, float displacement, float normal, float radius, float separation) {
+    return (x + displacement) + normal * (radius + 0.5f * separation);
+}
+
+// Takes down how and where a contact touches. n: contact; c, m: circle and motion of the lower id.
+void latchTouch(global float4 *t, float approach, float4 n, float4 c, float4 m, float notKept) {
+    float impulse = t[0].y;
+    t[0] = (float4)(approach, impulse, n.x, n.y);
+    t[1] = (float4)(touchPoint(c.x, m.x, n.x, c.z, n.z), touchPoint(c.y, m.y, n.y, c.z, n.z), approach, notKept);
+}
+
+// Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
+kernel void touches_begin(WORLD_PARAMETERS, global float4 *touch, global float4 *wallTouch) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int first = (int) get_global_id(0);
+    if (first == 0) status[TOUCHES] = 0;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = first; c < contacts; c += (int) get_global_size(0)) {
+        touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+        touch[2 * c + 1] = (float4)(0.0f);
+    }
+    for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
+        wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+    }
+}
+
+// Takes a visit of the wall of an axis down. speed: along the axis, with which the circle approached; from, to: before and after
+// the visit; gap: separation before it; along: coordinate along the wall.
+void touchWall(global float4 *t, float side, float speed, float from, float to, float gap, float along_) {
+    float4 now = *t;
+    float impulse = side * (to - from);
+    now.y += impulse;
+    float approach = approachSpeed(side * speed);
+    if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
+        now.x = approach;
+        now.z = along_;
+        now.w = side;
+    }
+    *t = now;
+}
+
+// Index space: a working slot a work-item.
+kernel void touches_integrateVelocities(WORLD_PARAMETERS, global float4 *wallTouch) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 c = circle[slot];
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float4 l = load[slot];
+    float4 old = m;
+    float2 before, bounce;
+    bool loaded;
+    integrateVelocities(&w, c, &m, &t, l, &before, &bounce, &loaded);
+    motion[slot] = m;
+    traits[slot] = t;
+    wallBounce[slot] = bounce;
+    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    if (t.x == 0.0f) return;
+    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
+    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
+    float gapX = wallGap(c.x, old.x, c.z, sideX, w.k.minX, w.k.maxX);
+    float gapY = wallGap(c.y, old.y, c.z, sideY, w.k.minY, w.k.maxY);
+    touchWall(&wallTouch[2 * slot], sideX, before.x, afterImpulse(before.x, t.x, l.x), m.z, gapX, c.y + m.y);
+    touchWall(&wallTouch[2 * slot + 1], sideY, before.y, afterImpulse(before.y, t.x, l.y), m.w, gapY, c.x + m.x);
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void touches_solve(WORLD_PARAMETERS, int level, int colour, global float4 *touch) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) {
+        float notKept = solveContact(&w, c);
+        uint2 pr = pair[c];
+        float4 n = contact[c];
+        global float4 *t = touch + 2 * c;
+        float2 before = load[pr.y].xy - load[pr.x].xy;
+        float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
+        bool acted = n.w > 0.0f || notKept > 0.0f;
+        if ((acted || n.z <= 0.0f) && approach > t[0].x) {
+            latchTouch(t, approach, n, circle[pr.x], motion[pr.x], notKept);
+        } else {
+            t[1].z = approach;
+            t[1].w = notKept;
+        }
+    }
+}
+
+// Index space: a working slot a work-item.
+kernel void touches_integratePositions(WORLD_PARAMETERS, global float4 *wallTouch) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 c = circle[slot];
+    float4 t = traits[slot];
+    float loaded = load[slot].z;
+    bool isStatic = t.x == 0.0f;
+    float4 m = integratePositions(&w, slot, c, motion[slot], isStatic);
+    float4 before = m;
+    if (!isStatic) relaxAtWalls(&w, c, &m, &t, wallBounce[slot], loaded > 0.0f);
+    motion[slot] = m;
+    traits[slot] = t;
+    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    firstCached[slot] = NONE;
+    if (isStatic) return;
+    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
+    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
+    float gapX = wallGap(c.x, m.x, c.z, sideX, w.k.minX, w.k.maxX);
+    float gapY = wallGap(c.y, m.y, c.z, sideY, w.k.minY, w.k.maxY);
+    touchWall(&wallTouch[2 * slot], sideX, before.z, before.z, m.z, gapX, c.y + m.y);
+    touchWall(&wallTouch[2 * slot + 1], sideY, before.w, before.w, m.w, gapY, c.x + m.x);
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void touches_relax(WORLD_PARAMETERS, int level, int colour, int last, global float4 *touch) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) {
+        global float4 *t = touch + 2 * c;
+        float notKept = t[1].w + relaxContact(&w, c, last != 0);
+        float4 n = contact[c];
+        float impulse = notKept + n.w;
+        t[1].w = 0.0f;
+        if (impulse > 0.0f) {
+            t[0].y += impulse;
+            if (t[1].z > t[0].x) {
+                int lower = (int) pair[c].x;
+                latchTouch(t, t[1].z, n, circle[lower], motion[lower], 0.0f);
+            }
+        }
+    }
+}
+
+// Writes the record of a pair that is in touch. other: the higher id, or the wall; vn: normal speed after the step; threshold: the
+// square of the speed of a hit.
+void writeRecord(const World *w, global int4 *records, int recordRoom, int id, int other, bool touching, float approach,
+                 float impulse, float vn, float threshold, float2 normal, float2 point) {
+    int k = atomic_inc(&w->status[TOUCHES]);
+    if (k >= recordRoom) return;
+    records[3 * k] = (int4)(id, other, touching ? 1 : 0, as_int(approach));
+    records[3 * k + 1] = (int4)(as_int(impulse), as_int(vn), as_int(threshold), as_int(normal.x));
+    records[3 * k + 2] = (int4)(as_int(normal.y), as_int(point.x), as_int(point.y), 0);
+}
+
+void recordTouch(const World *w, global const float4 *touch, global int4 *records, int recordRoom, int c) {
+    float4 t = touch[2 * c];
+    float4 n = w->contact[c];
+    float radii = w->base[c].z;
+    if (!staysInTouch(t.x, n.z, radii)) return;
+    uint2 pr = w->pair[c];
+    ulong ids = w->key[c];
+    float4 at = touch[2 * c + 1];
+    float2 normal = t.zw;
+    float2 point = at.xy;
+    if (t.x < 0.0f) {
+        float4 lower = w->homeCircle[pr.x];
+        normal = n.xy;
+        point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
+    }
+    float4 mi = w->homeMotion[pr.x];
+    float4 mj = w->homeMotion[pr.y];
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    float threshold = bounceThreshold(radii, 0.0f, w->k.thresholdRate, w->k.restRate);
+    writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(t.x, n.z), greatest(t.x, 0.0f), t.y, vn,
+                threshold, normal, point);
+}
+
+// The wall of an axis. c, m: circle and motion after the step.
+void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, int slot, int axis, float4 c, float4 m) {
+    float x = axis == 0 ? c.x : c.y;
+    float dx = axis == 0 ? m.x : m.y;
+    float v = axis == 0 ? m.z : m.w;
+    float min_ = axis == 0 ? w->k.minX : w->k.minY;
+    float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
+    float rate = axis == 0 ? w->k.thresholdRateX : w->k.thresholdRateY;
+    float nearer = wallSide(x, min_, max_);
+    float gap = wallGap(x, dx, c.z, nearer, min_, max_);
+    bool touched = t.x >= 0.0f;
+    bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.z);
+    float threshold = bounceThreshold(2.0f * c.z, 0.0f, rate, w->k.restRate);
+    for (int k = 0; k < 2; k++) {
+        bool first = k == 0;
+        if (first ? !touched : !isNear_ || (touched && t.w == nearer)) continue;
+        float side = first ? t.w : nearer;
+        float at = side > 0.0f ? min_ : max_;
+        float place = first ? t.z : axis == 0 ? c.y : c.x;
+        int wall = FIRST_WALL + 2 * axis + (side > 0.0f ? 0 : 1);
+        float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
+        float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
+        writeRecord(w, records, recordRoom, w->homeId[slot], wall, first || touches(NO_TOUCH, gap), first ? t.x : 0.0f,
+                    first ? c.w * t.y : 0.0f, side * v, threshold, normal, point);
+    }
+}
+
+// Records the pairs that are in touch after the step, and the walls if they are reported. Index space: any number of work-items,
+// which take contacts and slots in turn.
+kernel void touches_end(WORLD_PARAMETERS, int walls, global const float4 *touch, global const float4 *wallTouch,
+                        global int4 *records, int recordRoom) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {
+        recordTouch(&w, touch, records, recordRoom, c);
+    }
+    if (walls == 0) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
+        if (homeTraits[slot].x == 0.0f) continue;
+        recordWall(&w, wallTouch[2 * slot], records, recordRoom, slot, 0, homeCircle[slot], homeMotion[slot]);
+        recordWall(&w, wallTouch[2 * slot + 1], records, recordRoom, slot, 1, homeCircle[slot], homeMotion[slot]);
+    }
+}

@@ -1,0 +1,211 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
+import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TouchRule;
+import java.util.Arrays;
+
+/**
+ * Records what contacts do in a step, if events are reported. It looks at a row of contacts after each pass over it; the passes
+ * themselves tell it of impulses that they do not keep. {@link WallTouches} does the same for walls.
+ */
+final class Touches {
+    private static final int STRIDE = 8;
+
+    // A row: what an event says of a contact, and of the sub-step its approach speed and the impulses that no contact
+    // keeps.
+    private static final int APPROACH = 0;
+    private static final int IMPULSE = 1;
+    private static final int AT_NORMAL_X = 2;
+    private static final int AT_NORMAL_Y = 3;
+    private static final int POINT_X = 4;
+    private static final int POINT_Y = 5;
+    private static final int APPROACH_NOW = 6;
+    private static final int IMPULSE_NOW = 7;
+
+    private final State state;
+    private final Contacts contacts;
+    private final Team team;
+
+    /** Who is told. */
+    final ContactEvents events;
+
+    /** Null if walls are not reported. */
+    final WallTouches walls;
+
+    /** By worker: its records. */
+    private final TouchRecords[] records;
+
+    private float[] rows = new float[0];
+
+    Touches(State state, Contacts contacts, Team team, ContactEvents events) {
+        this.state = state;
+        this.contacts = contacts;
+        this.team = team;
+        this.events = events;
+        walls = events.hasWalls() ? new WallTouches(state, events) : null;
+        records = new TouchRecords[team.most()];
+        for (int worker = 0; worker < records.length; worker++) {
+            records[worker] = new TouchRecords();
+        }
+    }
+
+    void ensure(int count) {
+        if (rows.length < STRIDE * (long) count) {
+            rows = new float[Math.multiplyExact(STRIDE, count + (count >> 2))];
+        }
+    }
+
+    /** Begins a step for contacts. */
+    void clear(int from, int to) {
+        Arrays.fill(rows, STRIDE * from, STRIDE * to, 0f);
+        for (int c = from; c < to; c++) {
+            rows[STRIDE * c + APPROACH] = TouchRule.NONE;
+        }
+    }
+
+    /** An impulse that has acted, or will, and that the contact does not keep as its normal impulse. */
+    void add(int c, float impulse) {
+        rows[STRIDE * c + IMPULSE_NOW] += impulse;
+    }
+
+    /** Looks at contacts after the biased pass. */
+    void afterSolve(int from, int to) {
+        float[] q = contacts.contact;
+        float[] load = state.load;
+        for (int c = from; c < to; c++) {
+            int o = ContactRow.of(c);
+            int t = STRIDE * c;
+            int a = contacts.pair[ContactRow.a(c)];
+            int b = contacts.pair[ContactRow.b(c)];
+            float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
+            float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
+            float before = CircleMath.along(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
+            float approach = TouchRule.approach(before);
+            rows[t + APPROACH_NOW] = approach;
+            boolean acted = q[o + NORMAL_IMPULSE] > 0f || rows[t + IMPULSE_NOW] > 0f;
+            if ((acted || q[o + SEPARATION] <= 0f) && approach > rows[t + APPROACH]) {
+                latch(o, t, a);
+            }
+        }
+    }
+
+    /** Looks at contacts after the relaxing pass. */
+    void afterRelax(int from, int to) {
+        float[] q = contacts.contact;
+        for (int c = from; c < to; c++) {
+            int o = ContactRow.of(c);
+            int t = STRIDE * c;
+            float impulse = rows[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
+            rows[t + IMPULSE_NOW] = 0f;
+            if (impulse > 0f) {
+                rows[t + IMPULSE] += impulse;
+                if (rows[t + APPROACH_NOW] > rows[t + APPROACH]) {
+                    latch(o, t, contacts.pair[ContactRow.a(c)]);
+                }
+            }
+        }
+    }
+
+    /** Takes down how and where a contact touches in this sub-step. */
+    private void latch(int o, int t, int a) {
+        float[] q = contacts.contact;
+        rows[t + APPROACH] = rows[t + APPROACH_NOW];
+        place(o, t, a, state.motion[a + DX], state.motion[a + DY], q[o + SEPARATION]);
+    }
+
+    private void place(int o, int t, int a, float dx, float dy, float separation) {
+        float nx = contacts.contact[o + ContactRow.NORMAL_X];
+        float ny = contacts.contact[o + ContactRow.NORMAL_Y];
+        float[] circle = state.circle;
+        rows[t + AT_NORMAL_X] = nx;
+        rows[t + AT_NORMAL_Y] = ny;
+        rows[t + POINT_X] = TouchRule.point(circle[a + X], dx, nx, circle[a + RADIUS], separation);
+        rows[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
+    }
+
+    /** Ends a step: tells of the pairs that touch. */
+    void endStep(int worker, StepConstants k) {
+        TouchRecords own = records[worker];
+        own.clear();
+        int end = team.part(contacts.count, worker + 1);
+        for (int c = team.part(contacts.count, worker); c < end; c++) {
+            int o = ContactRow.of(c);
+            float separation = contacts.contact[o + SEPARATION];
+            if (TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], separation, contacts.contact[o + RADII])) {
+                tell(own, c, separation, k);
+            }
+        }
+        if (walls != null) {
+            walls.endStep(own, team.part(state.n, worker), team.part(state.n, worker + 1), k);
+        }
+        team.sync(worker);
+        if (worker == 0) {
+            for (int idle = team.size(); idle < records.length; idle++) {
+                records[idle].clear();
+            }
+            events.endStep(records);
+        }
+        team.sync(worker);
+    }
+
+    private void tell(TouchRecords own, int c, float separation, StepConstants k) {
+        int o = ContactRow.of(c);
+        int t = STRIDE * c;
+        float[] q = contacts.contact;
+        long ids = contacts.ids(c);
+        int lower = (int) (ids >>> 32);
+        int higher = (int) ids;
+        boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
+        float approach = CircleMath.greatest(rows[t + APPROACH], 0f);
+        float impulse = rows[t + IMPULSE];
+        float threshold = CircleMath.bounceThreshold(q[o + RADII], 0f, k.thresholdRate, k.restRate);
+        if (!events.concerns(lower, higher, touches, approach, impulse, threshold)) {
+            return;
+        }
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        if (rows[t + APPROACH] < 0f) {
+            place(o, t, a, 0f, 0f, separation);
+        }
+        float[] m = state.motion;
+        float vn = CircleMath.along(
+                q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
+        own.add(
+                lower,
+                higher,
+                approach,
+                impulse,
+                rows[t + AT_NORMAL_X],
+                rows[t + AT_NORMAL_Y],
+                rows[t + POINT_X],
+                rows[t + POINT_Y],
+                vn,
+                threshold);
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * rows.length + (walls == null ? 0 : walls.bytes());
+        for (TouchRecords each : records) {
+            sum += each.bytes();
+        }
+        return sum;
+    }
+}

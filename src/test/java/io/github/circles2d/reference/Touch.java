@@ -1,0 +1,56 @@
+package io.github.circles2d.reference;
+
+/** What two surfaces did to each other in a step. */
+final class Touch {
+    static final float SLACK = 0.005f;
+    private static final float REST_SPEED = 1f;
+
+    /** The greatest approach speed of the sub-steps in which they touched; -1 if they did not. */
+    float approach = -1f;
+
+    float impulse;
+    float[] normal = {0f, 0f};
+    float[] point = {0f, 0f};
+
+    /** After the step. */
+    float separation;
+
+    /** Up to this gap they stay in touch. */
+    float slack;
+
+    float normalVelocity;
+
+    /** The square of the speed that a hit exceeds. */
+    float threshold;
+
+    /** They touch in a sub-step. */
+    void seen(float speed, float[] direction, float[] place) {
+        if (speed > approach) {
+            approach = speed;
+            normal = direction.clone();
+            point = place.clone();
+        }
+    }
+
+    /** By gravity's part, and by a creeping speed. */
+    void restSpeed(float gravityPart, float radii) {
+        float creep = REST_SPEED * 0.5f * radii;
+        threshold = gravityPart + creep * creep;
+    }
+
+    /** The step ends: if they have not touched, this is where they would. */
+    void end(float[] direction, float[] place) {
+        if (approach < 0f) {
+            normal = direction.clone();
+            point = place.clone();
+        }
+    }
+
+    boolean touches() {
+        return approach >= 0f || separation <= 0f;
+    }
+
+    boolean staysInTouch() {
+        return touches() || separation <= slack;
+    }
+}
