@@ -163,7 +163,7 @@ class WorldFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(20)) {
+            switch (random.nextInt(21)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -177,6 +177,7 @@ class WorldFuzzTest {
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
                 case 19 -> setTag();
+                case 20 -> report();
                 default -> step();
             }
         }
@@ -277,6 +278,31 @@ class WorldFuzzTest {
             });
         }
 
+        private void report() {
+            int types = random.nextInt(3) == 0 ? random.nextInt() >> random.nextInt(32) : random.nextInt(16);
+            last = "report " + types;
+            ask((types & ~15) != 0, () -> world.report(types));
+            float speed = value(0, speed());
+            last = "setHitSpeed " + speed;
+            ask(bad(speed) || speed < 0, () -> world.setHitSpeed(speed));
+        }
+
+        /** Every event is of finite numbers. */
+        private void checkEvents() {
+            Events events = world.events();
+            for (int i = 0; i < events.size(); i++) {
+                boolean sound = events.speed(i) >= 0
+                        && events.speed(i) < Float.POSITIVE_INFINITY
+                        && Math.abs(events.impulse(i)) < Float.POSITIVE_INFINITY
+                        && Math.abs(events.x(i)) < 1e10f
+                        && Math.abs(events.y(i)) < 1e10f
+                        && Math.abs(events.normalX(i)) < 1.001f
+                        && Math.abs(events.normalY(i)) < 1.001f
+                        && (events.side(i) == null) == (events.b(i) != 0);
+                assertThat(sound).as("event %d", i).isTrue();
+            }
+        }
+
         private void impulse() {
             long handle = handle();
             float x = value(-1e18f, 1e18f);
@@ -375,6 +401,7 @@ class WorldFuzzTest {
                 assertThat(twin.hash()).isEqualTo(world.hash());
             }
             check();
+            checkEvents();
         }
 
         /** Makes a call that must be refused, or that may be where the values are odd; a refused one must change nothing. */

@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Events;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
@@ -40,6 +41,8 @@ class ForgedSnapshotTest {
                         .threads(1)
                         .build();
                 World target = WorldScenes.jvm().threads(1).build()) {
+            world.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
+            target.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
             for (int i = 0; i < 12; i++) {
                 world.add(10 + 3 * i, 1 + i % 3, 2, i % 5 == 0 ? Float.POSITIVE_INFINITY : 1 + i, 3 * i, -i);
             }
@@ -47,6 +50,10 @@ class ForgedSnapshotTest {
             world.setTag(world.add(75, 20, 1, 1), Long.MAX_VALUE);
             world.remove(world.add(50, 20, 1, 1));
             world.step(1 / 60f, 30);
+            long touching = world.add(20, 20, 1, 1);
+            world.add(21, 20, 1, 1);
+            world.step(1 / 60f);
+            world.remove(touching);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
             for (int k = 0; k < FORGERIES; k++) {
@@ -60,6 +67,12 @@ class ForgedSnapshotTest {
                 }
                 target.step(1 / 60f, 3);
                 assertFinite(target);
+                Events events = target.events();
+                for (int i = 0; i < events.size(); i++) {
+                    assertThat(events.speed(i)).isFinite();
+                    assertThat(events.impulse(i)).isFinite();
+                    assertThat(events.a(i)).isNotZero();
+                }
             }
         }
         assertThat(accepted).isBetween(FORGERIES / 20, FORGERIES);
