@@ -2,7 +2,7 @@
 // Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
 // wall after each pass. The Java classes world.model.TouchRule, world.jvm.Touches and world.jvm.WallTouches are the same.
 //
-// touch: by contact, two float4: approach speed, impulse, normal x, y; point x, y, approach speed of the sub-step, impulse of the
+// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
 // sub-step that the contact does not keep.
 // wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
 // records: by record, three int4; see writeRecord.
@@ -21,11 +21,17 @@ float touchPoint(float x, float displacement, float normal, float radius, float 
     return (x + displacement) + normal * (radius + 0.5f * separation);
 }
 
-// Takes down how and where a contact touches. n: contact; c, m: circle and motion of the lower id.
-void latchTouch(global float4 *t, float approach, float4 n, float4 c, float4 m, float notKept) {
-    float impulse = t[0].y;
-    t[0] = (float4)(approach, impulse, n.x, n.y);
-    t[1] = (float4)(touchPoint(c.x, m.x, n.x, c.z, n.z), touchPoint(c.y, m.y, n.y, c.z, n.z), approach, notKept);
+// Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
+void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
+    bool touching = impulse > 0.0f || separation <= 0.0f;
+    if (!touching || !(approach > t[0].x)) return;
+    t[0].x = approach;
+    if (!(approach * w->k.dt > TOUCH_SLACK * w->base[c].z)) return;
+    uint lower = w->pair[c].x;
+    float4 own = w->circle[lower];
+    float4 m = w->motion[lower];
+    t[0].zw = n.xy;
+    t[1].xy = (float2)(touchPoint(own.x, m.x, n.x, own.z, n.z), touchPoint(own.y, m.y, n.y, own.z, n.z));
 }
 
 // Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
@@ -99,13 +105,8 @@ kernel void touches_solve(WORLD_PARAMETERS, int level, int colour, global float4
         global float4 *t = touch + 2 * c;
         float2 before = load[pr.y].xy - load[pr.x].xy;
         float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
-        bool acted = n.w > 0.0f || notKept > 0.0f;
-        if ((acted || n.z <= 0.0f) && approach > t[0].x) {
-            latchTouch(t, approach, n, circle[pr.x], motion[pr.x], notKept);
-        } else {
-            t[1].z = approach;
-            t[1].w = notKept;
-        }
+        t[1].zw = (float2)(approach, notKept);
+        noteTouch(&w, t, c, approach, n, n.w + notKept, n.z);
     }
 }
 
@@ -147,13 +148,8 @@ kernel void touches_relax(WORLD_PARAMETERS, int level, int colour, int last, glo
         float4 n = contact[c];
         float impulse = notKept + n.w;
         t[1].w = 0.0f;
-        if (impulse > 0.0f) {
-            t[0].y += impulse;
-            if (t[1].z > t[0].x) {
-                int lower = (int) pair[c].x;
-                latchTouch(t, t[1].z, n, circle[lower], motion[lower], 0.0f);
-            }
-        }
+        t[0].y += impulse;
+        noteTouch(&w, t, c, t[1].z, n, impulse, INFINITY);
     }
 }
 
@@ -178,7 +174,7 @@ void recordTouch(const World *w, global const float4 *touch, global int4 *record
     float4 at = touch[2 * c + 1];
     float2 normal = t.zw;
     float2 point = at.xy;
-    if (t.x < 0.0f) {
+    if (t.z == 0.0f && t.w == 0.0f) {
         float4 lower = w->homeCircle[pr.x];
         normal = n.xy;
         point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));

@@ -160,7 +160,8 @@ public final class Events {
     }
 
     /**
-     * The place: half-way between the surfaces when they approached fastest.
+     * The place: half-way between the surfaces when they approached fastest, or after the step, if that is the same within 0.5 % of the
+     * sum of the radii.
      *
      * @param event its number, from 0 on
      * @return x; 0 for an end

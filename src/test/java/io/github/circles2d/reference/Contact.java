@@ -111,7 +111,7 @@ final class Contact extends Constraint {
     void lookAfterSolve() {
         approach = Numbers.max(-normalVelocity(c -> c.velocityBeforeImpulses), 0f);
         if (normalImpulse > 0f || notKept > 0f || separation <= 0f) {
-            touch.seen(approach, normal, point());
+            touch.seen(approach, normal, point(), isFast());
         }
     }
 
@@ -121,8 +121,13 @@ final class Contact extends Constraint {
         notKept = 0f;
         if (sum > 0f) {
             touch.impulse += sum;
-            touch.seen(approach, normal, point());
+            touch.seen(approach, normal, point(), isFast());
         }
+    }
+
+    /** Whether the place may be another after the step. */
+    private boolean isFast() {
+        return approach * step.dt() > Touch.SLACK * radii;
     }
 
     /** Looks at the touch after the step. */

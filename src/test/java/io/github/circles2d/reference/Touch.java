@@ -23,12 +23,18 @@ final class Touch {
     /** The square of the speed that a hit exceeds. */
     float threshold;
 
-    /** They touch in a sub-step. */
-    void seen(float speed, float[] direction, float[] place) {
+    /**
+     * They touch in a sub-step.
+     *
+     * @param isFast whether this is the place; else it is where they are after the step
+     */
+    void seen(float speed, float[] direction, float[] place, boolean isFast) {
         if (speed > approach) {
             approach = speed;
-            normal = direction.clone();
-            point = place.clone();
+            if (isFast) {
+                normal = direction.clone();
+                point = place.clone();
+            }
         }
     }
 
@@ -38,9 +44,9 @@ final class Touch {
         threshold = gravityPart + creep * creep;
     }
 
-    /** The step ends: if they have not touched, this is where they would. */
+    /** The step ends: if the place is not known yet, it is this. */
     void end(float[] direction, float[] place) {
-        if (approach < 0f) {
+        if (normal[0] == 0f && normal[1] == 0f) {
             normal = direction.clone();
             point = place.clone();
         }

@@ -58,7 +58,7 @@ final class Wall extends Constraint {
         touch.impulse += impulse;
         if (impulse > 0f || gap <= 0f) {
             float along = c.base[1 - axis] + c.displacement[1 - axis];
-            touch.seen(Numbers.max(-(normal * speed), 0f), direction(normal), point(normal, along));
+            touch.seen(Numbers.max(-(normal * speed), 0f), direction(normal), point(normal, along), true);
         }
     }
 

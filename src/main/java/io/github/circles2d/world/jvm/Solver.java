@@ -265,14 +265,14 @@ public final class Solver {
     private void solve(int worker, int level, int row, StepConstants k) {
         passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
         if (touches != null) {
-            touches.afterSolve(firstContact(level, row), firstContact(level, row + 1));
+            touches.afterSolve(firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 
     private void relax(int worker, int level, int row, int sub, StepConstants k) {
         passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
         if (touches != null) {
-            touches.afterRelax(firstContact(level, row), firstContact(level, row + 1));
+            touches.afterRelax(firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 }

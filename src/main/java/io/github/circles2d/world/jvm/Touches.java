@@ -86,7 +86,7 @@ final class Touches {
     }
 
     /** Looks at contacts after the biased pass. */
-    void afterSolve(int from, int to) {
+    void afterSolve(int from, int to, StepConstants k) {
         float[] q = contacts.contact;
         float[] load = state.load;
         for (int c = from; c < to; c++) {
@@ -98,41 +98,40 @@ final class Touches {
             float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
             float before = CircleMath.along(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
             float approach = TouchRule.approach(before);
+            float impulse = q[o + NORMAL_IMPULSE] + rows[t + IMPULSE_NOW];
             rows[t + APPROACH_NOW] = approach;
-            boolean acted = q[o + NORMAL_IMPULSE] > 0f || rows[t + IMPULSE_NOW] > 0f;
-            if ((acted || q[o + SEPARATION] <= 0f) && approach > rows[t + APPROACH]) {
-                latch(o, t, a);
-            }
+            note(o, t, a, impulse, q[o + SEPARATION], k.dt);
         }
     }
 
     /** Looks at contacts after the relaxing pass. */
-    void afterRelax(int from, int to) {
+    void afterRelax(int from, int to, StepConstants k) {
         float[] q = contacts.contact;
         for (int c = from; c < to; c++) {
             int o = ContactRow.of(c);
             int t = STRIDE * c;
             float impulse = rows[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
             rows[t + IMPULSE_NOW] = 0f;
-            if (impulse > 0f) {
-                rows[t + IMPULSE] += impulse;
-                if (rows[t + APPROACH_NOW] > rows[t + APPROACH]) {
-                    latch(o, t, contacts.pair[ContactRow.a(c)]);
-                }
-            }
+            rows[t + IMPULSE] += impulse;
+            note(o, t, contacts.pair[ContactRow.a(c)], impulse, Float.MAX_VALUE, k.dt);
         }
     }
 
-    /** Takes down how and where a contact touches in this sub-step. */
-    private void latch(int o, int t, int a) {
-        float[] q = contacts.contact;
-        rows[t + APPROACH] = rows[t + APPROACH_NOW];
-        place(o, t, a, state.motion[a + DX], state.motion[a + DY], q[o + SEPARATION]);
+    /** Notes the approach speed of the sub-step if the surfaces touch, and where, if that may be elsewhere after the step. */
+    private void note(int o, int t, int a, float impulse, float separation, float dt) {
+        float approach = rows[t + APPROACH_NOW];
+        float before = rows[t + APPROACH];
+        float greatest = TouchRule.greatest(before, approach, impulse, separation);
+        rows[t + APPROACH] = greatest;
+        if (TouchRule.isFast(approach, dt, contacts.contact[o + RADII]) && greatest > before) {
+            place(o, t, a, state.motion[a + DX], state.motion[a + DY]);
+        }
     }
 
-    private void place(int o, int t, int a, float dx, float dy, float separation) {
+    private void place(int o, int t, int a, float dx, float dy) {
         float nx = contacts.contact[o + ContactRow.NORMAL_X];
         float ny = contacts.contact[o + ContactRow.NORMAL_Y];
+        float separation = contacts.contact[o + SEPARATION];
         float[] circle = state.circle;
         rows[t + AT_NORMAL_X] = nx;
         rows[t + AT_NORMAL_Y] = ny;
@@ -181,8 +180,8 @@ final class Touches {
         }
         int a = contacts.pair[ContactRow.a(c)];
         int b = contacts.pair[ContactRow.b(c)];
-        if (rows[t + APPROACH] < 0f) {
-            place(o, t, a, 0f, 0f, separation);
+        if (rows[t + AT_NORMAL_X] == 0f && rows[t + AT_NORMAL_Y] == 0f) {
+            place(o, t, a, 0f, 0f);
         }
         float[] m = state.motion;
         float vn = CircleMath.along(

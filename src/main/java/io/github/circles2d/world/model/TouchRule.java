@@ -21,7 +21,20 @@ public final class TouchRule {
 
     /** The speed of an approach; 0 if surfaces part. */
     public static float approach(float vn) {
-        return CircleMath.greatest(-vn, 0f);
+        return Branchless.positive(-vn);
+    }
+
+    /** The greatest approach speed after a sub-step. Impulses are not negative, and neither they nor separations are -0. */
+    public static float greatest(float greatest, float approach, float impulse, float separation) {
+        int touching = Branchless.isPositive(impulse) | ~Branchless.isPositive(separation);
+        float now = Branchless.choose(touching, approach, NONE);
+        // as ints such numbers have the order of the floats
+        return Float.intBitsToFloat(Math.max(Float.floatToRawIntBits(greatest), Float.floatToRawIntBits(now)));
+    }
+
+    /** Whether an approach is so fast that the place of the touch may be another after the step. */
+    public static boolean isFast(float approach, float dt, float radii) {
+        return approach * dt > SLACK * radii;
     }
 
     /** Whether surfaces that did not touch before the step touch after it. */
