@@ -30,9 +30,21 @@ class DocumentationTest {
 
     @Test
     void theGameLoopOfTheReadmeCompilesWithoutAWarning(@TempDir Path folder) throws IOException {
+        assertCompiles(block(read("README.md"), "java"), folder);
+        assertThat(folder.resolve("Game.class")).exists();
+    }
+
+    @Test
+    void theEventsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String readme = read("README.md");
+        String loop = block(readme.substring(readme.indexOf("`report` asks")), "java");
+        assertCompiles(
+                "import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
+    }
+
+    private static void assertCompiles(String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
-        String code = block(read("README.md"), "java");
         JavaFileObject source =
                 new SimpleJavaFileObject(URI.create("string:///Game.java"), JavaFileObject.Kind.SOURCE) {
                     @Override
@@ -53,7 +65,6 @@ class DocumentationTest {
         boolean compiles = compiler.getTask(log, null, null, options, null, List.of(source))
                 .call();
         assertThat(compiles).as(log.toString()).isTrue();
-        assertThat(folder.resolve("Game.class")).exists();
     }
 
     @Test

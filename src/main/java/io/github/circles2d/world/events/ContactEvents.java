@@ -130,7 +130,7 @@ public final class ContactEvents {
             readHandles(handles);
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (typesOf(pairs.lower[pair], pairs.higher[pair]) == 0) {
+            if (typesOf(pairs.lower(pair), pairs.higher(pair)) == 0) {
                 pairs.remove(pair);
             }
         }
@@ -211,8 +211,8 @@ public final class ContactEvents {
     }
 
     private boolean isOfRemoved(int pair) {
-        int higher = pairs.higher[pair];
-        return removedIn[pairs.lower[pair]] == batch || !isWall(higher) && removedIn[higher] == batch;
+        int higher = pairs.higher(pair);
+        return removedIn[pairs.lower(pair)] == batch || !isWall(higher) && removedIn[higher] == batch;
     }
 
     // ---- a step
@@ -230,8 +230,8 @@ public final class ContactEvents {
         if (pair == TouchingPairs.NONE) {
             return touches && typesOf(lower, higher) != 0;
         }
-        pairs.stamp[pair] = now;
-        return pairs.open[pair] != TouchingPairs.NONE || isHit(approach, impulse, threshold);
+        pairs.stamp(pair, now);
+        return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
     }
 
     private boolean isHit(float approach, float impulse, float threshold) {
@@ -251,7 +251,7 @@ public final class ContactEvents {
             }
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (pairs.stamp[pair] != now) {
+            if (pairs.stamp(pair) != now) {
                 addOpenHit(pair, RANK_OF_HIT);
                 add(pair, END, RANK_OF_END);
                 pairs.remove(pair);
@@ -281,25 +281,25 @@ public final class ContactEvents {
         int pair = pairs.find(lower, higher);
         if (pair == TouchingPairs.NONE) {
             pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
-            pairs.stamp[pair] = now;
+            pairs.stamp(pair, now);
             add(pair, BEGIN, RANK_OF_BEGIN, list, r);
         }
-        boolean goesOn = pairs.open[pair] != TouchingPairs.NONE;
+        boolean goesOn = pairs.open(pair) != TouchingPairs.NONE;
         boolean isHit = isHit(list.approach(r), list.impulse(r), list.threshold(r));
         if (goesOn) {
-            list.addTo(r, open, pairs.open[pair]);
+            list.addTo(r, open, pairs.open(pair));
             addOpenHit(pair, RANK_OF_HIT);
-            pairs.open[pair] = TouchingPairs.NONE;
+            pairs.setOpen(pair, TouchingPairs.NONE);
         } else if (isHit && TouchRule.isIncomplete(list.vn(r), list.approach(r))) {
-            pairs.open[pair] = stillOpen.add(list, r);
+            pairs.setOpen(pair, stillOpen.add(list, r));
         } else if (isHit) {
             add(pair, HIT, RANK_OF_HIT, list, r);
         }
     }
 
     private void addOpenHit(int pair, int rank) {
-        if (pairs.open[pair] != TouchingPairs.NONE) {
-            add(pair, HIT, rank, open, pairs.open[pair]);
+        if (pairs.open(pair) != TouchingPairs.NONE) {
+            add(pair, HIT, rank, open, pairs.open(pair));
         }
     }
 
@@ -312,8 +312,8 @@ public final class ContactEvents {
 
     /** Adds an event without values, and returns where they begin, or -1 if it is not reported. */
     private int add(int pair, int type, int rank) {
-        int lower = pairs.lower[pair];
-        int higher = pairs.higher[pair];
+        int lower = pairs.lower(pair);
+        int higher = pairs.higher(pair);
         if ((typesOf(lower, higher) & type) == 0) {
             return -1;
         }
@@ -354,14 +354,14 @@ public final class ContactEvents {
         }
         into.ensure(pairs.count, pairs.count, step.count);
         for (int pair = 0; pair < pairs.count; pair++) {
-            into.pair[pair] = (long) pairs.lower[pair] << Integer.SIZE | pairs.higher[pair];
+            into.pair[pair] = (long) pairs.lower(pair) << Integer.SIZE | pairs.higher(pair);
         }
         into.pairs = pairs.count;
         Arrays.sort(into.pair, 0, into.pairs);
         for (int k = 0; k < into.pairs; k++) {
             int pair = pairs.find((int) (into.pair[k] >>> Integer.SIZE), (int) into.pair[k]);
-            if (pairs.open[pair] != TouchingPairs.NONE) {
-                open.copy(pairs.open[pair], into.openValues, SavedTouches.VALUES * into.open);
+            if (pairs.open(pair) != TouchingPairs.NONE) {
+                open.copy(pairs.open(pair), into.openValues, SavedTouches.VALUES * into.open);
                 into.openPair[into.open++] = k;
             }
         }
@@ -414,8 +414,9 @@ public final class ContactEvents {
             boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
             if (typesOf(lower, higher) != 0) {
                 int pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
-                pairs.open[pair] =
-                        isOpen ? open.addValues(from.openValues, SavedTouches.VALUES * nextOpen) : TouchingPairs.NONE;
+                if (isOpen) {
+                    pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
+                }
             }
             nextOpen += isOpen ? 1 : 0;
         }

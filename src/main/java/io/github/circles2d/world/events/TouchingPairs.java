@@ -9,28 +9,34 @@ import java.util.Arrays;
 final class TouchingPairs {
     static final int NONE = -1;
 
+    private static final int STRIDE = 4;
+
+    /** The higher id, or the code of a wall. */
+    private static final int HIGHER = 0;
+
+    /** The next pair of the chain, or NONE. */
+    private static final int NEXT = 1;
+
+    /** The last step that saw the pair touch. */
+    private static final int STAMP = 2;
+
+    /** The number of its hit that is not complete, or NONE. */
+    private static final int OPEN = 3;
+
     int count;
 
     /** By id: the first pair of which it is the lower, or NONE. */
     private int[] first = new int[0];
 
-    int[] lower = new int[0];
+    /** By pair: a row of what is looked at together. */
+    private int[] rows = new int[0];
 
-    /** By pair: the higher id, or the code of a wall. */
-    int[] higher = new int[0];
+    private int[] lower = new int[0];
 
     /** By pair: the handles. */
     long[] a = new long[0];
 
     long[] b = new long[0];
-
-    /** By pair: the last step that saw it touch. */
-    int[] stamp = new int[0];
-
-    /** By pair: the number of its hit that is not complete, or NONE. */
-    int[] open = new int[0];
-
-    private int[] next = new int[0];
 
     void ensureIds(int ids) {
         if (ids > first.length) {
@@ -43,15 +49,12 @@ final class TouchingPairs {
 
     /** Makes room. The length of the array that grows last tells whether there is room. */
     void ensure(int pairs) {
-        if (pairs > next.length) {
-            int c = Math.max(pairs, Math.max(64, next.length + (next.length >> 1)));
-            lower = Arrays.copyOf(lower, c);
-            higher = Arrays.copyOf(higher, c);
+        if (pairs > lower.length) {
+            int c = Math.max(pairs, Math.max(64, lower.length + (lower.length >> 1)));
+            rows = Arrays.copyOf(rows, Math.multiplyExact(STRIDE, c));
             a = Arrays.copyOf(a, c);
             b = Arrays.copyOf(b, c);
-            stamp = Arrays.copyOf(stamp, c);
-            open = Arrays.copyOf(open, c);
-            next = Arrays.copyOf(next, c);
+            lower = Arrays.copyOf(lower, c);
         }
     }
 
@@ -60,10 +63,34 @@ final class TouchingPairs {
         count = 0;
     }
 
+    int lower(int pair) {
+        return lower[pair];
+    }
+
+    int higher(int pair) {
+        return rows[STRIDE * pair + HIGHER];
+    }
+
+    int stamp(int pair) {
+        return rows[STRIDE * pair + STAMP];
+    }
+
+    void stamp(int pair, int step) {
+        rows[STRIDE * pair + STAMP] = step;
+    }
+
+    int open(int pair) {
+        return rows[STRIDE * pair + OPEN];
+    }
+
+    void setOpen(int pair, int hit) {
+        rows[STRIDE * pair + OPEN] = hit;
+    }
+
     /** The number of a pair, or NONE. */
     int find(int lowerId, int higherId) {
-        for (int pair = first[lowerId]; pair != NONE; pair = next[pair]) {
-            if (higher[pair] == higherId) {
+        for (int pair = first[lowerId]; pair != NONE; pair = rows[STRIDE * pair + NEXT]) {
+            if (rows[STRIDE * pair + HIGHER] == higherId) {
                 return pair;
             }
         }
@@ -75,28 +102,26 @@ final class TouchingPairs {
         ensure(count + 1);
         int pair = count++;
         lower[pair] = lowerId;
-        higher[pair] = higherId;
         a[pair] = handleA;
         b[pair] = handleB;
-        open[pair] = NONE;
-        next[pair] = first[lowerId];
+        int row = STRIDE * pair;
+        rows[row + HIGHER] = higherId;
+        rows[row + NEXT] = first[lowerId];
+        rows[row + OPEN] = NONE;
         first[lowerId] = pair;
         return pair;
     }
 
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
-        link(lower[pair], pair, next[pair]);
+        link(lower[pair], pair, rows[STRIDE * pair + NEXT]);
         int last = --count;
         if (pair != last) {
             link(lower[last], last, pair);
             lower[pair] = lower[last];
-            higher[pair] = higher[last];
             a[pair] = a[last];
             b[pair] = b[last];
-            stamp[pair] = stamp[last];
-            open[pair] = open[last];
-            next[pair] = next[last];
+            System.arraycopy(rows, STRIDE * last, rows, STRIDE * pair, STRIDE);
         }
     }
 
@@ -107,14 +132,14 @@ final class TouchingPairs {
             return;
         }
         int before = first[lowerId];
-        while (next[before] != pair) {
-            before = next[before];
+        while (rows[STRIDE * before + NEXT] != pair) {
+            before = rows[STRIDE * before + NEXT];
         }
-        next[before] = to;
+        rows[STRIDE * before + NEXT] = to;
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * first.length + 36L * next.length;
+        return 4L * first.length + 4L * rows.length + 20L * lower.length;
     }
 }
