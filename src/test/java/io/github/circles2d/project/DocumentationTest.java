@@ -38,8 +38,7 @@ class DocumentationTest {
     void theEventsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
         String readme = read("README.md");
         String loop = block(readme.substring(readme.indexOf("`report` asks")), "java");
-        assertCompiles(
-                "import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
+        assertCompiles("import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
     }
 
     private static void assertCompiles(String code, Path folder) {

@@ -272,7 +272,8 @@ public final class Solver {
     private void relax(int worker, int level, int row, int sub, StepConstants k) {
         passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
         if (touches != null) {
-            touches.afterRelax(firstContact(level, row), firstContact(level, row + 1), k);
+            touches.afterRelax(
+                    worker, firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
         }
     }
 }

@@ -26,18 +26,19 @@ import java.util.Arrays;
  * themselves tell it of impulses that they do not keep. {@link WallTouches} does the same for walls.
  */
 final class Touches {
-    private static final int STRIDE = 8;
+    private static final int STRIDE = 4;
 
-    // A row: what an event says of a contact, and of the sub-step its approach speed and the impulses that no contact
-    // keeps.
+    // A row: what an event says of a contact, and of the sub-step its approach speed and what no contact keeps.
     private static final int APPROACH = 0;
     private static final int IMPULSE = 1;
-    private static final int AT_NORMAL_X = 2;
-    private static final int AT_NORMAL_Y = 3;
-    private static final int POINT_X = 4;
-    private static final int POINT_Y = 5;
-    private static final int APPROACH_NOW = 6;
-    private static final int IMPULSE_NOW = 7;
+    private static final int APPROACH_NOW = 2;
+    private static final int IMPULSE_NOW = 3;
+
+    // A place.
+    private static final int AT_NORMAL_X = 0;
+    private static final int AT_NORMAL_Y = 1;
+    private static final int POINT_X = 2;
+    private static final int POINT_Y = 3;
 
     private final State state;
     private final Contacts contacts;
@@ -49,10 +50,18 @@ final class Touches {
     /** Null if walls are not reported. */
     final WallTouches walls;
 
+    /** By worker: the contacts that it has told of, and that need a record; and how many. */
+    private final int[][] listed;
+
+    private final int[] count;
+
     /** By worker: its records. */
     private final TouchRecords[] records;
 
     private float[] rows = new float[0];
+
+    /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
+    private float[] places = new float[0];
 
     Touches(State state, Contacts contacts, Team team, ContactEvents events) {
         this.state = state;
@@ -60,23 +69,28 @@ final class Touches {
         this.team = team;
         this.events = events;
         walls = events.hasWalls() ? new WallTouches(state, events) : null;
+        listed = new int[team.most()][64];
+        count = new int[team.most()];
         records = new TouchRecords[team.most()];
         for (int worker = 0; worker < records.length; worker++) {
             records[worker] = new TouchRecords();
         }
     }
 
-    void ensure(int count) {
-        if (rows.length < STRIDE * (long) count) {
-            rows = new float[Math.multiplyExact(STRIDE, count + (count >> 2))];
+    void ensure(int many) {
+        if (rows.length < STRIDE * (long) many) {
+            int length = Math.multiplyExact(STRIDE, many + (many >> 2));
+            places = new float[length];
+            rows = new float[length];
         }
     }
 
     /** Begins a step for contacts. */
     void clear(int from, int to) {
-        Arrays.fill(rows, STRIDE * from, STRIDE * to, 0f);
-        for (int c = from; c < to; c++) {
-            rows[STRIDE * c + APPROACH] = TouchRule.NONE;
+        for (int t = STRIDE * from; t < STRIDE * to; t += STRIDE) {
+            rows[t + APPROACH] = TouchRule.NONE;
+            rows[t + IMPULSE] = 0f;
+            rows[t + IMPULSE_NOW] = 0f;
         }
     }
 
@@ -105,7 +119,7 @@ final class Touches {
     }
 
     /** Looks at contacts after the relaxing pass. */
-    void afterRelax(int from, int to, StepConstants k) {
+    void afterRelax(int worker, int from, int to, StepConstants k, boolean last) {
         float[] q = contacts.contact;
         for (int c = from; c < to; c++) {
             int o = ContactRow.of(c);
@@ -115,6 +129,39 @@ final class Touches {
             rows[t + IMPULSE] += impulse;
             note(o, t, contacts.pair[ContactRow.a(c)], impulse, Float.MAX_VALUE, k.dt);
         }
+        if (last) {
+            for (int c = from; c < to; c++) {
+                int o = ContactRow.of(c);
+                if (TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
+                        && isConcern(c, k)) {
+                    list(worker, c);
+                }
+            }
+        }
+    }
+
+    /** Tells of a pair; returns whether it needs a record. */
+    private boolean isConcern(int c, StepConstants k) {
+        int t = STRIDE * c;
+        float separation = contacts.contact[ContactRow.of(c) + SEPARATION];
+        boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
+        long ids = contacts.ids(c);
+        return events.concerns((int) (ids >>> 32), (int) ids, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
+    }
+
+    private float approach(int c) {
+        return CircleMath.greatest(rows[STRIDE * c + APPROACH], 0f);
+    }
+
+    private float threshold(int c, StepConstants k) {
+        return CircleMath.bounceThreshold(contacts.contact[ContactRow.of(c) + RADII], 0f, k.thresholdRate, k.restRate);
+    }
+
+    private void list(int worker, int c) {
+        if (count[worker] == listed[worker].length) {
+            listed[worker] = Arrays.copyOf(listed[worker], 2 * count[worker]);
+        }
+        listed[worker][count[worker]++] = c;
     }
 
     /** Notes the approach speed of the sub-step if the surfaces touch, and where, if that may be elsewhere after the step. */
@@ -133,24 +180,20 @@ final class Touches {
         float ny = contacts.contact[o + ContactRow.NORMAL_Y];
         float separation = contacts.contact[o + SEPARATION];
         float[] circle = state.circle;
-        rows[t + AT_NORMAL_X] = nx;
-        rows[t + AT_NORMAL_Y] = ny;
-        rows[t + POINT_X] = TouchRule.point(circle[a + X], dx, nx, circle[a + RADIUS], separation);
-        rows[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
+        places[t + AT_NORMAL_X] = nx;
+        places[t + AT_NORMAL_Y] = ny;
+        places[t + POINT_X] = TouchRule.point(circle[a + X], dx, nx, circle[a + RADIUS], separation);
+        places[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
     }
 
-    /** Ends a step: tells of the pairs that touch. */
+    /** Ends a step: hands over records of the pairs that need one. */
     void endStep(int worker, StepConstants k) {
         TouchRecords own = records[worker];
         own.clear();
-        int end = team.part(contacts.count, worker + 1);
-        for (int c = team.part(contacts.count, worker); c < end; c++) {
-            int o = ContactRow.of(c);
-            float separation = contacts.contact[o + SEPARATION];
-            if (TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], separation, contacts.contact[o + RADII])) {
-                tell(own, c, separation, k);
-            }
+        for (int n = 0; n < count[worker]; n++) {
+            record(own, listed[worker][n], k);
         }
+        count[worker] = 0;
         if (walls != null) {
             walls.endStep(own, team.part(state.n, worker), team.part(state.n, worker + 1), k);
         }
@@ -164,44 +207,35 @@ final class Touches {
         team.sync(worker);
     }
 
-    private void tell(TouchRecords own, int c, float separation, StepConstants k) {
+    private void record(TouchRecords own, int c, StepConstants k) {
         int o = ContactRow.of(c);
         int t = STRIDE * c;
         float[] q = contacts.contact;
-        long ids = contacts.ids(c);
-        int lower = (int) (ids >>> 32);
-        int higher = (int) ids;
-        boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
-        float approach = CircleMath.greatest(rows[t + APPROACH], 0f);
-        float impulse = rows[t + IMPULSE];
-        float threshold = CircleMath.bounceThreshold(q[o + RADII], 0f, k.thresholdRate, k.restRate);
-        if (!events.concerns(lower, higher, touches, approach, impulse, threshold)) {
-            return;
-        }
+        float[] m = state.motion;
         int a = contacts.pair[ContactRow.a(c)];
         int b = contacts.pair[ContactRow.b(c)];
-        if (rows[t + AT_NORMAL_X] == 0f && rows[t + AT_NORMAL_Y] == 0f) {
+        if (!TouchRule.isFast(approach(c), k.dt, q[o + RADII])) {
             place(o, t, a, 0f, 0f);
         }
-        float[] m = state.motion;
         float vn = CircleMath.along(
                 q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
+        long ids = contacts.ids(c);
         own.add(
-                lower,
-                higher,
-                approach,
-                impulse,
-                rows[t + AT_NORMAL_X],
-                rows[t + AT_NORMAL_Y],
-                rows[t + POINT_X],
-                rows[t + POINT_Y],
+                (int) (ids >>> 32),
+                (int) ids,
+                approach(c),
+                rows[t + IMPULSE],
+                places[t + AT_NORMAL_X],
+                places[t + AT_NORMAL_Y],
+                places[t + POINT_X],
+                places[t + POINT_Y],
                 vn,
-                threshold);
+                threshold(c, k));
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * rows.length + (walls == null ? 0 : walls.bytes());
+        long sum = 8L * rows.length + (walls == null ? 0 : walls.bytes());
         for (TouchRecords each : records) {
             sum += each.bytes();
         }
