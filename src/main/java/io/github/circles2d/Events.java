@@ -153,7 +153,7 @@ public final class Events {
      * By how much the two pushed each other in all.
      *
      * @param event its number, from 0 on
-     * @return an impulse, mass times length per second; 0 for an end
+     * @return an impulse, mass times length per second, at least 0; 0 for an end
      */
     public float impulse(int event) {
         return rows.impulse(event);

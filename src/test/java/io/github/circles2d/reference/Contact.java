@@ -119,8 +119,8 @@ final class Contact extends Constraint {
     void lookAfterRelax() {
         float sum = notKept + normalImpulse;
         notKept = 0f;
+        touch.impulse += sum;
         if (sum > 0f) {
-            touch.impulse += sum;
             touch.seen(approach, normal, point(), isFast());
         }
     }

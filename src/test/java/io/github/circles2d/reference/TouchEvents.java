@@ -125,6 +125,7 @@ final class TouchEvents {
         if (!t.touches() && !(before && t.staysInTouch())) {
             return;
         }
+        t.impulse = Numbers.max(t.impulse, 0f);
         if (!before) {
             add(2, Events.BEGIN, key, t);
         }

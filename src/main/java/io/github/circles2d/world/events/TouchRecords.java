@@ -58,7 +58,7 @@ public final class TouchRecords {
         higher[count] = higherId;
         int at = STRIDE * count++;
         values[at + APPROACH] = approach;
-        values[at + IMPULSE] = impulse;
+        values[at + IMPULSE] = Math.max(impulse, 0f); // differences of velocities may sum up to less
         values[at + NORMAL_X] = normalX;
         values[at + NORMAL_Y] = normalY;
         values[at + POINT_X] = pointX;
