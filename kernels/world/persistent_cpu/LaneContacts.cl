@@ -11,7 +11,7 @@
 // Difference of the bases x, y, sum of the radii, restitution.
 global float4 *baseOf(const World *w, int wide) { return w->base + 4 * wide; }
 
-// Inverse masses, greatest push-out speed, target speed of a bounce.
+// Inverse masses, square of the flight threshold, target speed of a bounce.
 global float4 *massesOf(const World *w, int wide) { return w->masses + 4 * wide; }
 
 // Normal x, y, separation, accumulated impulse.
@@ -27,6 +27,12 @@ global uint *pairOf(const World *w, int wide) { return (global uint *) w->pair +
 INLINE uint4 slotsOf(const World *w, int wide, int higher) {
     global const uint *pair = pairOf(w, wide) + 4 * higher;
     return (uint4)(pair[0], pair[1], pair[2], pair[3]);
+}
+
+// Whether a mask is true in any lane. Not any(), of which POCL makes branches.
+INLINE bool someLane(int4 mask) {
+    ulong2 halves = as_ulong2(mask);
+    return (halves.x | halves.y) != 0;
 }
 
 // Vectors of four circles, component by component.
@@ -146,7 +152,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     float4 threshold = restitutionThreshold4(&w->k, sum, e);
     float4 nx = zero, ny = zero, s;
     int4 apart = measure4(ex, ey, mj.x - mi.x, mj.y - mi.y, sum, &nx, &ny, &s);
-    if (!all(apart)) {
+    if (someLane(!apart)) {
         float2 normal[4];
         for (int l = 0; l < 4; l++) normal[l] = partingNormal(l < used ? ids[l] : 0);
         nx = choose4(apart, nx, (float4)(normal[0].x, normal[1].x, normal[2].x, normal[3].x));
@@ -167,7 +173,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     global float4 *masses = massesOf(w, wide);
     masses[0] = wi;
     masses[1] = wj;
-    masses[2] = pushSpeed4(&w->k, sum);
+    masses[2] = flightThreshold4(&w->k, sum, e);
     masses[3] = choose4(real && carries4(normalImpulse, vn, restingLimit4(s, threshold)), (float4)(1.0f), zero);
     global float4 *contact = stateOf(w, wide);
     contact[0] = nx;

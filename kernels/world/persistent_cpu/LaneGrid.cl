@@ -105,7 +105,8 @@ Band sortCircles(World *w, const Crew *crew) {
     w->k.sweeping = 1; // until it is known
     if (crew->group == 0) {
         w->status[FAST] = 0;
-        w->status[PUSHED] = 0;
+        w->status[CARRYING] = 0;
+        w->status[LONGEST_PATH] = 0;
         w->status[CONTACTS] = 0;
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
@@ -143,12 +144,16 @@ void sweepCircles(World *w, const Crew *crew) {
     EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
     awaitCrew(w, crew);
     EACH_OF_PART(slot, w->circles, crew) {
-        if (looksAhead(w, slot)) lookAhead(w, slot, false);
+        if (looksAhead(w, slot)) lookAhead(w, slot, STOPS);
     }
     awaitCrew(w, crew);
-    if (w->status[PUSHED]) {
+    if (w->status[CARRYING]) {
         EACH_OF_PART(slot, w->circles, crew) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, true);
+            if (looksAhead(w, slot)) lookAhead(w, slot, CARRY_TIMES);
+        }
+        awaitCrew(w, crew);
+        EACH_OF_PART(slot, w->circles, crew) {
+            if (looksAhead(w, slot)) lookAhead(w, slot, CARRIERS);
         }
         awaitCrew(w, crew);
     }

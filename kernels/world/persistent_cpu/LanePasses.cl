@@ -27,11 +27,22 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     f.separation = stateOf(w, wide)[2];
     f.restitution = baseOf(w, wide)[3];
     f.threshold = shapeOf(w, wide)[1];
-    f.flight = flightThreshold4(baseOf(w, wide)[2], baseOf(w, wide)[3], w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = massesOf(w, wide)[2];
     f.mass = shapeOf(w, wide)[0];
     f.normalImpulse = stateOf(w, wide)[3];
     f.loaded = loaded;
     return f;
+}
+
+// visit4, with a short way for a wide contact of which no lane flies free, as hardly any does: what only free flight needs is
+// not even computed there.
+INLINE void visitWide(Ready4 *ready, float4 vn, bool relaxing, Visited4 *visited) {
+    if (someLane(vn * vn > ready->flight)) {
+        visit4(ready, vn, relaxing, visited);
+    } else {
+        ready->flight = (float4)(INFINITY);
+        visit4(ready, vn, relaxing, visited);
+    }
 }
 
 // The biased pass over a wide contact.
@@ -47,16 +58,17 @@ INLINE void solveWide(const World *w, int wide) {
     Halves uj = takeHalves(w->load, j, XY);
     Halves relativeBefore = halvesMinus(&uj, &ui);
     float4 nx = contact[0], ny = contact[1];
+    float4 vn = along4(nx, ny, firstOf(&relative), secondOf(&relative));
     float4 beforeX = firstOf(&relativeBefore), beforeY = secondOf(&relativeBefore);
     Found4 found = foundWide(w, wide, someLoaded(w, i, j));
-    found.pushSpeed = masses[2];
+    found.pushSpeed = pushSpeed4(&w->k, baseOf(w, wide)[2]);
     found.before = along4(nx, ny, beforeX, beforeY);
     found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
     found.halfFall = halfFall4(nx * w->k.gravityStepX + ny * w->k.gravityStepY, masses[0], masses[1]);
     Ready4 ready;
     makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, &ready);
     Visited4 visited;
-    visit4(&ready, along4(nx, ny, firstOf(&relative), secondOf(&relative)), false, &visited);
+    visitWide(&ready, vn, false, &visited);
     masses[3] = ready.bounce;
     contact[3] = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, masses[0], masses[1], visited.impulse, visited.leaves);
@@ -100,13 +112,16 @@ INLINE void relaxWide(const World *w, int wide, bool last) {
     Found4 found = foundWide(w, wide, (int4)(0));
     Ready4 ready;
     makeReadyToRelax4(&w->k, &found, masses[3], &ready);
+    Visited4 visited;
     // Hardly any contact flies free: whether its circles are loaded is read only if one may.
-    if (any(vn * vn > ready.flight && !ready.still)) {
+    if (someLane(vn * vn > ready.flight && !ready.still)) {
         found.loaded = someLoaded(w, i, j);
         makeReadyToRelax4(&w->k, &found, masses[3], &ready);
+        visit4(&ready, vn, true, &visited);
+    } else {
+        ready.flight = (float4)(INFINITY);
+        visit4(&ready, vn, true, &visited);
     }
-    Visited4 visited;
-    visit4(&ready, vn, true, &visited);
     float4 next = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, wi, wj, visited.impulse, visited.leaves);
     contact[3] = next;

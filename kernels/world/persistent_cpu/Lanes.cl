@@ -49,7 +49,8 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
 int ringRow(const World *w, int row) { return onRing(row, w->levels->rowCount[w->levels->used[0]]); }
 
 // All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row.
-void visitRows(const World *w, int row, int low, int high, int inwards, int subStep) {
+void visitRows(World *w, int row, int low, int high, int inwards, int subStep) {
+    w->subStep = subStep;
     if (isIn(row, low, high)) {
         for (int r = 0; r < 2; r++) integrateVelocitiesOfRow(w, ringRow(w, row + r));
     }
@@ -69,7 +70,7 @@ void visitRows(const World *w, int row, int low, int high, int inwards, int subS
 // Makes sub-steps [from, to) on a band of rows: each stage on fewer rows than the one before it (inwards 1), or on more
 // (inwards -1, from an empty band at the edge of two). The former announces when the band below may go on with its edge: from
 // front low + 2 * lag on, it comes to no row below low + lag. Bands are so high that all come to that.
-void sweepRows(const World *w, const Crew *crew, int low, int high, int inwards, int from, int to) {
+void sweepRows(World *w, const Crew *crew, int low, int high, int inwards, int from, int to) {
     int lag = LAG * (to - from);
     int end = high + 2 * LAG + (inwards > 0 ? 0 : 2 * lag);
     for (int front = low; front < end; front += 2) {
@@ -90,7 +91,7 @@ void sweepRows(const World *w, const Crew *crew, int low, int high, int inwards,
 
 // What a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge
 // outwards: each work-group at the upper edge of its band, where the next one has long been, as it begins there.
-void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
+void solveInSweeps(World *w, const Crew *crew, const Band *band) {
     int most = max(1, band->narrowest / ROWS_PER_SUB_STEP);
     for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
         int end = min(w->k.subSteps, subStep + most);
@@ -102,8 +103,9 @@ void solveInSweeps(const World *w, const Crew *crew, const Band *band) {
 }
 
 // Pass after pass, by one work-group, where there are hardly any rows.
-void solveInPasses(const World *w, int rows) {
+void solveInPasses(World *w, int rows) {
     for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
+        w->subStep = subStep;
         for (int row = 0; row < rows; row++) integrateVelocitiesOfRow(w, row);
         for (int odd = 0; odd < 2; odd++) {
             for (int row = odd; row < rows; row += 2) solveRow(w, row);

@@ -93,6 +93,7 @@ void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
     w->k.sweeping = 1; // until it is known
+    w->subStep = 0;
     if (get_global_id(0) == 0) startStep(w);
     EACH(slot, w->slots) countSlot(w, slot);
     deviceBarrier(arrivals);
@@ -109,13 +110,12 @@ void listAll(World *w, local Local *l) {
     if (w->k.sweeping) {
         EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
         deviceBarrier(arrivals);
-        EACH(slot, w->circles) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, false);
-        }
-        deviceBarrier(arrivals);
-        if (w->status[PUSHED]) {
+        // A loop, so that what looks ahead is there once: three times would be a third of the kernel.
+        int looks = w->status[CARRYING] ? CARRIERS : STOPS;
+#pragma unroll 1
+        for (int look = STOPS; look <= looks; look++) {
             EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, true);
+                if (looksAhead(w, slot)) lookAhead(w, slot, (Look) look);
             }
             deviceBarrier(arrivals);
         }
@@ -147,7 +147,7 @@ void listAll(World *w, local Local *l) {
 }
 
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
-void solveAll(const World *w, local Tile *t) {
+void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int tiles = tileCount(w);
     int group = (int) get_group_id(0);
@@ -157,6 +157,7 @@ void solveAll(const World *w, local Tile *t) {
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
+        w->subStep = subStep + (relaxing ? 1 : 0); // circles start into the next one
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);

@@ -21,6 +21,8 @@ float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * 
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
+float travelSpeed(float from, float to, float dt) { return limitSpeed((to - from) / dt); }
+
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 
 bool isFast(float path, float r) { return path > CAP * r; }
@@ -30,10 +32,16 @@ float besideWalls(float x, float p, float r, float min, float max) {
     return (p < 0.0f && x - min < slack) || (p > 0.0f && max - x < slack) ? 0.0f : p;
 }
 
-float timeOfWall(float x, float p, float r, float min, float max) {
-    float low = (min + r) - x;
-    float high = (max - r) - x;
-    return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1.0f;
+float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+    float low = ((min - travelMin) + r) - x;
+    float high = ((max + travelMax) - r) - x;
+    float toMin = p - travelMin;
+    float toMax = p - (0.0f - travelMax);
+    return toMin < 0.0f && toMin < low ? low / toMin : toMax > 0.0f && toMax > high ? high / toMax : 1.0f;
+}
+
+float marginAtWall(float from, float to, float margin) {
+    return from == to || fabs(to - from) > margin ? margin : 0.0f;
 }
 
 float travelShare(float path, float r) {
@@ -43,6 +51,18 @@ float travelShare(float path, float r) {
 
 float sightMargin(float r, float path, float top) {
     return 1.125f * ((r + top) + greatest(path, CAP * top));
+}
+
+float carriedPath(float path, float longest, float top) { return least(path, longest) + CAP * top; }
+
+float leastBetween(float x, float px, float y, float py, float low, float high) {
+    float from = py == 0.0f ? 0.0f : bounded((low - y) / py, 0.0f, 1.0f);
+    float to = py == 0.0f ? 1.0f : bounded((high - y) / py, 0.0f, 1.0f);
+    return x + least(from * px, to * px);
+}
+
+float greatestBetween(float x, float px, float y, float py, float low, float high) {
+    return -leastBetween(-x, -px, y, py, low, high);
 }
 
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
@@ -68,6 +88,23 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
 float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
     float deep = timeOfTouch(dx, dy, ux, uy, sum - GRAZE * sum);
     return deep < 1.0f ? timeOfTouch(dx, dy, ux, uy, sum) : 2.0f;
+}
+
+bool isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+    float x = dx - px;
+    float y = dy - py;
+    return x * px + y * py < 0.0f || !isLonger(x, y, sum - RUN_OVER * r);
+}
+
+float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
+    float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+    if (t < share) return t;
+    float x = dx + share * pathX;
+    float y = dy + share * pathY;
+    t = greatest(timeOfImpact(x, y, px, py, sum), share);
+    if (t < 1.0f && isRunOver(x, y, px, py, r, sum)) return t;
+    bool meets = timeOfImpact(dx, dy, px, py, sum) < 1.0f;
+    return meets && isRunOver(dx, dy, px, py, r, sum) ? 1.0f : 2.0f;
 }
 
 float holdAllowance(float r, float path, float other, bool stands) {

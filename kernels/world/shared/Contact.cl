@@ -8,22 +8,22 @@ REAL NAME(inelasticity)(REAL restitution) {
 }
 
 // The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed. Both go down to 0 for elastic
-// pairs. radii: their sum.
-REAL NAME(bounceThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
+// pairs, unless it is fixed. radii: their sum.
+REAL NAME(bounceThreshold)(const StepConstants *k, REAL radii, REAL restitution, float gravityRate) {
     REAL length = NAME(inelasticity)(restitution) * radii;
-    REAL creep = lengthRate * length;
-    return gravityRate * length + creep * creep;
+    REAL creep = k->restRate * length;
+    return OR_FIXED(k, gravityRate * length + creep * creep);
 }
 
 // The same for two circles that nothing carries, whose creeping speed is lower.
-REAL NAME(flightThreshold)(REAL radii, REAL restitution, float gravityRate, float lengthRate) {
-    REAL creep = lengthRate * ((1.0f - restitution) * radii);
-    return gravityRate * (NAME(inelasticity)(restitution) * radii) + creep * creep;
+REAL NAME(flightThreshold)(const StepConstants *k, REAL radii, REAL restitution) {
+    REAL creep = k->flightRestRate * ((1.0f - restitution) * radii);
+    return OR_FIXED(k, k->thresholdRate * (NAME(inelasticity)(restitution) * radii) + creep * creep);
 }
 
 // The same for circles of which one is carried.
 REAL NAME(restitutionThreshold)(const StepConstants *k, REAL radii, REAL restitution) {
-    return NAME(bounceThreshold)(radii, restitution, k->thresholdRate, k->restRate);
+    return NAME(bounceThreshold)(k, radii, restitution, k->thresholdRate);
 }
 
 // The greatest speed at which an overlap that is not deep is pushed out.
@@ -31,8 +31,8 @@ REAL NAME(pushSpeed)(const StepConstants *k, REAL radii) { return k->pushRate * 
 
 // The speed at which an overlap is pushed out, negative: in proportion to the depth, then constant, then growing again if the pair
 // is deep; it never exceeds the proportion.
-REAL NAME(pushOut)(REAL separation, REAL pushSpeed, float biasRate) {
-    REAL deep = DEEP_RATE * separation + DEEP_OFFSET * pushSpeed;
+REAL NAME(pushOut)(const StepConstants *k, REAL separation, REAL pushSpeed, float biasRate) {
+    REAL deep = DEEP_RATE_OF(k) * separation + DEEP_OFFSET * pushSpeed;
     return NAME(greatest)(biasRate * separation, NAME(least)(-pushSpeed, deep));
 }
 
@@ -128,7 +128,7 @@ INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, co
     REAL bounce = NAME(bounceSpeed)(f->restitution, f->before, f->separation, k->h, f->threshold, f->pushSpeed);
     bounce = NAME(choose)(f->restitution > 0.0f && f->loaded, bounce, (REAL)(0.0f));
     REAL speculative = f->separation * k->inverseH;
-    REAL push = softness.massScale * NAME(pushOut)(f->separation, f->pushSpeed, softness.biasRate);
+    REAL push = softness.massScale * NAME(pushOut)(k, f->separation, f->pushSpeed, softness.biasRate);
     MASK rigid = bounce > 0.0f || f->separation > 0.0f;
     c->mass = f->mass;
     c->normalImpulse = f->normalImpulse;

@@ -34,7 +34,7 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        next[axis] = solveWall(k, x[axis], &dx[axis], v[axis], next[axis], c.z, t->y, *loaded, low[axis], high[axis],
+        next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.z, t->y, *loaded, low[axis], high[axis],
                                rate[axis], &wall[axis], &target[axis]);
     }
     *bounce = (float2)(target[0], target[1]);
@@ -102,6 +102,11 @@ INLINE float4 movedFreely(const StepConstants *k, float4 m) {
     return (float4)(m.x + vx * k->h, m.y + vy * k->h, vx, vy);
 }
 
+// A displacement, cut by walls that move, where they are at the end of the sub-step.
+float keepInside(const World *w, float x, float d, float r, int axis, float min, float max) {
+    return within(x, d, (min - behindOf(w, 2 * axis)) + r, (max + behindOf(w, 2 * axis + 1)) - r);
+}
+
 // Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
 INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
@@ -118,6 +123,10 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     } else {
+        if (((dx != d.x) | (dy != d.y)) && w->walls->any) {
+            dx = keepInside(w, c.x, d.x, c.z, 0, k->minX, k->maxX);
+            dy = keepInside(w, c.y, d.y, c.z, 1, k->minY, k->maxY);
+        }
         vx = stopAtFarWall(vx, d.x, dx, wallSide(c.x, k->minX, k->maxX));
         vy = stopAtFarWall(vy, d.y, dy, wallSide(c.y, k->minY, k->maxY));
     }
@@ -138,7 +147,7 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        v[axis] = relaxWall(k, x[axis], dx[axis], v[axis], c.z, t->y, loaded, target[axis], low[axis], high[axis],
+        v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.z, t->y, loaded, target[axis], low[axis], high[axis],
                             rate[axis], &wall[axis]);
     }
     m->z = v[0];

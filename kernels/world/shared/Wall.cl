@@ -16,6 +16,11 @@ float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
 }
 
+// Whether a gap closes neither at a normal speed nor at the one before any impulse.
+INLINE bool staysClear(const StepConstants *k, float gap, float vn, float before) {
+    return (gap > 0.0f) & (gap * k->inverseH + vn >= 0.0f) & (gap + before * k->h >= 0.0f);
+}
+
 float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
 
 float within(float base, float displacement, float low, float high) {
@@ -23,14 +28,16 @@ float within(float base, float displacement, float low, float high) {
     return x < low ? low - base : x > high ? high - base : displacement;
 }
 
-// A circle and the nearer wall of an axis, as a pass finds them.
-Found foundWall(const StepConstants *k, float x, float dx, float r, float e, bool loaded, float min, float max,
-                float thresholdRate, float stored, float *side) {
+// A circle and the nearer wall of an axis, as a pass finds them. A wall that moves is where it will be at the end of the sub-step.
+Found foundWall(const World *w, int axis, float x, float dx, float r, float e, bool loaded, float min, float max,
+                float thresholdRate, float stored, float *side, int *wall) {
+    const StepConstants *k = &w->k;
     *side = wallSide(x, min, max);
+    *wall = 2 * axis + (*side > 0.0f ? 0 : 1);
     Found f;
-    f.separation = wallGap(x, dx, r, *side, min, max);
+    f.separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
     f.restitution = e;
-    f.threshold = bounceThreshold(2.0f * r, e, thresholdRate, k->restRate);
+    f.threshold = bounceThreshold(k, 2.0f * r, e, thresholdRate);
     f.flight = f.threshold; // walls have one threshold
     f.mass = 1.0f;
     f.normalImpulse = wallImpulse(stored, *side);
@@ -42,16 +49,22 @@ Found foundWall(const StepConstants *k, float x, float dx, float r, float e, boo
 }
 
 // The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
-// contacts; stored: the wall's impulse. Returns the new velocity along the axis.
-float solveWall(const StepConstants *k, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
+// contacts; stored: the wall's impulse. Returns the new velocity along the axis. A wall that moves is visited in its frame, by where
+// it is now, unless it stays clear of the circle in the sub-step.
+float solveWall(const World *w, int axis, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
                 float max, float thresholdRate, float *stored, float *bounce) {
+    const StepConstants *k = &w->k;
     float side;
-    Found f = foundWall(k, x, *dx, r, e, loaded, min, max, thresholdRate, *stored, &side);
-    f.before = side * before;
+    int wall;
+    Found f = foundWall(w, axis, x, *dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
+    v += side * f.normalImpulse;
+    bool clear = staysClear(k, f.separation, side * v, side * before) & (f.normalImpulse == 0.0f);
+    float speed = clear ? 0.0f : speedFor(w, wall, r);
+    f.separation += clear ? 0.0f : sweepFor(w, wall, r);
+    f.before = side * before - speed;
     Ready c;
     makeReadyToSolve(k, wallSoftness(k), &f, &c);
-    v += side * f.normalImpulse;
-    float vn = side * v;
+    float vn = side * v - speed;
     Visited visited;
     visit(&c, vn, false, &visited);
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
@@ -61,14 +74,15 @@ float solveWall(const StepConstants *k, float x, float *dx, float before, float 
 }
 
 // The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.
-float relaxWall(const StepConstants *k, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
+float relaxWall(const World *w, int axis, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
                 float max, float thresholdRate, float *stored) {
     float side;
-    Found f = foundWall(k, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side);
+    int wall;
+    Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     Ready c;
-    makeReadyToRelax(k, &f, bounce, &c);
+    makeReadyToRelax(&w->k, &f, bounce, &c);
     Visited visited;
-    visit(&c, side * v, true, &visited);
+    visit(&c, side * v - speedFor(w, wall, r), true, &visited);
     // After a bounce +0 at either wall: the signs of zeros are part of the state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
     return visited.leaves ? v : v + side * visited.impulse;
@@ -79,11 +93,11 @@ float2 noWalls(const StepConstants *k, float4 c) {
     return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
 }
 
-// Whether solveWall changes no more than the sign of a zero of a circle that has no impulse of walls.
+// Whether solveWall changes no more than the sign of a zero of a circle that has no impulse of walls. A wall that moves counts as
+// where it will be at the end of the step: it is no nearer before.
 INLINE bool wallIsFar(const StepConstants *k, float x, float dx, float before, float v, float r, float min, float max) {
     float side = wallSide(x, min, max);
-    float gap = wallGap(x, dx, r, side, min, max);
-    return (gap > 0.0f) & (gap * k->inverseH + side * v >= 0.0f) & (gap + side * before * k->h >= 0.0f);
+    return staysClear(k, wallGap(x, dx, r, side, min, max), side * v, side * before);
 }
 
 // Whether relaxWall, at both walls, changes nothing of a circle that has no impulse of walls and bounces off none. m: its motion.

@@ -62,6 +62,19 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             homeMotion[slot].z = afterImpulse(homeMotion[slot].z, homeTraits[slot].x, a);
             homeMotion[slot].w = afterImpulse(homeMotion[slot].w, homeTraits[slot].x, b);
             break;
+        case COMMAND_DEPART:
+            // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
+            homeTraits[slot].zw = homeMotion[slot].zw;
+            homeMotion[slot].z = travelSpeed(homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]));
+            homeMotion[slot].w = travelSpeed(homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]));
+            break;
+        case COMMAND_ARRIVE:
+            homeCircle[slot].x = a;
+            homeCircle[slot].y = b;
+            homeMotion[slot] = (float4)(0.0f, 0.0f, homeTraits[slot].z, homeTraits[slot].w);
+            homeTraits[slot].z = 0.0f;
+            homeTraits[slot].w = 0.0f;
+            break;
         case COMMAND_FIELD:
             ((global int *) (fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
@@ -69,17 +82,17 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
     }
 }
 
-// Brings circles that changed bounds have left outside to the nearest place inside. Index space: a slot at home a
+// Brings circles that changed bounds have left outside to the nearest place inside, unless the next step pushes them there. Index space: a slot at home a
 // work-item.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
                              global const float4 *homeTraits, int slots, float minX, float minY, float maxX,
-                             float maxY) {
+                             float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
     float edge = homeTraits[slot].x == 0.0f ? 0.0f : c.z;
-    float x = bounded(c.x, minX + edge, maxX - edge);
-    float y = bounded(c.y, minY + edge, maxY - edge);
+    float x = bounded(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
+    float y = bounded(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {
         homeCircle[slot].x = x;
         homeMotion[slot].x = 0.0f;

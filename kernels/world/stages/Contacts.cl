@@ -34,19 +34,23 @@ void refuseCrowd(const World *w) {
 }
 
 // Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
-// and how many the group had before.
-void recordContact(const World *w, int k, int slot, int other) {
+// and how many the group had before. column, row: of the circle that looked, in the level of the other.
+void recordContactAt(const World *w, int k, int slot, int other, int level, int column, int row) {
     constant Levels *levels = w->levels;
-    int level = levelOfSlot(w, other);
-    float4 own = w->sight[slot];
     int cl = levels->columnsLog[level];
     int bucket = w->bucketOf[other] - levels->first[level];
-    int ox = ringFirst(columnOf(w, level, own.x), bucket & ((1 << cl) - 1), levels->columnCount[level]);
-    int oy = ringFirst(rowOf(w, level, own.y), bucket >> cl, levels->rowCount[level]);
+    int ox = ringFirst(column, bucket & ((1 << cl) - 1), levels->columnCount[level]);
+    int oy = ringFirst(row, bucket >> cl, levels->rowCount[level]);
     int group = groupOf(w, level, ox, oy);
     int rank = atomic_inc(&w->tally[group]);
     if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
     if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
+}
+
+void recordContact(const World *w, int k, int slot, int other) {
+    int level = levelOfSlot(w, other);
+    float4 own = w->sight[slot];
+    recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y));
 }
 
 // Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
@@ -119,7 +123,8 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
         if (k < FINDINGS) {
             found->slots[k] = (int2)(s->slot, other);
         } else {
-            recordContact(w, atomic_inc(&w->status[FOUND]), s->slot, other);
+            // By the cells that are known here: to work them out again would take a GPU more registers than all else.
+            recordContactAt(w, atomic_inc(&w->status[FOUND]), s->slot, other, s->level, s->column, s->row);
         }
     }
 }

@@ -1,17 +1,31 @@
-// uses: world/shared/PairRule.cl world/stages/Grid.cl world/stages/PairFilter.cl
+// uses: world/shared/PairRule.cl world/stages/Carrying.cl world/stages/Grid.cl world/stages/PairFilter.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
 
 // From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
 
-// What a fast circle looks ahead with. least: by how much it must move against another to matter; pushers: looks for who pushes
-// whom.
+// What a fast circle looks for on its path: circles at which it stops, or that stop at it; when a static circle that moves takes
+// a circle along; which static circle that is.
+typedef enum { STOPS, CARRY_TIMES, CARRIERS } Look;
+
+// What a fast circle looks ahead with. least: by how much it must move against another to matter.
 typedef struct {
     float x, y, r, px, py, path, speculativeDistance, least;
     int slot;
-    bool isStatic, pushers;
+    bool isStatic;
+    Look look;
 } Runner;
+
+// Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
+void noteLongestPath(const World *w, const Piece *piece) {
+    float longest = 0.0f;
+    for (int i = 0; i < piece->end.w; i++) {
+        int slot = slotInPiece(piece, i);
+        if (w->sight[slot].w != 0.0f) longest = greatest(w->motionClamp[slot].w, longest);
+    }
+    if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
+}
 
 // The range of the paths of the circles in a block of cells.
 void summarize(const World *w, int block) {
@@ -36,6 +50,7 @@ void summarize(const World *w, int block) {
         range.w = greatest(path.y, range.w);
     }
     w->blockRange[block] = range;
+    if (w->status[CARRYING]) noteLongestPath(w, &piece);
 }
 
 // Index space: a block a work-item. Cost: its circles.
@@ -62,10 +77,9 @@ void meet(const World *w, const Runner *s, int other) {
     float ux = s->px - plan.x;
     float uy = s->py - plan.y;
     if (!isLonger(ux, uy, s->least)) return;
-    bool pushes = s->isStatic;
     bool stands = inverseMass(c.w) == 0.0f; // spares a read
-    if (!mayMeet(w, s->slot, pushes ? 0.0f : 1.0f, other, stands ? 0.0f : 1.0f)) return;
-    if (!pushes && !stands && !sweeps(s->r, c.z)) return;
+    if (!mayMeet(w, s->slot, 1.0f, other, stands ? 0.0f : 1.0f)) return;
+    if (!stands && !sweeps(s->r, c.z)) return;
     float dx = c.x - s->x;
     float dy = c.y - s->y;
     if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
@@ -73,30 +87,34 @@ void meet(const World *w, const Runner *s, int other) {
     }
     // First what most pairs fail.
     float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
-    if (!(t < 1.0f)) return;
-    bool carries = (pushes && isFast(s->path, c.z)) || (stands && isFast(plan.w, s->r));
-    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !carries &&
-        !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
+    if (!(t < 1.0f) || (stands && isFast(plan.w, s->r))) return;
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
         return;
     }
-    float slack = pushes || stands ? MARGIN : HOLD;
-    if (!carries && isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
-        if (pushes || s->pushers) return;
+    float slack = stands ? MARGIN : HOLD;
+    if (isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
         w->near[s->slot].x = least(t, w->near[s->slot].x);
         float most = holdAllowance(s->r, s->path, c.z, stands);
         restrain(w, s->slot, most, stands || w->near[s->slot].y < 0.0f);
-    } else if (s->pushers) {
-        if (pushes && w->timeOfImpact[other] == as_int(t)) {
-            atomic_min(&w->pusher[other], s->slot);
-        } else if (stands && plan.w > 0.0f && w->timeOfImpact[s->slot] == as_int(t)) {
-            atomic_min(&w->pusher[s->slot], other);
-        }
-    } else if (pushes || stands) {
-        shorten(w, pushes ? other : s->slot, t);
-        if (pushes || plan.w > 0.0f) w->status[PUSHED] = 1;
+    } else if (stands) {
+        if (plan.w == 0.0f) shorten(w, s->slot, t);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
         shorten(w, s->slot, t);
         if (isFast(plan.w, c.z)) shorten(w, other, t);
+    }
+}
+
+// As meet, for a pair of which one is static and moves. Its faster circle finds it, or both do.
+void meetCarrier(const World *w, const Runner *s, int other) {
+    float4 c = w->circle[other];
+    float4 plan = w->motionClamp[other];
+    bool isStatic = inverseMass(c.w) == 0.0f; // spares a read
+    if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, isStatic ? 0.0f : 1.0f)) return;
+    bool note = s->look == CARRIERS;
+    if (s->isStatic) {
+        if (plan.w <= s->path + CAP * c.z) meetCarried(w, s->slot, other, note);
+    } else if (isStatic && plan.w > 0.0f && isLonger(s->px - plan.x, s->py - plan.y, s->least)) {
+        meetCarried(w, other, s->slot, note);
     }
 }
 
@@ -106,9 +124,21 @@ int inBlock(int column, int side, int most) {
     return min(min(blockEnd, side) - column, most + 1);
 }
 
+// Whether a pair needs a closer look, which few do.
+bool mayMatter(const World *w, const Runner *s, int other) {
+    float4 c = w->circle[other];
+    float4 plan = w->motionClamp[other];
+    return mayTouch(c.x - s->x, c.y - s->y, s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
+}
+
 void meetAll(const World *w, const Runner *s, int from, int to) {
     for (int other = from; other < to; other++) {
-        if (other != s->slot) meet(w, s, other);
+        if (other == s->slot) continue;
+        if (s->look == STOPS) {
+            if (mayMatter(w, s, other)) meet(w, s, other);
+        } else {
+            meetCarrier(w, s, other);
+        }
     }
 }
 
@@ -126,7 +156,7 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
             int columnsOfBlock = inBlock(column, columns, c1 - u);
             float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
-            if (differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
+            if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
                 for (int r = row; r < row + rowsOfBlock; r++) {
                     global const int *start = w->bucketStart + first + (r << cl) + column;
                     meetAll(w, s, start[0], start[columnsOfBlock]);
@@ -138,26 +168,37 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     }
 }
 
-void lookAhead(const World *w, int slot, bool pushers) {
+void lookAhead(const World *w, int slot, Look look) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
     bool isStatic = sight.w == 0.0f;
+    if (isStatic && look == STOPS) return;
     Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic,
-                pushers};
+                look};
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
-        float margin = sightMargin(s.r, s.path, top);
+        float path = isStatic ? carriedPath(s.path, as_float(w->status[LONGEST_PATH]), top) : s.path;
+        float margin = sightMargin(s.r, path, top);
         float minX = w->levels->minX;
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
-        int c0 = cell(least(s.x, s.x + s.px) - margin, minX, edge);
-        int c1 = cell(greatest(s.x, s.x + s.px) + margin, minX, edge);
+        int columns = w->levels->columnCount[level];
+        int rows = w->levels->rowCount[level];
         int r0 = cell(least(s.y, s.y + s.py) - margin, minY, edge);
         int r1 = cell(greatest(s.y, s.y + s.py) + margin, minY, edge);
-        lookAt(w, &s, level, c0, min(c1, c0 + w->levels->columnCount[level] - 1), r0,
-               min(r1, r0 + w->levels->rowCount[level] - 1));
+        // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
+        bool byPieces = isStatic && r1 - r0 < rows;
+        int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
+        for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
+            int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
+            float low = byPieces ? minY + (float) v / edge - margin : -INFINITY;
+            float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
+            int c0 = cell(leastBetween(s.x, s.px, s.y, s.py, low, high) - margin, minX, edge);
+            int c1 = cell(greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin, minX, edge);
+            lookAt(w, &s, level, c0, min(c1, c0 + columns - 1), v, min(end - 1, r1));
+        }
     }
 }
 
@@ -166,20 +207,35 @@ void lookAhead(const World *w, int slot, bool pushers) {
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, false);
+    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, STOPS);
 }
 
-// Where static circles push others, finds out who pushes whom. Index space and cost: the same.
-kernel void continuousCollision_push(WORLD_PARAMETERS) {
+// Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.
+void lookForCarriers(const World *w, Look look) {
+    if (!w->status[CARRYING] || refused(w)) return;
+    for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
+        if (looksAhead(w, slot)) lookAhead(w, slot, look);
+    }
+}
+
+// Where static circles move, finds out when they take others along. Index space: any number of work-items. Cost: the same.
+kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
     World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && status[PUSHED] != 0 && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, true);
+    lookForCarriers(&w, CARRY_TIMES);
+}
+
+// Then finds out which of them takes whom along. Index space and cost: as before it.
+kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
+    World w = WORLD;
+    lookForCarriers(&w, CARRIERS);
 }
 
 // Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far
 // it may leave that, negative, and the share of it that is free. A circle that stops loses time, and so what gravity would give it
 // in that time. After all have looked ahead.
 void setMotionClamp(const World *w, int slot) {
+    // Nothing is in the way of most circles, and stage Grid has set their clamps.
+    if (freeShare(w, slot) >= 1.0f && carryTime(w, slot) > 1.0f) return;
     float4 sight = w->sight[slot];
     if (sight.w == 0.0f) return;
     const StepConstants *k = &w->k;
@@ -190,21 +246,25 @@ void setMotionClamp(const World *w, int slot) {
     float limit = least(near.x, 1.0f);
     float allowance = limit < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
     float2 path = plan.xy;
-    if (free < limit) {
-        float rest = 1.0f - free;
-        int pusher = w->pusher[slot];
-        path = (float2)(free * path.x, free * path.y);
+    int carrier = w->carrier[slot];
+    float own = least(freeShare(w, slot), carryTime(w, slot));
+    bool stops = free < limit || carryTime(w, slot) < 1.0f;
+    if (carrier != NOBODY || stops) {
+        path = (float2)(own * path.x, own * path.y);
         allowance = 0.0f;
-        if (pusher != NOBODY) {
-            float4 pushed = w->motionClamp[pusher];
-            path = (float2)(path.x + rest * pushed.x, path.y + rest * pushed.y);
-            allowance = isFast(pushed.w, r) ? CARRIED : 0.0f;
+        if (carrier != NOBODY) {
+            float4 carried = w->motionClamp[carrier];
+            float rest = 1.0f - carryTime(w, slot);
+            path = (float2)(path.x + rest * carried.x, path.y + rest * carried.y);
+            allowance = isFast(carried.w, r) ? CARRIED : 0.0f;
         }
-        w->sight[slot].z = speculativeDistance(r, 0.0f);
-        w->motion[slot].z -= rest * (k->gravityStepX * k->subSteps);
-        w->motion[slot].w -= rest * (k->gravityStepY * k->subSteps);
     } else if (allowance >= 0.0f) {
         path = (float2)(limit * path.x, limit * path.y);
+    }
+    if (stops) {
+        w->sight[slot].z = speculativeDistance(r, 0.0f);
+        w->motion[slot].z -= (1.0f - own) * (k->gravityStepX * k->subSteps);
+        w->motion[slot].w -= (1.0f - own) * (k->gravityStepY * k->subSteps);
     }
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }

@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl
+// uses: world/stages/World.cl world/shared/Wall.cl
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
 // sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
 // order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
@@ -9,7 +9,8 @@ void startStep(const World *w) {
     if (refused(w)) return;
     if (w->k.sweeping) w->status[FAST] = 0;
     if (w->k.thinning) w->status[CROWDED] = 0;
-    w->status[PUSHED] = 0;
+    w->status[CARRYING] = 0;
+    w->status[LONGEST_PATH] = 0;
     w->status[TILE_PEAK] = 0;
     w->status[FOUND] = 0;
 }
@@ -67,10 +68,11 @@ int countLower(const World *w, int from, int to, int id) {
 float leastRadius(const World *w) { return 0.5f * w->levels->top[w->levels->used[0]]; }
 
 // The share of its path after which a circle touches a wall; 1 if it does not fly far.
-float timeOfWalls(const StepConstants *k, float4 c, float px, float py, bool far) {
+float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     if (!far) return 1.0f;
-    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX);
-    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY);
+    const StepConstants *k = &w->k;
+    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX, travelFor(w, 0, c.z), travelFor(w, 1, c.z));
+    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY, travelFor(w, 2, c.z), travelFor(w, 3, c.z));
     return greatest(least(tx, ty), 0.0f);
 }
 
@@ -89,7 +91,12 @@ bool gatherCircle(const World *w, int i) {
     float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     float path = norm(px, py);
-    if (!isStatic && path > c.z) {
+    if (isStatic) {
+        // It stops at the bounds.
+        px = within(c.x, px, w->k.minX, w->k.maxX);
+        py = within(c.y, py, w->k.minY, w->k.maxY);
+        path = norm(px, py);
+    } else if (path > c.z) {
         px = besideWalls(c.x, px, c.z, w->k.minX, w->k.maxX);
         py = besideWalls(c.y, py, c.z, w->k.minY, w->k.maxY);
         path = norm(px, py);
@@ -109,9 +116,11 @@ bool gatherCircle(const World *w, int i) {
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {
-        w->timeOfImpact[slot] = as_int(timeOfWalls(&w->k, c, px, py, !isStatic && path > c.z));
+        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.z));
         w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
-        w->pusher[slot] = NOBODY;
+        w->carryTime[slot] = as_int(NOT_CARRIED);
+        w->carrier[slot] = NOBODY;
+        if (isStatic && path > 0.0f) w->status[CARRYING] = 1;
     }
     return fast;
 }

@@ -3,8 +3,9 @@
 // per colour; the Java class world.jvm.Solver does the same.
 
 // Index space: a working slot a work-item.
-kernel void solver_integrateVelocities(WORLD_PARAMETERS) {
+kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 m = motion[slot];
@@ -25,7 +26,7 @@ Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
     f.separation = n.z;
     f.restitution = b.w;
     f.threshold = restitutionThreshold(&w->k, b.z, b.w);
-    f.flight = flightThreshold(b.z, b.w, w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold(&w->k, b.z, b.w);
     f.mass = effectiveMass(q.x, q.y);
     f.normalImpulse = n.w;
     f.loaded = loads > 0.0f;
@@ -82,8 +83,9 @@ kernel void solver_solve(WORLD_PARAMETERS, int level, int colour) {
 }
 
 // Index space: a working slot a work-item.
-kernel void solver_integratePositions(WORLD_PARAMETERS) {
+kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 m = motion[slot];

@@ -50,13 +50,16 @@ kernel void touches_begin(WORLD_PARAMETERS, global float4 *touch, global float4 
     }
 }
 
-// Takes a visit of the wall of an axis down. speed: along the axis, with which the circle approached; from, to: before and after
-// the visit; gap: separation before it; along: coordinate along the wall.
-void touchWall(global float4 *t, float side, float speed, float from, float to, float gap, float along_) {
+// The number of a wall.
+int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
+
+// Takes a visit of the wall of an axis down. vn: normal speed that the circle approached with; from, to: velocity along the axis
+// before and after the visit; gap: separation before it; along: coordinate along the wall.
+void touchWall(global float4 *t, float side, float vn, float from, float to, float gap, float along_) {
     float4 now = *t;
     float impulse = side * (to - from);
     now.y += impulse;
-    float approach = approachSpeed(side * speed);
+    float approach = approachSpeed(vn);
     if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
         now.x = approach;
         now.z = along_;
@@ -65,9 +68,26 @@ void touchWall(global float4 *t, float side, float speed, float from, float to, 
     *t = now;
 }
 
+// Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step. gap: from where the
+// wall is at the end of the step; before: velocity before any impulse.
+void touchSolved(const World *w, global float4 *t, int axis, float side, float r, float before, float from, float to, float gap,
+                 float along_) {
+    int wall = wallOf(axis, side);
+    float now = (gap + behindOf(w, wall)) + sweepFor(w, wall, r);
+    touchWall(t, side, side * before - speedFor(w, wall, r), from, to, now, along_);
+}
+
+// Takes a visit of the relaxing pass down. gap: from where the wall is at the end of the step.
+void touchRelaxed(const World *w, global float4 *t, int axis, float side, float r, float from, float to, float gap,
+                  float along_) {
+    int wall = wallOf(axis, side);
+    touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
+}
+
 // Index space: a working slot a work-item.
-kernel void touches_integrateVelocities(WORLD_PARAMETERS, global float4 *wallTouch) {
+kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 c = circle[slot];
@@ -87,8 +107,10 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, global float4 *wallTou
     float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
     float gapX = wallGap(c.x, old.x, c.z, sideX, w.k.minX, w.k.maxX);
     float gapY = wallGap(c.y, old.y, c.z, sideY, w.k.minY, w.k.maxY);
-    touchWall(&wallTouch[2 * slot], sideX, before.x, afterImpulse(before.x, t.x, l.x), m.z, gapX, c.y + m.y);
-    touchWall(&wallTouch[2 * slot + 1], sideY, before.y, afterImpulse(before.y, t.x, l.y), m.w, gapY, c.x + m.x);
+    float fromX = afterImpulse(before.x, t.x, l.x);
+    float fromY = afterImpulse(before.y, t.x, l.y);
+    touchSolved(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
+    touchSolved(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -111,8 +133,9 @@ kernel void touches_solve(WORLD_PARAMETERS, int level, int colour, global float4
 }
 
 // Index space: a working slot a work-item.
-kernel void touches_integratePositions(WORLD_PARAMETERS, global float4 *wallTouch) {
+kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
     World w = WORLD;
+    w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     float4 c = circle[slot];
@@ -131,8 +154,8 @@ kernel void touches_integratePositions(WORLD_PARAMETERS, global float4 *wallTouc
     float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
     float gapX = wallGap(c.x, m.x, c.z, sideX, w.k.minX, w.k.maxX);
     float gapY = wallGap(c.y, m.y, c.z, sideY, w.k.minY, w.k.maxY);
-    touchWall(&wallTouch[2 * slot], sideX, before.z, before.z, m.z, gapX, c.y + m.y);
-    touchWall(&wallTouch[2 * slot + 1], sideY, before.w, before.w, m.w, gapY, c.x + m.x);
+    touchRelaxed(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.z, m.z, gapX, c.y + m.y);
+    touchRelaxed(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.w, m.w, gapY, c.x + m.x);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -182,7 +205,7 @@ void recordTouch(const World *w, global const float4 *touch, global int4 *record
     float4 mi = w->homeMotion[pr.x];
     float4 mj = w->homeMotion[pr.y];
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float threshold = bounceThreshold(radii, 0.0f, w->k.thresholdRate, w->k.restRate);
+    float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
     writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(t.x, n.z), greatest(t.x, 0.0f), t.y, vn,
                 threshold, normal, point);
 }
@@ -199,18 +222,19 @@ void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, 
     float gap = wallGap(x, dx, c.z, nearer, min_, max_);
     bool touched = t.x >= 0.0f;
     bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.z);
-    float threshold = bounceThreshold(2.0f * c.z, 0.0f, rate, w->k.restRate);
+    float threshold = bounceThreshold(&w->k, 2.0f * c.z, 0.0f, rate);
     for (int k = 0; k < 2; k++) {
         bool first = k == 0;
         if (first ? !touched : !isNear_ || (touched && t.w == nearer)) continue;
         float side = first ? t.w : nearer;
         float at = side > 0.0f ? min_ : max_;
         float place = first ? t.z : axis == 0 ? c.y : c.x;
-        int wall = FIRST_WALL + 2 * axis + (side > 0.0f ? 0 : 1);
+        int wall = wallOf(axis, side);
+        float vn = side * v - speedFor(w, wall, c.z);
         float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
         float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
-        writeRecord(w, records, recordRoom, w->homeId[slot], wall, first || touches(NO_TOUCH, gap), first ? t.x : 0.0f,
-                    first ? c.w * t.y : 0.0f, side * v, threshold, normal, point);
+        writeRecord(w, records, recordRoom, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), first ? t.x : 0.0f,
+                    first ? c.w * t.y : 0.0f, vn, threshold, normal, point);
     }
 }
 

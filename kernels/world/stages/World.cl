@@ -8,8 +8,19 @@
 // was enqueued is refused: it writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 
 #define NOT_FAST 2.0f // more than any time of impact
+#define NOT_CARRIED 2.0f // more than any time at which a static circle takes another along
 #define NOBODY INT_MAX // more than any slot
 #define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
+
+// Two numbers of contacts that are constants by default: a device is compiled for a world in which they are not (TUNED), so that all
+// other worlds have a register more.
+#ifdef TUNED
+#define DEEP_RATE_OF(k) ((k)->deepRate)
+#define OR_FIXED(k, threshold) ((threshold) + (k)->fixedThreshold)
+#else
+#define DEEP_RATE_OF(k) DEEP_RATE
+#define OR_FIXED(k, threshold) (threshold)
+#endif
 
 // An entry of the impulse cache. next: the next one of the same circle of lower id, or NONE.
 int4 cacheEntry(int higherId, float normalImpulse, int next) {
@@ -48,6 +59,24 @@ bool refused(const World *w) {
     int fast = w->k.sweeping ? 0 : w->status[FAST];
     int crowded = w->k.thinning ? 0 : w->status[CROWDED];
     return (room | fast | crowded) != 0;
+}
+
+// Walls that move (the Java class WallMotion). wall: 0 to 3, for left, right, lower and upper.
+
+// How far a wall is behind its last place at the end of the sub-step.
+float behindOf(const World *w, int wall) {
+    return w->walls->sweep[wall] * (float) (w->k.subSteps - 1 - w->subStep);
+}
+
+// Whether a circle feels the velocity of a wall.
+bool feelsWall(const World *w, int wall, float r) { return fabs(w->walls->travel[wall]) <= r; }
+
+float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->speed[wall] : 0.0f; }
+
+float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->sweep[wall] : 0.0f; }
+
+float travelFor(const World *w, int wall, float r) {
+    return feelsWall(w, wall, r) ? greatest(w->walls->travel[wall], 0.0f) : 0.0f;
 }
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }

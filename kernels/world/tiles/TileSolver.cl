@@ -117,7 +117,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     f.separation = r->normal.z;
     f.restitution = r->shape.y;
     f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
-    f.flight = flightThreshold(r->shape.x, r->shape.y, w->k.thresholdRate, w->k.flightRestRate);
+    f.flight = flightThreshold(&w->k, r->shape.x, r->shape.y);
     f.mass = r->normal.w;
     f.normalImpulse = r->impulse.x;
     f.loaded = isLoaded(wi) || isLoaded(wj);
@@ -296,6 +296,23 @@ void measureContacts(const World *w, local Tile *t, global int *record) {
     }
 }
 
+// Starts the circles of a tile that are noted to be at walls. They are few: in a loop of their own they do not hold the registers
+// of those that a work-item starts together.
+void startAtWalls(const World *w, local Tile *t, global int *entries) {
+    int circles = t->circles;
+#pragma unroll 1
+    TILE_EACH(i, circles) {
+        int entry = entries[i];
+        if (entry < 0 || (entry & AT_WALL) == 0) continue;
+        int slot = entry & ENTRY_SLOT;
+        float2 d = w->solvedMotion[slot].xy;
+        float2 v = t->velocity[i];
+        bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
+        float4 m = (float4)(d.x, d.y, v.x, v.y);
+        noteWall(entries, i, entry, startCircle(w, slot, w->circle[slot], m, w->traits[slot], t->load[i], carried));
+    }
+}
+
 // The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
 // home. together: how many of them a work-item starts at a time.
 void relaxTile(const World *w, local Tile *t, int tile, bool last, int together) {
@@ -344,12 +361,12 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             if (last) {
                 finalizePositions(w, slot, c[n], m, w->traits[slot]);
-            } else if ((entry[n] & AT_WALL) != 0 ||
-                       !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i], carried)) {
-                noteWall(entries, i, entry[n], startCircle(w, slot, c[n], m, w->traits[slot], t->load[i], carried));
+            } else if ((entry[n] & AT_WALL) == 0) {
+                noteWall(entries, i, entry[n], !startOffWalls(w, slot, c[n], m, fabs(t->burden[i]), t->load[i], carried));
             }
         }
     }
+    if (!last) startAtWalls(w, t, entries);
 }
 
 // Stores a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
@@ -374,14 +391,17 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    w.subStep = subStep;
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
     solveTile(&w, &t, tile, subStep, 4);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int last) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
     World w = WORLD;
+    bool last = subStep == w.k.subSteps - 1;
+    w.subStep = subStep + 1; // which the circles start into
     local Tile t;
     int tile = (int) get_group_id(0);
     bool idle = refused(&w);

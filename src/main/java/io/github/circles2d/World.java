@@ -10,6 +10,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
@@ -32,45 +33,54 @@ import java.util.Objects;
  *
  * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
  * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
- * IllegalArgumentException, even if the circle's place has been taken by another. (Handles given after a snapshot was taken may
+ * IllegalArgumentException, even if the circle's place has been taken by another. Methods that take many handles skip and count stale
+ * ones if you ask for it ({@link StaleHandles}). (Handles given after a snapshot was taken may
  * name other circles once it is restored, and those of two worlds may be equal.) <b>Order:</b> the bulk reads give the
  * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
- * nothing is removed this is the order of adding; removing a circle closes its gap.
+ * nothing is removed this is the order of adding; removing a circle closes its gap. The reads by id ({@link #readById}) leave the
+ * gaps, so there the element of a circle depends on its {@link #id} alone.
  *
- * <p><b>Changes</b> (add, remove, set, impulse) are gathered and take effect in call order, at the latest before the next
+ * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest before the next
  * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
  * walls and each other, and they move only by the velocity set for them (none at first).
  *
  * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2). r is the mean radius of the pair, or the circle's
+ * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2), or up to that of
+ * {@link Builder#restitutionThreshold}. r is the mean radius of the pair, or the circle's
  * at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
  * 0.1 (1 - restitution) r per second for two circles that nothing carries. From a restitution of 0.9 on all of it goes down, to 0
  * at 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
  * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
- * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper. Shallow ones
+ * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper
+ * ({@link Builder#greatestPushOutSpeed}). Shallow ones
  * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
  *
  * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
  * by 0.4 radii. From about ten thousand times its mass on, it sinks through.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
- * of threads; {@link #hash()} is a number to compare.
+ * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
+ * repeats what a {@link Recording} has written.
  *
  * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
  * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
  * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
  * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
- * 0.95 of their diameter, beside a wall, about one in a thousand still does. A static circle that moves takes along a circle that it
- * meets, whatever its size; through a crowd it does so up to about half its radius a step, and faster ones drive over those that
- * stop at others. Circles do not stop at others that are less than a sixteenth of their radius, unless those are static; of pebbles
- * of a tenth, a ball runs over about one in a hundred. In one step a circle that is not static moves at most 64 of its radii,
- * whatever its velocity, unless a static one takes it along: do not make circles tiny that are to fly far.
+ * 0.95 of their diameter, beside a wall, about one in a thousand still does. Circles do not stop at others that are less than a
+ * sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over about one in a hundred. In one step a
+ * circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it along: do not make
+ * circles tiny that are to fly far.
+ *
+ * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead what they meet, and pass through
+ * nothing: fences of them that drove through crowds at 0.2 to 10 of the circles' radii a step left none behind. From about half a
+ * radius a step on, they press a crowd into itself; faster ones press circles into one point, which part later. They push circles
+ * through other static ones, and one that is between two which move against each other comes behind one of them.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
  * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays takes real time
- * into an accumulator and makes whole steps of one length.
+ * into an accumulator and makes whole steps of one length, as {@link FixedStep} does.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
  * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
@@ -88,6 +98,7 @@ import java.util.Objects;
  */
 public final class World implements AutoCloseable {
     private final Simulation simulation;
+    private final Queries queries;
     private final Backend backend;
     private final String reason;
     private final Events events = new Events();
@@ -96,7 +107,9 @@ public final class World implements AutoCloseable {
         backend = choice.backend();
         reason = choice.reason();
         simulation = new Simulation(
-                choice.pipeline(), new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0));
+                choice.pipeline(),
+                new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
+        queries = new Queries(simulation.searches());
     }
 
     /**
@@ -106,6 +119,11 @@ public final class World implements AutoCloseable {
      */
     public static Builder builder() {
         return new Builder();
+    }
+
+    /** The inside of this world. */
+    Simulation simulation() {
+        return simulation;
     }
 
     // ---- circles
@@ -177,7 +195,54 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Whether a handle is that of a circle of this world.
+     * Removes many circles: all of them, or none where one is refused. A handle that occurs again is stale by then.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException where a handle is stale and not to be left out, or the count is out of range
+     */
+    public int removeAll(long[] handles, int count, StaleHandles stale) {
+        return simulation.bulk().remove(handles, count, stale.skips());
+    }
+
+    /**
+     * The id of a handle: its lower 32 bits. Ids are small numbers from 0 on, so a game keeps what it knows of its circles in arrays
+     * by id. Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over:
+     * reset what the arrays have of an id when you add a circle.
+     *
+     * @param handle the handle of a circle, stale or not
+     * @return its id, at least 0
+     */
+    public static int id(long handle) {
+        return (int) handle;
+    }
+
+    /**
+     * How long the caller's arrays by id must be: one more than the greatest id that a circle of this world has had. It grows with
+     * the greatest number of circles that there were at a time, and not with the number of circles that came. It does not shrink,
+     * except that {@link #restore} makes it what it was when the snapshot was taken.
+     *
+     * @return at least {@link #size}
+     */
+    public int idLimit() {
+        return simulation.circles().idLimit();
+    }
+
+    /**
+     * The handle of the circle that has an id now. {@link #readHandles} gives those of all circles.
+     *
+     * @param id an id, at least 0 and less than {@link #idLimit}
+     * @return the handle; 0 where no circle has the id
+     * @throws IllegalArgumentException where the id is out of range
+     */
+    public long handle(int id) {
+        return simulation.circles().handle(id);
+    }
+
+    /**
+     * Whether a handle is that of a circle of this world. This looks into two arrays and waits for nothing.
      *
      * @param handle any number
      * @return false where it is stale or never was a handle
@@ -196,7 +261,15 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Puts a circle somewhere else; its velocity stays. It may overlap others there, which are pushed apart (see the class).
+     * Puts a circle somewhere else; its velocity stays.
+     *
+     * <p>A circle that is not static is there at once. It may overlap others there, which are pushed apart (see the class).
+     *
+     * <p>A static circle travels there in the next step, on a straight line, however far it is, and pushes what is in its way ahead.
+     * Reads give its old place until then; after the step it is exactly at the new one, with the velocity that it had before. In this
+     * step it does not move by its own velocity. Of several calls before a step the last one counts. {@link #setBounds} brings the
+     * new place inside, and a circle that {@link #setMass} makes no longer static is there at once. A circle far away flings what it
+     * meets: use {@link #teleport} for jumps.
      *
      * @param handle the circle
      * @param x x of the centre, within the bounds
@@ -204,6 +277,19 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
+        simulation.circles().move(handle, x, y);
+    }
+
+    /**
+     * Puts a circle somewhere else at once, also a static one, past all that lies between; its velocity stays. It may overlap others
+     * there, which are pushed apart (see the class).
+     *
+     * @param handle the circle
+     * @param x x of the centre, within the bounds
+     * @param y y of the centre, within the bounds
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void teleport(long handle, float x, float y) {
         simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 
@@ -279,6 +365,71 @@ public final class World implements AutoCloseable {
         simulation.circles().set(Commands.IMPULSE, handle, x, y);
     }
 
+    /**
+     * Puts many circles somewhere else, as {@link #setPosition} does, in the order of the array: all of them, or none where one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param positions x and y of the centre of each, within the bounds
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException where a handle is stale and not to be left out, a value of a handle that is not left out is
+     *     out of range (the message has its place), or the count is out of range or there are too few values
+     */
+    public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
+        return simulation.bulk().set(Commands.POSITION, handles, count, positions, stale.skips());
+    }
+
+    /**
+     * Gives many circles velocities, as {@link #setVelocity} does, in the order of the array: all of them, or none where one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param velocities vx and vy of each, lengths per second, up to 1e9 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
+        return simulation.bulk().set(Commands.VELOCITY, handles, count, velocities, stale.skips());
+    }
+
+    /**
+     * Pushes many circles, as {@link #applyImpulse} does, in the order of the array: all of them, or none where one is refused.
+     *
+     * @param handles the circles; one that occurs twice is pushed twice
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param impulses impulse along x and y of each, mass times length per second, up to 1e18 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
+        return simulation.bulk().set(Commands.IMPULSE, handles, count, impulses, stale.skips());
+    }
+
+    /**
+     * Pushes the circles near a point away from it. A circle gets the whole impulse if its edge is at most the radius away from the
+     * point, none from radius + falloff on, and in between a share that falls in a straight line. The same impulse makes a light
+     * circle faster than a heavy one. Static circles stay as they are, and so does a circle whose centre is the point itself.
+     *
+     * <p>It needs the positions of now. So the first explosion after a step, or after a change of circles, reads all circles back,
+     * as {@link #x} does, and waits for the device; the others are computed from that.
+     *
+     * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
+     * @param y y of the point, likewise
+     * @param radius a length, 0 to 1e10
+     * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
+     * @param falloff a length, 0 to 1e10
+     * @return the number of circles that got an impulse
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public int explode(float x, float y, float radius, float impulse, float falloff) {
+        return simulation.bulk().explode(x, y, radius, impulse, falloff);
+    }
+
     // ---- the world
     // ---------------------------------------------------------------------------------------------------
 
@@ -312,7 +463,10 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Moves the walls. Circles that are left outside are brought to the nearest place inside.
+     * Moves the walls. They travel to their new places in the first step from here, and push the circles that they meet: these get
+     * the wall's speed, or bounce off by their speed against the wall. Call it before each step to let a wall go on. A wall that is
+     * set farther than the radius of a circle jumps for that circle, which is brought to the nearest place inside at once and gets
+     * no speed.
      *
      * @param minX left wall
      * @param minY lower wall
@@ -379,6 +533,42 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The speed up to which impacts do not bounce.
+     *
+     * @return lengths per second; -1 if it follows from gravity, radii and restitutions
+     */
+    public float restitutionThreshold() {
+        return simulation.contacts().restitutionThreshold();
+    }
+
+    /**
+     * The stiffness of contacts.
+     *
+     * @return hertz
+     */
+    public float contactFrequency() {
+        return simulation.contacts().frequency();
+    }
+
+    /**
+     * The damping ratio of contacts.
+     *
+     * @return at least 0
+     */
+    public float contactDamping() {
+        return simulation.contacts().damping();
+    }
+
+    /**
+     * The greatest speed at which overlaps are pushed out that are not deep.
+     *
+     * @return mean radii of the pair a second
+     */
+    public float greatestPushOutSpeed() {
+        return simulation.contacts().pushOutSpeed();
+    }
+
+    /**
      * Makes one step.
      *
      * @param timeStep its length in seconds, 1e-6 to 1; games use 1 / 60f. It may differ from that of the step before
@@ -431,11 +621,53 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Reads x, y, radius and mass of every circle by id: element 4 k is x of the circle with the {@link #id} k. So a circle stays
+     * where it is in the array, whichever others are removed, and an array for the greatest number of circles serves for good:
+     *
+     * <pre>{@code
+     * world.readById(circles, null);
+     * float x = circles[4 * World.id(ball)];
+     * }</pre>
+     *
+     * @param circles takes four elements an id, so it has at least 4 {@link #idLimit}. All of it is written: elements without a
+     *     circle become NaN
+     * @param living takes a bit for each id, 1 if there is such a circle: id k is bit k % 64 of element k / 64, in Java
+     *     {@code living[k >> 6] >>> k & 1}. Further bits become 0. May be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readById(float[] circles, long[] living) {
+        simulation.readings().readById(circles, living);
+    }
+
+    /**
+     * Reads the velocity of every circle by id, as {@link #readById} does.
+     *
+     * @param velocities takes vx and vy of each id. All of it is written: elements without a circle become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readVelocitiesById(float[] velocities, long[] living) {
+        simulation.readings().readVelocitiesById(velocities, living);
+    }
+
+    /**
+     * Reads x and y of every circle by id, as {@link #readById} does, into the memory of {@link #positions}.
+     *
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @return two elements for each id less than {@link #idLimit}, NaN where there is no such circle, from position 0 to the limit.
+     *     Read-only; the next call of this method or of {@link #positions} overwrites it
+     * @throws IllegalArgumentException where the array is too short
+     */
+    public FloatBuffer positionsById(long[] living) {
+        return simulation.readings().positionsById(living);
+    }
+
+    /**
      * Reads x and y of every circle, in the order of the ids, into memory of the world's own. That is the fastest way to what
      * a frame needs: on an OpenCL device the memory is page-locked where the driver can, and nothing is copied again.
      *
      * @return two elements a circle, from position 0 to the limit. Read-only, and often the same object: the next call of this
-     *     method overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
+     *     method or of {@link #positionsById} overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
      */
     public FloatBuffer positions() {
         return simulation.readings().positions();
@@ -469,6 +701,30 @@ public final class World implements AutoCloseable {
      */
     public FloatBuffer takePositions() {
         return simulation.readings().takePositions();
+    }
+
+    /**
+     * Gives the positions that {@link #requestPositions} asked for last by id, in place of {@link #takePositions}. They are those of
+     * the request, of the circles that are still there: a circle that has been removed since is not shown, even if a restore has
+     * brought it back, nor is one that came since and has its id. So element 2 k is x of the circle that has the id k now, or NaN.
+     *
+     * @param living takes a bit for each id, 1 if its position is shown, as with {@link #readById}; may be null
+     * @return two elements for each id less than {@link #idLimit} was at the request, in memory as that of {@link #takePositions}
+     * @throws IllegalStateException where nothing has been requested since the last were taken
+     * @throws IllegalArgumentException where the array is too short; the positions can still be taken
+     */
+    public FloatBuffer takePositionsById(long[] living) {
+        return simulation.readings().takePositionsById(living);
+    }
+
+    /** A number that is another one after each request for positions. */
+    int positionRequests() {
+        return simulation.readings().requests();
+    }
+
+    /** Makes positions by id NaN that are not of the circles of the last request that are still there; living may be null. */
+    void markGone(FloatBuffer positions, long[] living) {
+        simulation.readings().markGone(positions, living);
     }
 
     /**
@@ -601,9 +857,19 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Questions about where circles are: overlaps, the circle at a point, the nearest ones, rays and casts.
+     *
+     * @return always the same object; its calls follow the rules of this class
+     */
+    public Queries queries() {
+        return queries;
+    }
+
+    /**
      * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on. Not in it is what the caller has set for the world as a whole (bounds, gravity,
-     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how contacts are
+     * if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity, sub-steps,
+     * restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */
@@ -636,7 +902,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Sets what {@link #events} reports, from the next step on. By default nothing, which costs nothing. What a world reports changes
-     * no step, and is in no snapshot. Pairs that touch already begin with the next step after they are first reported.
+     * no step, and is in no snapshot and no log. Pairs that touch already begin with the next step after they are first reported.
      *
      * <p>In this version a world on an OpenCL device that reports makes each of its steps by launches per colour of contacts, and looks
      * at the result of each: that takes several times as long. On the JVM it costs little.
@@ -652,7 +918,8 @@ public final class World implements AutoCloseable {
     /**
      * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than what a
      * restitution below 0.9 does not answer by a bounce, sqrt(0.16 g r + (r/s)^2), where g is gravity (at a wall its component along that
-     * axis) and r the mean radius of the pair. So nothing in a pile at rest is a hit.
+     * axis) and r the mean radius of the pair; or than {@link Builder#restitutionThreshold}, if that is set. So nothing in a pile at rest
+     * is a hit.
      *
      * @param speed lengths per second, from 0 to 1e9
      * @throws IllegalArgumentException where the value is out of range
@@ -686,8 +953,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
-     * gravity, restitution and sub-steps; and, if the world reports events, which pairs touch. Equal states give equal bytes, on every
-     * back end.
+     * gravity, restitution, sub-steps and how contacts are; and, if the world reports events, which pairs touch. Equal states give equal
+     * bytes, on every back end.
      *
      * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
      *     meaning
@@ -728,6 +995,7 @@ public final class World implements AutoCloseable {
         private float gravityY;
         private float restitution = 0.5f;
         private int subSteps = 4;
+        private ContactSettings contacts = ContactSettings.DEFAULT;
         private Backend backend = Backend.AUTO;
         private Device device;
         private int threads = defaultThreads();
@@ -791,6 +1059,64 @@ public final class World implements AutoCloseable {
          */
         public Builder subSteps(int subSteps) {
             this.subSteps = Limits.within("the number of sub-steps", subSteps, 1, Limits.SUB_STEPS);
+            return this;
+        }
+
+        /**
+         * The normal speed up to which impacts do not bounce, the same for all circles, elastic ones too, and for walls. At 0 all
+         * impacts bounce, and piles of circles with a restitution take long to rest. By default it follows from gravity, radii and
+         * restitutions, as {@link World} says. A back end by OpenCL compiles its kernels anew for another value.
+         *
+         * @param speed lengths per second, 0 to 1e9
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder restitutionThreshold(float speed) {
+            contacts = contacts.withRestitutionThreshold(
+                    Limits.within("the restitution threshold", speed, 0, Limits.SPEED));
+            return this;
+        }
+
+        /**
+         * The stiffness of contacts, as the frequency of a spring; walls have twice as much. Softer contacts let piles sink in. By
+         * default 67. Times the length of a sub-step it counts as at most 0.3, since stiffer contacts tremble: with four sub-steps
+         * a sixtieth of a second, up to 72 Hz.
+         *
+         * @param hertz 1 to 10,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactFrequency(float hertz) {
+            contacts = contacts.withFrequency(hertz);
+            return this;
+        }
+
+        /**
+         * The damping ratio of contacts and walls: overlaps swing below 1, and shrink the more slowly the greater it is. By default
+         * 20, with which piles rest soonest.
+         *
+         * @param ratio 0 to 1,000
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder contactDamping(float ratio) {
+            contacts = contacts.withDamping(ratio);
+            return this;
+        }
+
+        /**
+         * The greatest speed at which overlaps of up to 0.4 mean radii of the pair are pushed out; deeper ones are pushed out faster,
+         * in the same proportion as by default. By default 0.8. A slow one keeps crowds calm in which many circles grow at once. A
+         * fast one soon separates circles, but crowds without room may boil: what a loaded pair overlaps by must be less than it
+         * is pushed out in a fortieth of a second for the pair to bounce. A back end by OpenCL compiles its kernels anew for
+         * another value.
+         *
+         * @param speed mean radii of the pair a second, 0 to 100
+         * @return this
+         * @throws IllegalArgumentException where the value is out of range
+         */
+        public Builder greatestPushOutSpeed(float speed) {
+            contacts = contacts.withPushOutSpeed(speed);
             return this;
         }
 

@@ -75,6 +75,47 @@ interface GoldenChange {
         }
     }
 
+    /** The static circles turn round when they have passed three quarters of the arena, or are near its floor. */
+    static void turn(GoldenScene.Run run) {
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        for (int i = 0; i < run.calls().size(); i++) {
+            float y = circles[4 * i + 1];
+            if (circles[4 * i + 3] == Float.POSITIVE_INFINITY && (y > 0.75f || y < 0.1f)) {
+                float speed = 2 * circles[4 * i + 2] / run.scene().timeStep();
+                run.calls().setVelocity(handles[i], 0, y > 0.75f ? -speed : speed);
+            }
+        }
+    }
+
+    /** Half of the static circles are set to places up to four of their radii away, and some of the others anywhere. */
+    static void drag(GoldenScene.Run run) {
+        Scene scene = run.scene();
+        SplittableRandom random = run.random();
+        long[] handles = run.readHandles();
+        float[] circles = run.readCircles();
+        for (int i = 0; i < run.calls().size(); i++) {
+            float radius = circles[4 * i + 2];
+            if (circles[4 * i + 3] != Float.POSITIVE_INFINITY) {
+                continue;
+            }
+            int kind = random.nextInt(16);
+            if (kind < 8) {
+                float x = circles[4 * i] + 8 * radius * (unit(random) - 0.5f);
+                float y = circles[4 * i + 1] + 8 * radius * (unit(random) - 0.5f);
+                run.calls().setPosition(handles[i], inside(x, scene), inside(y, scene));
+            } else if (kind == 8) {
+                run.calls().setPosition(handles[i], unit(random), unit(random));
+            } else if (kind == 9) {
+                run.calls().teleport(handles[i], unit(random), unit(random));
+            }
+        }
+    }
+
+    private static float inside(float coordinate, Scene scene) {
+        return Math.max(scene.minX(), Math.min(coordinate, scene.maxX()));
+    }
+
     /** Every tenth radius grows at once, early and again when the circles have come to rest, then another tenth of them. */
     static void growth(GoldenScene.Run run) {
         int first = run.steps() == 2 * PERIOD ? 0 : 5;
@@ -85,6 +126,18 @@ interface GoldenChange {
                 run.calls().setRadius(handles[i], 1.6f * circles[4 * i + 2]);
             }
         }
+    }
+
+    /** Every wall goes to a place beside its own: some way in, farther than some circles are large. */
+    static void walls(GoldenScene.Run run) {
+        Scene scene = run.scene();
+        float most = 0.03f * (scene.maxX() - scene.minX());
+        run.calls()
+                .setBounds(
+                        scene.minX() + most * unit(run.random()),
+                        scene.minY() + most * unit(run.random()),
+                        scene.maxX() - most * unit(run.random()),
+                        scene.maxY() - most * unit(run.random()));
     }
 
     private static float unit(SplittableRandom random) {

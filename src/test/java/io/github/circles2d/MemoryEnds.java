@@ -38,6 +38,7 @@ final class MemoryEnds {
                 "x", world -> world.x(1L << 32),
                 "vx", world -> world.vx(1L << 32),
                 "positions", World::positions,
+                "explode", world -> world.explode(50, 10, 20, 1, 20),
                 "requested positions",
                         world -> {
                             world.requestPositions();

@@ -4,11 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.ReferenceWorld;
+import io.github.circles2d.reference.Settings;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
+import java.util.function.ToIntFunction;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -31,6 +33,7 @@ class ReferenceFuzzTest {
         private final SplittableRandom random;
         private final int subSteps;
         private final float restitution;
+        private final Settings settings;
         private final float size;
         private final float fastest;
         private World world;
@@ -48,11 +51,17 @@ class ReferenceFuzzTest {
             restitution = new float[] {0f, -0f, 0.5f, 1f}[random.nextInt(4)];
             size = (float) StrictMath.pow(10, random.nextInt(9) - 4);
             fastest = size * (float) StrictMath.pow(10, random.nextInt(5) - 2);
+            Settings usual = Settings.DEFAULT;
+            settings = new Settings(
+                    random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
+                    random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
+                    random.nextInt(4) > 0 ? usual.damping() : random.nextInt(2) * value(0f, 30f),
+                    random.nextInt(4) > 0 ? usual.pushOutSpeed() : random.nextInt(2) * value(0f, 10f));
         }
 
         void run() {
             world = newWorld();
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             try {
                 setBounds();
                 setGravity();
@@ -68,10 +77,10 @@ class ReferenceFuzzTest {
         }
 
         private World newWorld() {
-            int[] threads = {3, 1, 2, 1, 7, 1, 1, 1};
+            int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
             World built = WorldScenes.onThreads(
                     threads[(int) (seed % threads.length)],
-                    WorldScenes.jvm().restitution(restitution).subSteps(subSteps));
+                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
             built.report(reported);
             if (hitSpeed >= 0f) {
                 built.setHitSpeed(hitSpeed);
@@ -79,8 +88,15 @@ class ReferenceFuzzTest {
             return built;
         }
 
+        private static World.Builder with(Settings settings, World.Builder builder) {
+            builder.contactFrequency(settings.frequency())
+                    .contactDamping(settings.damping())
+                    .greatestPushOutSpeed(settings.pushOutSpeed());
+            return settings.threshold() < 0f ? builder : builder.restitutionThreshold(settings.threshold());
+        }
+
         private void call() {
-            switch (random.nextInt(19)) {
+            switch (random.nextInt(23)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -92,9 +108,18 @@ class ReferenceFuzzTest {
                 case 8 -> setGravity();
                 case 9 -> setBounds();
                 case 10 -> saveOrRestore();
-                case 11 -> report();
+                case 11 -> changeSome();
+                case 12 -> explode();
+                case 13 -> moveWalls();
+                case 14 -> report();
                 default -> step();
             }
+        }
+
+        private void bothGive(String what, ToIntFunction<WorldCalls> call) {
+            assertThat(call.applyAsInt(WorldCalls.of(world))).as(what).isEqualTo(call.applyAsInt(reference));
+            calls.add(call::applyAsInt);
+            compare(what);
         }
 
         private void both(String what, Consumer<WorldCalls> call) {
@@ -169,7 +194,11 @@ class ReferenceFuzzTest {
         private void setPosition(long handle) {
             float x = x();
             float y = y();
-            both("setPosition", c -> c.setPosition(handle, x, y));
+            if (random.nextInt(3) == 0) {
+                both("teleport", c -> c.teleport(handle, x, y));
+            } else {
+                both("setPosition", c -> c.setPosition(handle, x, y));
+            }
         }
 
         private void setVelocity(long handle) {
@@ -201,6 +230,42 @@ class ReferenceFuzzTest {
             }
         }
 
+        /** Changes some circles at once, among them some that are gone or occur twice. */
+        private void changeSome() {
+            long[] live = new long[world.size()];
+            world.readHandles(live);
+            int count = random.nextInt(6);
+            long[] some = new long[count + 1];
+            float[] positions = new float[2 * some.length];
+            float[] speeds = new float[2 * some.length];
+            for (int k = 0; k <= count; k++) {
+                boolean stale = live.length == 0 || random.nextInt(5) == 0;
+                some[k] = stale ? random.nextInt(4) : live[random.nextInt(live.length)];
+                positions[2 * k] = x();
+                positions[2 * k + 1] = y();
+                speeds[2 * k] = speed();
+                speeds[2 * k + 1] = speed();
+            }
+            switch (random.nextInt(4)) {
+                case 0 -> bothGive("removeAll", c -> c.removeAll(some, count, StaleHandles.SKIP));
+                case 1 -> bothGive("setPositions", c -> c.setPositions(some, count, positions, StaleHandles.SKIP));
+                case 2 -> bothGive("setVelocities", c -> c.setVelocities(some, count, speeds, StaleHandles.SKIP));
+                default -> bothGive("applyImpulses", c -> c.applyImpulses(some, count, speeds, StaleHandles.SKIP));
+            }
+        }
+
+        private void explode() {
+            long[] live = new long[world.size()];
+            world.readHandles(live);
+            boolean atCircle = live.length > 0 && random.nextInt(4) == 0;
+            float x = atCircle ? world.x(live[0]) : x();
+            float y = atCircle ? world.y(live[0]) : y();
+            float radius = random.nextInt(4) == 0 ? 0f : value(0f, size);
+            float falloff = random.nextInt(4) == 0 ? 0f : value(0f, size);
+            float impulse = speed() * (random.nextBoolean() ? 1f : 10f);
+            bothGive("explode", c -> c.explode(x, y, radius, impulse, falloff));
+        }
+
         private void setGravity() {
             float x = random.nextBoolean() ? 0f : value(-size, size);
             float y = random.nextInt(4) == 0 ? 0f : value(-10f * size, 0f);
@@ -213,6 +278,26 @@ class ReferenceFuzzTest {
             float maxX = minX + value(0.5f * size, 2f * size);
             float maxY = minY + value(0.5f * size, 2f * size);
             both("setBounds", c -> c.setBounds(minX, minY, maxX, maxY));
+        }
+
+        /** Moves walls by about as much as circles are large, for some steps. */
+        private void moveWalls() {
+            float[] way = new float[4];
+            for (int wall = 0; wall < 4; wall++) {
+                way[wall] = random.nextBoolean() ? 0f : value(-0.05f * size, 0.05f * size);
+            }
+            for (int times = random.nextInt(4); times >= 0; times--) {
+                float minX = world.minX() + way[0];
+                float minY = world.minY() + way[1];
+                float maxX = Math.max(world.maxX() + way[2], minX + 0.5f * size);
+                float maxY = Math.max(world.maxY() + way[3], minY + 0.5f * size);
+                both("move walls", c -> c.setBounds(minX, minY, maxX, maxY));
+                if (random.nextInt(4) > 0) {
+                    step();
+                } else {
+                    saveOrRestore();
+                }
+            }
         }
 
         /** A restored world goes on as one would on which the calls before the snapshot have been made, and no others. */
@@ -230,7 +315,7 @@ class ReferenceFuzzTest {
             }
             world.restore(snapshot.duplicate());
             calls = new ArrayList<>(callsUpToSnapshot);
-            reference = new ReferenceWorld(restitution, subSteps);
+            reference = new ReferenceWorld(restitution, subSteps, settings);
             calls.forEach(call -> call.accept(reference));
             reference.takeEvents();
             compare("restore");

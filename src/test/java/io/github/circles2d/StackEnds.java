@@ -81,6 +81,7 @@ final class StackEnds {
         watch();
         float[] circles = new float[4 * CIRCLES];
         float[] velocities = new float[2 * CIRCLES];
+        long[] one = {1L << 32};
         ByteBuffer snapshot = ByteBuffer.allocate(1 << 16);
         List<Call> reads = List.of(
                 Call.read("hash", World::hash),
@@ -89,12 +90,17 @@ final class StackEnds {
                 Call.read("x", world -> world.x(1L << 32)),
                 Call.read("positions", World::positions),
                 Call.read("requestPositions", World::requestPositions),
+                Call.read("readById", world -> world.readById(circles, null)),
+                Call.read("positionsById", world -> world.positionsById(null)),
                 Call.read("snapshot", world -> world.snapshot(snapshot.clear())),
                 Call.read("stats", World::stats));
         List<Call> changes = List.of(
                 Call.change("add", world -> world.add(5, 8, 0.6f, 1)),
                 Call.change("addAll", world -> world.addAll(new float[] {5, 8, 0.6f, 1}, null)),
                 Call.change("remove", world -> world.remove(1L << 32)),
+                Call.change("removeAll", world -> world.removeAll(one, 1, StaleHandles.SKIP)),
+                Call.change("setVelocities", world -> world.setVelocities(one, 1, velocities, StaleHandles.SKIP)),
+                Call.change("explode", world -> world.explode(5, 5, 3, 1, 1)),
                 Call.change("setRadius", world -> world.setRadius(1L << 32, 0.7f)),
                 Call.change("setBounds", world -> world.setBounds(0, 0, 9, 9)),
                 Call.change("restore", world -> world.restore(snapshot.duplicate())));

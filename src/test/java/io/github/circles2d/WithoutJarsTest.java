@@ -6,13 +6,20 @@ import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClUnavailableException;
 import io.github.circles2d.tools.Doctor;
+import java.io.ByteArrayOutputStream;
+import java.nio.file.Path;
 import java.util.List;
+import javax.tools.JavaCompiler;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A program may leave the jars of JavaCL and BridJ out: it has World on the JVM then, and is told so. */
 class WithoutJarsTest {
+    private static final String CONSUMER = "src/test/resources/consumer/src/main/java/WithoutOpenCl.java";
+
     private static final String ALL = "javacl-core opencl4java bridj nativelibs4java-utils";
 
     /** Uses everything twice, for a linkage error may change its face, and prints what came. */
@@ -63,6 +70,22 @@ class WithoutJarsTest {
                 .doesNotContain("pocl"));
         assertThat(lines(result, "INFO: ")).hasSize(1).first().asString().contains(jars);
         assertThat(result.output()).doesNotContain("WARNING", "SEVERE", "\tat ");
+    }
+
+    @Test
+    void aGameBuildsAndRunsWithTheClassesOfTheLibraryAlone(@TempDir Path game) throws Exception {
+        Path library = Path.of(
+                World.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        int status = compiler.run(
+                null, log, log, "-Xlint:all", "-Werror", "-d", game.toString(), "-cp", library.toString(), CONSUMER);
+        assertThat(status).as(log.toString()).isZero();
+
+        ForkedJvm.Result result = new ForkedJvm().only(library, game).run("WithoutOpenCl");
+
+        assertThat(result.output()).contains("plays without OpenCL");
+        assertThat(result.exitStatus()).as(result.output()).isZero();
     }
 
     @Test

@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
+import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -56,17 +59,143 @@ class WorldAllocationTest {
                 }
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
             };
-            for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
-                frame.run();
-            }
-            // the virtual machine may still leave some hundred bytes now and then; what a frame leaves, every frame
-            // does
-            long least = Long.MAX_VALUE;
-            for (int k = 0; k < 10 && least != 0; k++) {
-                least = Math.min(least, allocatedBy(frame, 50));
-            }
-            assertThat(least).isZero();
+            assertAllocatesNothing(frame);
         }
+    }
+
+    @Test
+    void bulkCallsReadsByIdAndTheGameLoopAllocateNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        int n = scene.size();
+        float[] byId = new float[4 * n];
+        float[] velocities = new float[2 * n];
+        long[] living = new long[(n + 63) / 64];
+        long[] some = new long[40];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            FixedStep loop = new FixedStep(world, scene.timeStep());
+            Runnable before = () -> {
+                world.applyImpulses(some, 30, velocities, StaleHandles.SKIP);
+                consume(world.explode(0.5f, 0.1f, 0.05f, 1e-4f, 0.1f));
+            };
+            Runnable frame = () -> {
+                for (int k = 0; k < some.length; k++) {
+                    some[k] = world.handle(k);
+                }
+                world.readById(byId, living);
+                world.readVelocitiesById(velocities, living);
+                world.removeAll(some, 5, StaleHandles.REFUSE);
+                consume(world.positionsById(living).get(900));
+                world.requestPositions();
+                for (int k = 0; k < 5; k++) {
+                    world.add(0.1f + 0.1f * k, 0.9f, scene.radius(0), 1);
+                }
+                world.setPositions(some, 0, byId, StaleHandles.REFUSE);
+                world.setVelocities(some, some.length, velocities, StaleHandles.SKIP);
+                consume(world.takePositionsById(living).get(900));
+                loop.advance(1.5f * scene.timeStep(), before);
+                consume(loop.positions(living).get(900) + loop.alpha() + world.idLimit());
+                Arrays.fill(velocities, 1e-4f);
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    @Test
+    void rewindingAllocatesNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        int[] now = new int[1];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            Rewind rewind = new Rewind(world, 20);
+            rewind.save(now[0]);
+            Runnable frame = () -> {
+                world.readHandles(handles);
+                world.setTag(handles[9], 7);
+                for (int k = 0; k < 3; k++) {
+                    world.applyImpulse(handles[k], 0.01f, 0);
+                    world.step(scene.timeStep());
+                    rewind.save(++now[0]);
+                }
+                now[0] -= 2;
+                rewind.restore(now[0]);
+                consume(rewind.size() + rewind.oldest() + rewind.newest());
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    @Test
+    void recordingAllocatesNothingOnTheJvm() throws IOException {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        float[] some = new float[40];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)));
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1)) {
+            Rewind rewind = new Rewind(world, 1);
+            Runnable frame = () -> {
+                world.readHandles(handles);
+                world.remove(handles[3]);
+                world.add(0.5f, 0.9f, scene.radius(0), 1);
+                world.setVelocities(handles, 3, some, StaleHandles.REFUSE);
+                world.setTag(handles[9], world.tag(handles[9]) + 1);
+                world.setGravity(0, world.gravityY());
+                rewind.save(0);
+                world.step(scene.timeStep(), 2);
+                rewind.restore(0);
+                world.step(scene.timeStep());
+                consume(recording.bytes() + recording.steps());
+            };
+            assertAllocatesNothing(frame);
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
+    void queriesAllocateNothing() {
+        Scene scene = Scenes.packed(1250, Scenes.SEED);
+        int batch = 100;
+        long[] found = new long[20_000];
+        int[] ends = new int[batch];
+        float[] hits = new float[Queries.HIT_STRIDE * found.length];
+        float[] numbers = new float[5 * batch];
+        for (int k = 0; k < numbers.length; k++) {
+            numbers[k] = 0.3f + 0.4f * k / numbers.length;
+        }
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            Queries queries = world.queries();
+            Runnable frame = () -> {
+                world.step(scene.timeStep());
+                int sum = queries.overlapCircle(0.5f, 0.5f, 0.2f, found)
+                        + queries.overlapBox(0.2f, 0.2f, 0.8f, 0.8f, found)
+                        + queries.nearest(0.5f, 0.5f, Float.POSITIVE_INFINITY, 200, found, hits)
+                        + queries.rayCastAll(0, 0, 1, 1, found, hits)
+                        + queries.circleCastAll(0, 0, 0.1f, 1, 1, found, hits);
+                sum += queries.overlapCircle(numbers, batch, ends, found)
+                        + queries.pick(numbers, batch, found)
+                        + queries.nearest(numbers, batch, 0.1f, 9, found, hits)
+                        + queries.rayCast(numbers, batch, found, hits)
+                        + queries.rayCastAll(numbers, batch, ends, found, hits)
+                        + queries.circleCast(numbers, batch, found, hits)
+                        + queries.circleCastAll(numbers, batch, ends, found, hits);
+                consume(sum
+                        + queries.pick(0.5f, 0.5f)
+                        + queries.rayCast(0, 0, 1, 1, hits)
+                        + queries.circleCast(0, 0, 0.1f, 1, 1, hits));
+            };
+            assertAllocatesNothing(frame);
+        }
+    }
+
+    private static void assertAllocatesNothing(Runnable frame) {
+        for (int k = 0; k < 200; k++) { // the list of contacts grows to its greatest length, and compilers settle
+            frame.run();
+        }
+        // the virtual machine may still leave some hundred bytes now and then; what a frame leaves, every frame does
+        long least = Long.MAX_VALUE;
+        for (int k = 0; k < 10 && least != 0; k++) {
+            least = Math.min(least, allocatedBy(frame, 50));
+        }
+        assertThat(least).isZero();
     }
 
     @Test

@@ -19,6 +19,8 @@ public interface WorldCalls {
 
     void setPosition(long handle, float x, float y);
 
+    void teleport(long handle, float x, float y);
+
     void setVelocity(long handle, float vx, float vy);
 
     void setRadius(long handle, float radius);
@@ -32,6 +34,16 @@ public interface WorldCalls {
     void report(int types);
 
     void setHitSpeed(float speed);
+
+    int removeAll(long[] handles, int count, StaleHandles stale);
+
+    int setPositions(long[] handles, int count, float[] positions, StaleHandles stale);
+
+    int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale);
+
+    int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale);
+
+    int explode(float x, float y, float radius, float impulse, float falloff);
 
     void setGravity(float x, float y);
 

@@ -12,6 +12,10 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.device.DevicePipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
 import java.nio.ByteBuffer;
@@ -61,6 +65,8 @@ class WorldErrorsTest {
     private static void callRead(World world, String method) {
         switch (method) {
             case "readCircles" -> {
+                assertThat(catchThrowable(() -> world.queries().pick(0.4f, 0.5f)))
+                        .isNotNull();
                 assertThat(catchThrowable(() -> world.x(1L << 32))).isNotNull();
                 world.read(new float[8]);
             }
@@ -233,5 +239,61 @@ class WorldErrorsTest {
                 .run(MemoryEnds.class);
         assertThat(result.output()).isEqualToIgnoringNewLines("0 wrong, out of memory often");
         assertThat(result.exitStatus()).isZero();
+    }
+
+    @Test
+    void aStepThatIsNotMadeForWantOfMemoryEndsTheLogAndNotTheWorld() throws IOException {
+        for (Throwable cause : OUT_OF_MEMORY) {
+            try (World world = world()) {
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1);
+                world.add(0.7f, 0.5f, 0.1f, 1);
+                long hash = world.hash();
+                world.setVelocity(world.handle(0), 1, 0);
+                failing.put("makeRoom", cause);
+                assertThat(catchThrowable(() -> world.step(STEP))).isSameAs(cause);
+                failing.clear();
+                assertThat(world.hash()).isNotEqualTo(hash);
+                world.step(STEP);
+                assertThat(recording.hasFailed()).isTrue();
+                assertThatThrownBy(recording::close)
+                        .isInstanceOf(IOException.class)
+                        .hasMessage("the log ends early: a step in it could not be made");
+            }
+        }
+    }
+
+    @Test
+    void aHashThatLacksMemoryEndsTheLogAndNotTheStep() throws IOException {
+        for (Throwable cause : OUT_OF_MEMORY) {
+            try (World world = world()) {
+                Recording recording = new Recording(world, OutputStream.nullOutputStream(), 1);
+                failing.put("hash", cause);
+                world.step(STEP);
+                failing.clear();
+                assertThat(recording.hasFailed()).isTrue();
+                assertThatThrownBy(recording::close)
+                        .isInstanceOf(IOException.class)
+                        .hasCause(cause);
+                world.step(STEP);
+            }
+        }
+    }
+
+    /** Whoever looks for the reason wants the step that has lost the world, too. */
+    @Test
+    void theLogOfALostWorldEndsWithTheStepThatLostIt() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (World world = world();
+                World player = World.builder().backend(Backend.JVM).build()) {
+            Recording recording = new Recording(world, log, 1);
+            world.step(STEP);
+            failing.put("step", new IllegalStateException("lost"));
+            assertThatThrownBy(() -> world.step(STEP)).hasMessage("lost");
+            assertThatThrownBy(world::hash).hasMessageContaining("lost its state");
+            recording.close();
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
+            assertThat(replay.steps()).isEqualTo(2);
+            assertThat(replay.equalUpTo()).isEqualTo(1);
+        }
     }
 }

@@ -3,6 +3,9 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -10,9 +13,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * Random programs of calls with hostile values. Each call is refused with an IllegalArgumentException and changes nothing, or
@@ -59,9 +66,24 @@ class WorldFuzzTest {
     }
 
     private static void run(long seed, int programs) {
-        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm())) {
+        try (World twin = WorldScenes.onThreads(3, WorldScenes.jvm());
+                World player = WorldScenes.onThreads(2, WorldScenes.jvm())) {
             for (int k = 0; k < programs; k++) {
-                new Program(seed + k, k % 32 == 0 ? twin : null).run();
+                new Program(seed + k, k % 32 == 0 ? twin : null, k % 8 == 1 ? player : null).run();
+            }
+        }
+    }
+
+    static Backend[] openClBackends() {
+        return WorldBackendTest.openClBackends();
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aRecordedProgramReplaysOnAnotherBackEnd(Backend backend) {
+        try (World player = World.builder().backend(backend).build()) {
+            for (int k = 0; k < 40; k++) {
+                new Program(SEED + k, null, player).run();
             }
         }
     }
@@ -103,6 +125,12 @@ class WorldFuzzTest {
         /** Another world, on several threads, that makes the same steps after having been restored from snapshots; or null. */
         private final World twin;
 
+        /** Makes the calls of the log again; null where there is no log. */
+        private final World player;
+
+        private ByteArrayOutputStream log;
+        private Recording recording;
+
         private World world;
         private Model model = new Model();
         private ByteBuffer snapshot;
@@ -112,11 +140,18 @@ class WorldFuzzTest {
         /** The positions at the last request that has not been taken; null where there is none. */
         private float[] requested;
 
+        /** The handles of the circles at that request. */
+        private long[] requestedHandles = {};
+
+        /** Those of them that have been there all the time since. */
+        private final Set<Long> survivors = new TreeSet<>();
+
         private String last = "";
 
-        Program(long seed, World twin) {
+        Program(long seed, World twin, World player) {
             this.seed = seed;
             this.twin = twin;
+            this.player = player;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -124,18 +159,45 @@ class WorldFuzzTest {
         void run() {
             try {
                 world = build();
+                record();
                 try {
                     int calls = 5 + random.nextInt(40);
                     for (int k = 0; k < calls; k++) {
                         call();
                     }
                     check();
+                    replay();
                 } finally {
                     world.close();
                 }
-            } catch (AssertionError | RuntimeException e) {
+            } catch (AssertionError | RuntimeException | IOException e) {
                 throw new AssertionError("program of seed " + seed + ", in " + last, e);
             }
+        }
+
+        private void record() throws IOException {
+            if (player != null) {
+                log = new ByteArrayOutputStream();
+                recording = new Recording(world, log, 1 + random.nextInt(3));
+            }
+        }
+
+        private void replay() throws IOException {
+            if (player != null) {
+                long steps = recording.steps();
+                recording.close();
+                Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
+                assertThat(replay.differs()).as(replay.difference()).isFalse();
+                assertThat(replay.steps()).isEqualTo(steps);
+                assertThat(replay.equalUpTo()).isEqualTo(steps);
+                assertThat(snapshotOf(player)).isEqualTo(snapshotOf(world));
+            }
+        }
+
+        private static ByteBuffer snapshotOf(World world) {
+            ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(bytes);
+            return bytes.flip();
         }
 
         private World build() {
@@ -159,11 +221,25 @@ class WorldFuzzTest {
             ask(bad(e), () -> builder.restitution(e));
             int subSteps = random.nextInt(19);
             ask(subSteps < 1 || subSteps > 16, () -> builder.subSteps(subSteps));
+            if (random.nextInt(3) == 0) {
+                setContacts(builder);
+            }
             return builder.build();
         }
 
-        private void call() {
-            switch (random.nextInt(21)) {
+        private void setContacts(World.Builder builder) {
+            float threshold = random.nextBoolean() ? value(0, 1e9f) : value(0, 1);
+            ask(!(threshold >= 0) || bad(threshold), () -> builder.restitutionThreshold(threshold));
+            float frequency = random.nextBoolean() ? value(1, 10_000) : value(1, 80);
+            ask(!(frequency >= 1) || bad(frequency), () -> builder.contactFrequency(frequency));
+            float damping = random.nextInt(3) * value(0, 500);
+            ask(!(damping >= 0) || bad(damping), () -> builder.contactDamping(damping));
+            float speed = random.nextInt(3) * value(0, 50);
+            ask(!(speed >= 0) || bad(speed), () -> builder.greatestPushOutSpeed(speed));
+        }
+
+        private void call() throws IOException {
+            switch (random.nextInt(25)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -177,7 +253,11 @@ class WorldFuzzTest {
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
                 case 19 -> setTag();
-                case 20 -> report();
+                case 20 -> changeSome();
+                case 21 -> removeSome();
+                case 22 -> explode();
+                case 23 -> query();
+                case 24 -> report();
                 default -> step();
             }
         }
@@ -222,6 +302,7 @@ class WorldFuzzTest {
                 world.remove(handle);
                 model.circles.remove(handle);
                 stale.add(handle);
+                survivors.remove(handle);
             });
         }
 
@@ -229,8 +310,15 @@ class WorldFuzzTest {
             long handle = handle();
             float x = value(model.minX, model.maxX);
             float y = value(model.minY, model.maxY);
-            last = "setPosition " + x + " " + y;
-            ask(unknown(handle) || bad(x) || bad(y), () -> world.setPosition(handle, x, y));
+            boolean teleports = random.nextBoolean();
+            last = (teleports ? "teleport " : "setPosition ") + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                if (teleports) {
+                    world.teleport(handle, x, y);
+                } else {
+                    world.setPosition(handle, x, y);
+                }
+            });
         }
 
         private void setVelocity() {
@@ -303,12 +391,90 @@ class WorldFuzzTest {
             }
         }
 
+        /** Queries with what may be hostile are refused or answered; those that are answered find what a look at all finds. */
+        private void query() {
+            float w = model.maxX - model.minX;
+            float h = model.maxY - model.minY;
+            float x = value(model.minX - 0.2f * w, model.maxX + 0.2f * w);
+            float y = value(model.minY - 0.2f * h, model.maxY + 0.2f * h);
+            float radius = random.nextInt(3) == 0 ? radius() : value(0, w);
+            float toX = random.nextInt(4) == 0 ? x : value(model.minX, model.maxX);
+            float toY = random.nextInt(4) == 0 ? y : value(model.minY, model.maxY);
+            last = "query " + x + " " + y + " " + radius + " " + toX + " " + toY;
+            boolean bad = bad(x) || bad(y) || bad(radius) || radius < 0 || bad(toX - x) || bad(toY - y);
+            ask(bad, () -> new QueryComparison(world).compare(x, y, radius, toX, toY));
+        }
+
         private void impulse() {
             long handle = handle();
             float x = value(-1e18f, 1e18f);
             float y = value(-1, 1);
             last = "applyImpulse " + x + " " + y;
             ask(unknown(handle) || bad(x) || bad(y), () -> world.applyImpulse(handle, x, y));
+        }
+
+        private void changeSome() {
+            int call = random.nextInt(3);
+            float x = call == 0 ? model.minX : call == 1 ? -speed() : -1e18f;
+            float y = call == 0 ? model.minY : call == 1 ? -speed() : -1;
+            float toX = call == 0 ? model.maxX : -x;
+            float toY = call == 0 ? model.maxY : -y;
+            long[] handles = new long[random.nextInt(6)];
+            float[] values = new float[2 * handles.length];
+            boolean bad = false;
+            int unknown = 0;
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                values[2 * k] = value(x, toX);
+                values[2 * k + 1] = value(y, toY);
+                unknown += unknown(handles[k]) ? 1 : 0;
+                bad |= !unknown(handles[k]) && (bad(values[2 * k]) || bad(values[2 * k + 1]));
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = unknown;
+            last = "change " + call + " of some, " + stale + " " + Arrays.toString(values);
+            ask(bad || skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                int result =
+                        switch (call) {
+                            case 0 -> world.setPositions(handles, handles.length, values, stale);
+                            case 1 -> world.setVelocities(handles, handles.length, values, stale);
+                            default -> world.applyImpulses(handles, handles.length, values, stale);
+                        };
+                assertThat(result).isEqualTo(skipped);
+            });
+        }
+
+        private void removeSome() {
+            long[] handles = new long[random.nextInt(4)];
+            Set<Long> known = new TreeSet<>();
+            for (int k = 0; k < handles.length; k++) {
+                handles[k] = handle();
+                if (!unknown(handles[k])) {
+                    known.add(handles[k]);
+                }
+            }
+            StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
+            int skipped = handles.length - known.size();
+            last = "removeAll " + Arrays.toString(handles) + " " + stale;
+            ask(skipped > 0 && stale == StaleHandles.REFUSE, () -> {
+                assertThat(world.removeAll(handles, handles.length, stale)).isEqualTo(skipped);
+                known.forEach(model.circles::remove);
+                this.stale.addAll(known);
+                survivors.removeAll(known);
+            });
+        }
+
+        private void explode() {
+            float x = value(model.minX, model.maxX);
+            float y = value(model.minY, model.maxY);
+            float size = model.maxX - model.minX;
+            float radius = value(0, size);
+            float falloff = value(0, size);
+            float impulse = value(-speed(), speed());
+            last = "explode " + x + " " + y + " " + radius + " " + impulse + " " + falloff;
+            ask(bad(x) || bad(y) || !(radius >= 0) || !(falloff >= 0) || bad(impulse) || bad(radius + falloff), () -> {
+                assertThat(world.explode(x, y, radius, impulse, falloff)).isBetween(0, model.circles.size());
+            });
         }
 
         private void setWorld() {
@@ -318,7 +484,7 @@ class WorldFuzzTest {
                 last = "setGravity " + gx + " " + gy;
                 ask(bad(gx) || bad(gy), () -> world.setGravity(gx, gy));
             } else {
-                float w = model.maxX - model.minX;
+                float w = (model.maxX - model.minX) * (float) StrictMath.pow(10, -random.nextInt(3));
                 float[] b = {
                     value(model.minX, model.minX + 0.3f * w),
                     value(model.minY - w, model.minY + w),
@@ -339,8 +505,12 @@ class WorldFuzzTest {
                 assertThatIllegalStateException().isThrownBy(world::takePositions);
             } else if (random.nextBoolean()) {
                 last = "takePositions";
-                FloatBuffer taken = world.takePositions();
-                assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                if (random.nextBoolean()) {
+                    FloatBuffer taken = world.takePositions();
+                    assertThat(taken).isEqualTo(FloatBuffer.wrap(requested));
+                } else {
+                    takeById();
+                }
                 requested = null;
                 return;
             }
@@ -348,13 +518,30 @@ class WorldFuzzTest {
             float[] circles = new float[4 * world.size()];
             world.read(circles);
             world.requestPositions();
+            requestedHandles = new long[world.size()];
+            world.readHandles(requestedHandles);
+            survivors.clear();
+            Arrays.stream(requestedHandles).forEach(survivors::add);
             requested = new float[2 * world.size()];
             for (int i = 0; i < requested.length; i++) {
                 requested[i] = circles[4 * (i / 2) + i % 2];
             }
         }
 
-        private void saveOrRestore() {
+        /** Shown are the circles of the request that are still there. */
+        private void takeById() {
+            FloatBuffer taken = world.takePositionsById(null);
+            float[] expected = new float[taken.limit()];
+            Arrays.fill(expected, Float.NaN);
+            for (int k = 0; k < requestedHandles.length; k++) {
+                if (survivors.contains(requestedHandles[k])) {
+                    System.arraycopy(requested, 2 * k, expected, 2 * World.id(requestedHandles[k]), 2);
+                }
+            }
+            assertThat(taken).isEqualTo(FloatBuffer.wrap(expected));
+        }
+
+        private void saveOrRestore() throws IOException {
             if (snapshot == null || random.nextBoolean()) {
                 last = "snapshot";
                 snapshot = ByteBuffer.allocate(world.snapshotBytes());
@@ -372,11 +559,14 @@ class WorldFuzzTest {
                 return;
             }
             if (random.nextBoolean()) {
+                replay();
                 world.close();
                 world = WorldScenes.jvm().threads(1).capacity(0).build();
+                record();
                 requested = null;
             }
             world.restore(snapshot.duplicate());
+            survivors.removeIf(handle -> !world.contains(handle));
             model = snapshotModel.copy();
             stale = new ArrayList<>(snapshotStale);
             check();
@@ -429,9 +619,17 @@ class WorldFuzzTest {
             world.read(circles);
             world.readVelocities(velocities);
             world.readHandles(handles);
+            float[] byId = new float[4 * world.idLimit()];
+            long[] living = new long[world.idLimit() / 64 + 1];
+            world.readById(byId, living);
+            assertThat(Arrays.stream(living).map(Long::bitCount).sum()).isEqualTo(n);
             int k = 0;
             for (Map.Entry<Long, float[]> entry : model.circles.entrySet()) {
+                int id = World.id(handles[k]);
                 boolean sound = handles[k] == entry.getKey()
+                        && handles[k] == world.handle(id)
+                        && Arrays.equals(circles, 4 * k, 4 * k + 4, byId, 4 * id, 4 * id + 4)
+                        && (living[id / 64] >>> id & 1) != 0
                         && circles[4 * k] >= model.minX
                         && circles[4 * k] <= model.maxX
                         && circles[4 * k + 1] >= model.minY

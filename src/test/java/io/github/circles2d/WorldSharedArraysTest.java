@@ -84,6 +84,45 @@ class WorldSharedArraysTest {
         assertThat(accepted[0]).isPositive();
     }
 
+    @Test
+    void bulkCallsTakeWhatTheyHaveChecked() throws InterruptedException {
+        long[] handles = new long[CIRCLES];
+        float[] values = new float[2 * CIRCLES];
+        float[] read = new float[4 * CIRCLES];
+        int last = CIRCLES - 1;
+        int[] accepted = new int[1];
+        try (World world = world()) {
+            for (int i = 0; i < CIRCLES; i++) {
+                handles[i] = world.add(5, 5, 0.5f, 1);
+            }
+            long good = handles[last];
+            Runnable change = () -> {
+                handles[last] = 77;
+                values[2 * last] = Float.NaN;
+            };
+            Runnable back = () -> {
+                handles[last] = good;
+                values[2 * last] = 0;
+            };
+            during(change, back, () -> {
+                for (int k = 0; k < CALLS || accepted[0] == 0 && !isLate(); k++) {
+                    try {
+                        world.setVelocities(handles, CIRCLES, values, StaleHandles.REFUSE);
+                        world.setPositions(handles, CIRCLES, values, StaleHandles.SKIP);
+                        accepted[0]++;
+                    } catch (IllegalArgumentException e) {
+                        assertThat(e).hasMessageContaining(" " + last);
+                    }
+                    world.readVelocities(read);
+                    assertFinite(read);
+                    world.read(read);
+                    assertFinite(read);
+                }
+            });
+            assertThat(accepted[0]).isPositive();
+        }
+    }
+
     private static void assertFinite(float[] values) {
         for (float value : values) {
             if (!Float.isFinite(value)) {

@@ -125,6 +125,7 @@ public final class Circles {
     private long admit() {
         int id = handles.add(commands.preparedRadius());
         handles.setRestitution(id, simulation.defaultRestitution);
+        handles.setMass(id, commands.preparedMass());
         commands.admit(id);
         return handles.handle(id);
     }
@@ -157,6 +158,30 @@ public final class Circles {
         }
     }
 
+    /** One more than the greatest id that a circle has had. */
+    public int idLimit() {
+        guard.enter();
+        try {
+            return handles.end();
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The handle of the circle that has an id; 0 if there is none. */
+    public long handle(int id) {
+        guard.enter();
+        try {
+            if (id < 0 || id >= handles.end()) {
+                throw new IllegalArgumentException(
+                        "the id is " + id + ", but must be at least 0 and less than " + handles.end());
+            }
+            return handles.lives(id) ? handles.handle(id) : 0;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** The number of circles. */
     public int size() {
         guard.enter();
@@ -180,16 +205,16 @@ public final class Circles {
         try {
             int id = find(handle);
             checkValues(operation, a, b);
-            simulation.expect(1);
-            if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
-                last.forgetVelocities();
-            } else if (operation != Commands.RESTITUTION) {
-                last.forgetCircles();
-            }
-            simulation.snapshots().forget();
+            simulation.expect(2);
+            forget(operation);
             guard.changing = true;
+            if (operation == Commands.MASS) {
+                setMass(id, a);
+            }
             commands.set(operation, id, a, b);
-            if (operation == Commands.RADIUS) {
+            if (operation == Commands.POSITION) {
+                simulation.travels.forget(id);
+            } else if (operation == Commands.RADIUS) {
                 handles.setRadius(id, a);
             } else if (operation == Commands.RESTITUTION) {
                 handles.setRestitution(id, a);
@@ -200,6 +225,40 @@ public final class Circles {
         } finally {
             guard.user = null;
         }
+    }
+
+    private void setMass(int id, float mass) {
+        if (mass != Float.POSITIVE_INFINITY && simulation.travels.travels(id)) {
+            simulation.travels.end(id);
+        }
+        handles.setMass(id, mass);
+    }
+
+    /**
+     * Puts a circle somewhere else. A static one is to travel there in the next step.
+     *
+     * @param handle the circle
+     * @param x x of the place
+     * @param y y of the place
+     */
+    public void move(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.position(x, y, simulation.bounds);
+            if (handles.isStatic(id)) {
+                simulation.travels.ensure(id, 0);
+                simulation.snapshots().forget();
+                simulation.journal.travel(id, x, y);
+                simulation.travels.set(id, x, y);
+                return;
+            }
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+        set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -217,6 +276,9 @@ public final class Circles {
             simulation.expect(1);
             handles.fields().ensure(field, id + 1);
             simulation.snapshots().forget();
+            if (!field.isOfSteps()) {
+                simulation.journal.field(field, id, value);
+            }
             guard.changing = true;
             handles.fields().set(field, id, value);
             if (field.isOfSteps()) {
@@ -240,7 +302,17 @@ public final class Circles {
         }
     }
 
-    private void checkValues(int operation, float a, float b) {
+    /** An operation makes what was read or saved out of date. */
+    void forget(int operation) {
+        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
+            last.forgetVelocities();
+        } else if (operation != Commands.RESTITUTION) {
+            last.forgetCircles();
+        }
+        simulation.snapshots().forget();
+    }
+
+    void checkValues(int operation, float a, float b) {
         switch (operation) {
             case Commands.POSITION -> Limits.position(a, b, simulation.bounds);
             case Commands.VELOCITY -> Limits.velocity(a, b);

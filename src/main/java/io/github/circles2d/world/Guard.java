@@ -35,11 +35,16 @@ final class Guard {
     /** Begins a call that needs the state. */
     void enter() {
         takeTurn();
-        if (closed || changing || failure != null) {
+        if (!holds()) {
             user = null;
             throw new IllegalStateException(
                     closed ? "this World has been closed" : "this World failed earlier and lost its state", failure);
         }
+    }
+
+    /** Whether there is a state. */
+    boolean holds() {
+        return !closed && !changing && failure == null;
     }
 
     /** Begins a call, whatever has become of the state. */

@@ -13,6 +13,9 @@ final class LastReading {
     private boolean circlesCurrent;
     private boolean velocitiesCurrent;
 
+    /** How often circles have been read. */
+    private long number;
+
     /**
      * Nothing read yet.
      *
@@ -49,8 +52,18 @@ final class LastReading {
             }
             pipeline.readCircles(handles, circles);
             circlesCurrent = true;
+            number++;
         }
         return circles;
+    }
+
+    /**
+     * Which reading {@link #circles()} has given last.
+     *
+     * @return another number for each reading, never 0; 0 before the first
+     */
+    long number() {
+        return number;
     }
 
     /**

@@ -2,10 +2,12 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
@@ -32,6 +34,13 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
+     * Makes ready for steps with such contacts, however they were before.
+     *
+     * @param contacts how contacts will be
+     */
+    default void prepare(ContactSettings contacts) {}
+
+    /**
      * Makes steps.
      *
      * @param constants numbers of the step
@@ -51,11 +60,12 @@ public interface Pipeline extends AutoCloseable {
     void finish();
 
     /**
-     * Brings circles that have been left outside to the nearest place inside.
+     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there.
      *
-     * @param bounds the new bounds
+     * @param from where the walls were; where they are now if they jumped
+     * @param to the new bounds
      */
-    void confine(Bounds bounds);
+    void confine(Bounds from, Bounds to);
 
     /**
      * The hash of the state, by {@link StateHash}.
@@ -76,9 +86,11 @@ public interface Pipeline extends AutoCloseable {
      * Reads x and y of every circle into memory of the pipeline's own.
      *
      * @param handles which ids live
-     * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the next call
+     * @param byId whether the positions lie by id
+     * @return 2 floats a circle, in ascending order of ids, or 2 floats an id, NaN without a circle, from position 0 to the limit;
+     *     read-only; valid until the next call
      */
-    FloatBuffer positions(HandleTable handles);
+    FloatBuffer positions(HandleTable handles, boolean byId);
 
     /**
      * Asks for x and y of every circle as of now, which come while further steps are made. Takes the place of an earlier
@@ -98,10 +110,10 @@ public interface Pipeline extends AutoCloseable {
     /**
      * Gives the positions that were requested last. Once a request.
      *
-     * @return 2 floats a circle, in ascending order of ids, from position 0 to the limit; read-only; valid until the request
-     *     after the next
+     * @param shown null for positions in ascending order of ids; else they lie by id, and those of other ids are NaN
+     * @return 2 floats a circle, or an id, from position 0 to the limit; read-only; valid until the request after the next
      */
-    FloatBuffer takePositions();
+    FloatBuffer takePositions(IdMask shown);
 
     /**
      * Reads velocities.

@@ -1,6 +1,7 @@
 package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
@@ -14,8 +15,14 @@ public final class Readings {
     private final Pipeline pipeline;
     private final LastReading last;
 
+    /** The ids of the circles of a read by id. */
+    private final IdMask mask = new IdMask();
+
     /** Whether positions have been requested since the last were taken. */
     private boolean positionsRequested;
+
+    /** The number of requests for positions; may overflow. */
+    private int requests;
 
     Readings(Simulation simulation) {
         this.simulation = simulation;
@@ -52,12 +59,83 @@ public final class Readings {
         }
     }
 
+    /**
+     * Reads x, y, radius and mass by id.
+     *
+     * @param circles takes four elements an id
+     * @param living takes a bit for each id; may be null
+     */
+    public void readById(float[] circles, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("circles", circles.length, (long) CircleRow.STRIDE * handles.end());
+            requireRoom(living, handles.end());
+            simulation.settle();
+            pipeline.readCircles(handles, circles);
+            spread(circles, CircleRow.STRIDE, living);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /**
+     * Reads velocities by id.
+     *
+     * @param velocities takes two elements an id
+     * @param living takes a bit for each id; may be null
+     */
+    public void readVelocitiesById(float[] velocities, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("velocities", velocities.length, 2L * handles.end());
+            requireRoom(living, handles.end());
+            simulation.settle();
+            pipeline.readVelocities(handles, velocities);
+            spread(velocities, 2, living);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private void spread(float[] values, int each, long[] living) {
+        mask.copy(handles);
+        mask.spread(values, each, handles.size());
+        copy(mask, living);
+    }
+
+    private static void copy(IdMask mask, long[] living) {
+        if (living != null) {
+            mask.copyTo(living);
+        }
+    }
+
     /** Reads x and y of every circle, in the order of the ids, into memory of the pipeline. */
     public FloatBuffer positions() {
         guard.enter();
         try {
             simulation.settle();
-            return pipeline.positions(handles);
+            return pipeline.positions(handles, false);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads x and y by id into memory of the pipeline; living takes a bit for each id, and may be null. */
+    public FloatBuffer positionsById(long[] living) {
+        guard.enter();
+        try {
+            requireRoom(living, handles.end());
+            simulation.settle();
+            FloatBuffer positions = pipeline.positions(handles, true);
+            mask.copy(handles);
+            copy(mask, living);
+            return positions;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -71,6 +149,8 @@ public final class Readings {
         try {
             positionsRequested = false;
             simulation.applyCommands();
+            requests++;
+            handles.markSurvivors();
             pipeline.requestPositions(handles);
             positionsRequested = true;
         } catch (RuntimeException | Error e) {
@@ -80,19 +160,72 @@ public final class Readings {
         }
     }
 
+    /** A number that is another one after each request for positions. */
+    public int requests() {
+        guard.enter();
+        try {
+            return requests;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Gives the positions that were requested last. */
     public FloatBuffer takePositions() {
         guard.enter();
         try {
-            if (!positionsRequested) {
-                throw new IllegalStateException("no positions have been requested since the last were taken:"
-                        + " call requestPositions before each takePositions");
-            }
-            positionsRequested = false;
-            if (!pipeline.positionsArrived()) {
-                simulation.finishSteps();
-            }
-            return pipeline.takePositions();
+            requireRequest();
+            return take(null);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Gives the positions that were requested last, by id; living takes a bit for each id, and may be null. */
+    public FloatBuffer takePositionsById(long[] living) {
+        guard.enter();
+        try {
+            requireRequest();
+            requireRoom(living, handles.survivors().end());
+            FloatBuffer positions = take(handles.survivors());
+            copy(handles.survivors(), living);
+            return positions;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private void requireRequest() {
+        if (!positionsRequested) {
+            throw new IllegalStateException("no positions have been requested since the last were taken:"
+                    + " call requestPositions before each takePositions");
+        }
+    }
+
+    private FloatBuffer take(IdMask shown) {
+        positionsRequested = false;
+        if (!pipeline.positionsArrived()) {
+            simulation.finishSteps();
+        }
+        return pipeline.takePositions(shown);
+    }
+
+    /**
+     * Makes positions by id NaN that are not of the circles of the last request that have stayed.
+     *
+     * @param positions two elements an id
+     * @param living takes a bit for each id; may be null
+     */
+    public void markGone(FloatBuffer positions, long[] living) {
+        guard.enter();
+        try {
+            requireRoom(living, handles.survivors().end());
+            handles.survivors().markGaps(positions, 2);
+            copy(handles.survivors(), living);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -196,6 +329,12 @@ public final class Readings {
             throw guard.failed(e);
         } finally {
             guard.user = null;
+        }
+    }
+
+    private static void requireRoom(long[] living, int ids) {
+        if (living != null) {
+            requireRoom("living", living.length, IdMask.words(ids));
         }
     }
 

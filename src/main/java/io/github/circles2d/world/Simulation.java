@@ -5,15 +5,17 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Collections;
 
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Reports}, {@link Snapshots}.
+ * {@link Circles}, {@link Readings}, {@link Reports}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -24,19 +26,31 @@ public final class Simulation implements AutoCloseable {
     final Commands commands = new Commands();
     final ContactEvents events = new ContactEvents();
     final LastReading last;
+    final Travels travels = new Travels(handles, commands);
     private final Circles circles;
+    private final BulkChanges bulk;
     private final Readings readings;
     private final Reports reports;
     private final Snapshots snapshots;
+    final Journal journal;
+    private final Searches searches;
     private final GridLevels levels = new GridLevels();
     private final StepConstants constants = new StepConstants();
 
     Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
     private float gravityX;
     private float gravityY;
     float defaultRestitution;
     private int subSteps;
+    private ContactSettings contacts;
     private float previousTimeStep;
+
+    /** What {@link #parameters} gave last. */
+    private WorldParameters parameters;
 
     /** Whether the last step had no circles; also if there has been none, or none since a restore. */
     private boolean emptyStep = true;
@@ -52,15 +66,29 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
         circles = new Circles(this);
+        bulk = new BulkChanges(this);
         readings = new Readings(this);
         reports = new Reports(this);
         snapshots = new Snapshots(this);
+        journal = new Journal(this);
+        searches = new Searches(this);
         setParameters(start);
+        try {
+            pipeline.prepare(contacts);
+        } catch (RuntimeException | Error e) {
+            pipeline.close();
+            throw e;
+        }
     }
 
     /** The calls on circles. */
     public Circles circles() {
         return circles;
+    }
+
+    /** The calls that change many circles at once. */
+    public BulkChanges bulk() {
+        return bulk;
     }
 
     /** The reads. */
@@ -78,12 +106,23 @@ public final class Simulation implements AutoCloseable {
         return snapshots;
     }
 
+    /** The log of calls, if there is one. */
+    public Journal journal() {
+        return journal;
+    }
+
+    /** The searches for circles. */
+    public Searches searches() {
+        return searches;
+    }
+
     /** Changes gravity. */
     public void setGravity(float x, float y) {
         guard.enter();
         try {
             Limits.gravity(x, y);
             snapshots.forget();
+            journal.call(LoggedCall.GRAVITY, x, y, 0, 0);
             gravityX = x;
             gravityY = y;
         } finally {
@@ -111,7 +150,7 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Moves the walls, and brings circles that are left outside to the nearest place inside. */
+    /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
@@ -123,8 +162,12 @@ public final class Simulation implements AutoCloseable {
             }
             applyCommands();
             changed();
+            journal.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
+            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(next);
+            pipeline.confine(start, next);
+            travels.confine(next);
+            wallStart = start;
             bounds = next;
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -164,34 +207,88 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
+    /** How contacts are. */
+    public ContactSettings contacts() {
+        guard.enter();
+        try {
+            return contacts;
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Makes steps. */
     public void step(float timeStep, int steps) {
         guard.enter();
         try {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            applyCommands();
-            guard.changing = true;
-            emptyStep = handles.size() == 0;
-            if (!emptyStep) {
-                changed();
-                float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-                constants.set(timeStep, subSteps, gravityX, gravityY, bounds, before);
-                levels.layOut(bounds, handles.greatestRadius(), handles.population());
-                pipeline.step(constants, levels, steps);
-            } else if (events.isOn()) {
-                finishSteps();
-                guard.changing = true;
-                events.emptySteps(steps);
+            journal.step(timeStep, steps);
+            int travelling = travels.isEmpty() ? 0 : 1;
+            if (travelling > 0) {
+                travel(timeStep);
             }
-            snapshots.forget();
-            previousTimeStep = timeStep;
-            guard.changing = false;
+            if (steps > travelling) {
+                makeSteps(timeStep, steps - travelling);
+            }
+            journal.stepped(steps);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** Makes a step in which static circles travel. */
+    private void travel(float timeStep) {
+        travels.makeRoom();
+        guard.changing = true;
+        travels.depart(timeStep);
+        guard.changing = false;
+        try {
+            makeSteps(timeStep, 1);
+        } catch (RuntimeException | Error e) {
+            if (!guard.changing) {
+                travels.stay();
+                journal.logged = Math.min(journal.logged, commands.count());
+            }
+            throw e;
+        }
+        guard.changing = true;
+        travels.arrive();
+        guard.changing = false;
+    }
+
+    private void makeSteps(float timeStep, int steps) {
+        applyCommands();
+        guard.changing = true;
+        emptyStep = handles.size() == 0;
+        if (!emptyStep) {
+            changed();
+            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            enqueue(timeStep, steps);
+        } else if (events.isOn()) {
+            finishSteps();
+            guard.changing = true;
+            events.emptySteps(steps);
+        }
+        wallStart = bounds;
+        snapshots.forget();
+        previousTimeStep = timeStep;
+        guard.changing = false;
+    }
+
+    /** Walls move in the first step alone. */
+    private void enqueue(float timeStep, int steps) {
+        float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+        if (!constants.walls.any() || steps == 1) {
+            pipeline.step(constants, levels, steps);
+            return;
+        }
+        pipeline.step(constants, levels, 1);
+        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep, contacts);
+        pipeline.step(constants, levels, steps - 1);
     }
 
     /** Waits until all steps that were asked for have been made. */
@@ -210,13 +307,18 @@ public final class Simulation implements AutoCloseable {
     public long hash() {
         guard.enter();
         try {
-            settle();
-            return pipeline.hash() + handles.fields().hash();
+            return currentHash();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
+    }
+
+    /** The hash of the state, for callers that are inside already. */
+    long currentHash() {
+        settle();
+        return pipeline.hash() + handles.fields().hash() + WorldParameters.hash(bounds, wallStart, contacts);
     }
 
     /** The figures as of now. */
@@ -241,21 +343,37 @@ public final class Simulation implements AutoCloseable {
 
     /** What there is besides circles. */
     WorldParameters parameters() {
-        return new WorldParameters(bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep);
+        if (parameters == null
+                || !parameters.has(
+                        bounds,
+                        gravityX,
+                        gravityY,
+                        defaultRestitution,
+                        subSteps,
+                        previousTimeStep,
+                        contacts,
+                        wallStart)) {
+            parameters = new WorldParameters(
+                    bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
+        }
+        return parameters;
     }
 
     /** A snapshot has taken the place of all that was. */
     void restored(WorldParameters p) {
         setParameters(p);
+        parameters = p;
         emptyStep = true;
     }
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();
         defaultRestitution = p.restitution();
         subSteps = p.subSteps();
+        contacts = p.contacts();
         previousTimeStep = p.previousTimeStep();
     }
 
@@ -277,6 +395,7 @@ public final class Simulation implements AutoCloseable {
     /** Hands the changes that wait to the pipeline. */
     void applyCommands() {
         if (commands.count() > 0) {
+            journal.writeCommands();
             finishSteps();
             pipeline.makeRoom(commands);
             if (events.isOn()) {
@@ -288,6 +407,7 @@ public final class Simulation implements AutoCloseable {
             }
             pipeline.apply(commands);
             commands.clear();
+            journal.logged = 0;
             guard.changing = false;
         }
     }

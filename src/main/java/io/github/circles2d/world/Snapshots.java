@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.circles.SnapshotRing;
 import java.nio.ByteBuffer;
 
 /** Takes snapshots and restores them. A state that has been saved is not saved again until it changes. */
@@ -63,19 +64,9 @@ public final class Snapshots {
         try {
             savedCurrent = false;
             int length = SnapshotCodec.read(from, saved);
-            simulation.finishSteps();
-            handles.makeRoom(saved);
-            pipeline.makeRoom(saved);
-            simulation.events.makeRoom(saved.touches, saved.ids);
-            simulation.changed();
+            makeRoom();
             from.position(from.position() + length);
-            guard.changing = true;
-            handles.load(saved);
-            simulation.commands.clear();
-            pipeline.load(saved);
-            simulation.restored(saved.parameters());
-            simulation.events.load(saved.touches, handles);
-            guard.changing = false;
+            load();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -83,9 +74,69 @@ public final class Snapshots {
         }
     }
 
+    /** Saves the state as a frame. */
+    public void save(SnapshotRing ring, int frame) {
+        guard.enter();
+        try {
+            save();
+            ring.save(frame, saved);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Takes over a frame, in place of all that is. */
+    public void restore(SnapshotRing ring, int frame) {
+        guard.enter();
+        try {
+            int place = ring.find(frame);
+            savedCurrent = false;
+            ring.load(place, saved);
+            makeRoom();
+            load();
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Makes room for the state in {@link #saved}. If that fails, nothing has changed. */
+    private void makeRoom() {
+        simulation.finishSteps();
+        handles.makeRoom(saved);
+        simulation.travels.makeRoom(saved);
+        pipeline.makeRoom(saved);
+        pipeline.prepare(saved.parameters().contacts());
+        simulation.events.makeRoom(saved.touches, saved.ids);
+        simulation.changed();
+        simulation.journal.restore(saved);
+    }
+
+    /** Takes over the state in {@link #saved}, for which there is room. */
+    private void load() {
+        guard.changing = true;
+        handles.load(saved);
+        simulation.commands.clear();
+        simulation.journal.logged = 0;
+        simulation.travels.restored();
+        pipeline.load(saved);
+        simulation.restored(saved.parameters());
+        simulation.events.load(saved.touches, handles);
+        guard.changing = false;
+    }
+
     /** The state has changed. */
     void forget() {
         savedCurrent = false;
+    }
+
+    /** The state as of now; valid until the next change. */
+    SavedState now() {
+        save();
+        return saved;
     }
 
     private void save() {

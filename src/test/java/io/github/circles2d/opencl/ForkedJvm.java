@@ -80,8 +80,19 @@ public final class ForkedJvm {
         return this;
     }
 
+    /** Has a class path of these folders and jars alone. */
+    public ForkedJvm only(Path... entries) {
+        classPath = Stream.of(entries).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+        return this;
+    }
+
     /** Runs the class with this JVM's class path and waits for its end, which comes by force after {@link #LIMIT} minutes. */
     public Result run(Class<?> mainClass, String... arguments) {
+        return run(mainClass.getName(), arguments);
+    }
+
+    /** Runs the class of this name. */
+    public Result run(String mainClass, String... arguments) {
         try {
             Process process = start(mainClass, arguments);
             CompletableFuture.delayedExecutor(LIMIT, TimeUnit.MINUTES).execute(process::destroyForcibly);
@@ -96,6 +107,10 @@ public final class ForkedJvm {
 
     /** Starts the class with this JVM's class path; standard error comes with standard output. */
     public Process start(Class<?> mainClass, String... arguments) throws IOException {
+        return start(mainClass.getName(), arguments);
+    }
+
+    private Process start(String mainClass, String... arguments) throws IOException {
         List<String> command = new ArrayList<>(launcher);
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         // Not the calibration of the user who runs the tests.
@@ -103,7 +118,7 @@ public final class ForkedJvm {
         command.addAll(options);
         command.add("-cp");
         command.add(classPath);
-        command.add(mainClass.getName());
+        command.add(mainClass);
         command.addAll(List.of(arguments));
         ProcessBuilder builder = new ProcessBuilder(command)
                 .directory(directory.toAbsolutePath().toFile())

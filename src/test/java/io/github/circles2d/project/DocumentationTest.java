@@ -30,22 +30,54 @@ class DocumentationTest {
 
     @Test
     void theGameLoopOfTheReadmeCompilesWithoutAWarning(@TempDir Path folder) throws IOException {
-        assertCompiles(block(read("README.md"), "java"), folder);
-        assertThat(folder.resolve("Game.class")).exists();
+        assertCompiles("Game", block(read("README.md"), "java"), folder);
     }
 
     @Test
     void theEventsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
         String readme = read("README.md");
         String loop = block(readme.substring(readme.indexOf("`report` asks")), "java");
-        assertCompiles("import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
+        assertCompiles(
+                "Game", "import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
     }
 
-    private static void assertCompiles(String code, Path folder) {
+    @Test
+    void theLoopWithASteadyStepOfTheReadmeCompilesInAGame(@TempDir Path folder) throws IOException {
+        String loop = first("(?s)```java\\n(FixedStep .*?)```", read("README.md"));
+        String game = "abstract class Loop { io.github.circles2d.World world; long player;"
+                + " abstract float stickX(); abstract float stickY(); abstract boolean playing();"
+                + " abstract float secondsSinceTheLastFrame(); abstract void draw(float x, float y);"
+                + " void run() {\n" + loop + "} }";
+        String imports = "import io.github.circles2d.FixedStep; import io.github.circles2d.World;"
+                + " import java.nio.FloatBuffer;\n";
+        assertCompiles("Loop", imports + game, folder);
+    }
+
+    @Test
+    void theRewindAndTheRecordingOfTheReadmeCompileInAGame(@TempDir Path folder) throws IOException {
+        String loop = first("(?s)```java\\n(Rewind .*?)```", read("README.md"));
+        String game =
+                "abstract class Game { World world; Path file; abstract boolean playing(); abstract boolean rewindKey();"
+                        + " void run() throws IOException {\n" + loop + "} }";
+        String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.file.*;\n";
+        assertCompiles("Game", imports + game, folder);
+    }
+
+    @Test
+    void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
+        assertCompiles(
+                "Game",
+                "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
+                        + code + "}}",
+                folder);
+    }
+
+    private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
         JavaFileObject source =
-                new SimpleJavaFileObject(URI.create("string:///Game.java"), JavaFileObject.Kind.SOURCE) {
+                new SimpleJavaFileObject(URI.create("string:///" + name + ".java"), JavaFileObject.Kind.SOURCE) {
                     @Override
                     public CharSequence getCharContent(boolean ignoreEncodingErrors) {
                         return code;
@@ -64,6 +96,7 @@ class DocumentationTest {
         boolean compiles = compiler.getTask(log, null, null, options, null, List.of(source))
                 .call();
         assertThat(compiles).as(log.toString()).isTrue();
+        assertThat(folder.resolve(name + ".class")).exists();
     }
 
     @Test

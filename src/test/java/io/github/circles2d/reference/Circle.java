@@ -14,6 +14,9 @@ final class Circle {
     final float[] displacement = new float[2];
     final float[] velocity = new float[2];
     final float[] wallImpulse = new float[2];
+    /** Where a static circle travels in the next step; null if nowhere. */
+    float[] target;
+
     float radius;
     float mass;
     float restitution;
@@ -34,7 +37,8 @@ final class Circle {
     float allowance;
     boolean stands;
     boolean isPushed;
-    Circle pusher;
+    float carryTime;
+    Circle carrier;
     boolean loaded;
     boolean loadedNext;
 
@@ -60,6 +64,24 @@ final class Circle {
     void place(int axis, float coordinate) {
         base[axis] = coordinate;
         displacement[axis] = 0f;
+    }
+
+    /** Sets out for the target; returns the velocity to go on with after the step. */
+    float[] depart(float dt) {
+        float[] own = velocity.clone();
+        for (int a = 0; a < 2 && target != null; a++) {
+            velocity[a] = Numbers.limitSpeed((target[a] - base[a]) / dt);
+        }
+        return own;
+    }
+
+    /** Is at the target after the step. */
+    void arrive(float[] own) {
+        for (int a = 0; a < 2 && target != null; a++) {
+            place(a, target[a]);
+            velocity[a] = own[a];
+        }
+        target = null;
     }
 
     /** The least coordinate that the circle may have. */

@@ -9,8 +9,6 @@ import java.util.function.Function;
  * is never negative. (Soft constraints: E. Catto, "Solver2D", 2024.)
  */
 abstract class Constraint {
-    private static final float DAMPING = 20f;
-    private static final float FREQUENCY = 67f;
     private static final float GREATEST_FREQUENCY = 0.3f;
     private static final float PUSH = 0.4f;
     private static final float DEEP = 0.2f;
@@ -35,7 +33,9 @@ abstract class Constraint {
     /** Gravity's part of the square of the threshold, per sum of radii. */
     final float gravityRate;
 
+    private final boolean isThresholdFixed;
     private final float pushSpeed;
+    private final float deepRate;
     private final float biasRate;
     private final float massScale;
     private final float impulseScale;
@@ -62,10 +62,16 @@ abstract class Constraint {
         inelasticity = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
         float creep = REST_SPEED * 0.5f * (inelasticity * radii);
         gravityRate = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity;
-        squaredThreshold = gravityRate * (inelasticity * radii) + creep * creep;
-        pushSpeed = PUSH * radii;
-        float omega = stiffness * (2f * 3.14159265f * Numbers.min(FREQUENCY * step.h(), GREATEST_FREQUENCY));
-        float a1 = 2f * DAMPING + omega;
+        Settings settings = step.settings();
+        isThresholdFixed = settings.threshold() >= 0f;
+        squaredThreshold = isThresholdFixed
+                ? settings.threshold() * settings.threshold()
+                : gravityRate * (inelasticity * radii) + creep * creep;
+        float push = 0.5f * settings.pushOutSpeed();
+        pushSpeed = push * radii;
+        deepRate = DEEP_RATE * (push / PUSH);
+        float omega = stiffness * (2f * 3.14159265f * Numbers.min(settings.frequency() * step.h(), GREATEST_FREQUENCY));
+        float a1 = 2f * settings.damping() + omega;
         float a2 = omega * a1;
         impulseScale = 1f / (1f + a2);
         massScale = a2 * impulseScale;
@@ -85,9 +91,20 @@ abstract class Constraint {
         return false;
     }
 
+    /** The square of the threshold of circles that nothing carries, unless it is fixed. */
+    float squaredFlightThreshold() {
+        return squaredThreshold;
+    }
+
+    /** The square of the speed that a hit exceeds: the threshold of surfaces without restitution. */
+    final float squaredHitSpeed() {
+        float creep = REST_SPEED * 0.5f * radii;
+        return isThresholdFixed ? squaredThreshold : gravityRate * radii + creep * creep;
+    }
+
     /** Whether a speed is an impact, or a parting, of circles that nothing carries. */
-    boolean isImpactInFlight(float vn) {
-        return isImpact(vn);
+    private boolean isImpactInFlight(float vn) {
+        return vn * vn > (isThresholdFixed ? squaredThreshold : squaredFlightThreshold());
     }
 
     /** What gravity adds to the normal speed in half a sub-step; a free bounce leaves it out. */
@@ -146,7 +163,7 @@ abstract class Constraint {
         } else if (separation > 0f) {
             normalImpulse = old - mass * (vn + separation * step.inverseH());
         } else if (biased) {
-            float deep = DEEP_RATE * separation + (DEEP * DEEP_RATE / PUSH - 1f) * pushSpeed;
+            float deep = deepRate * separation + (DEEP * DEEP_RATE / PUSH - 1f) * pushSpeed;
             float bias = massScale * max(biasRate * separation, Numbers.min(-pushSpeed, deep));
             normalImpulse = (old - mass * (massScale * vn + bias)) - impulseScale * old;
         } else {

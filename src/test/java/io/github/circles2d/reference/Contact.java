@@ -90,9 +90,9 @@ final class Contact extends Constraint {
 
     /** By a lower threshold than that of circles that are carried: elastic ones bounce at any speed. */
     @Override
-    boolean isImpactInFlight(float vn) {
+    float squaredFlightThreshold() {
         float creep = FLIGHT_REST_SPEED * 0.5f * ((1f - restitution) * radii);
-        return vn * vn > gravityRate * (inelasticity * radii) + creep * creep;
+        return gravityRate * (inelasticity * radii) + creep * creep;
     }
 
     /** Not 0 only if one circle is static, since circles that both fall gain no speed against each other. */
@@ -134,7 +134,7 @@ final class Contact extends Constraint {
     void lookAfterStep() {
         touch.separation = separation;
         touch.slack = Touch.SLACK * radii;
-        touch.restSpeed(gravityRate * radii, radii);
+        touch.threshold = squaredHitSpeed();
         touch.normalVelocity = normalVelocity(c -> c.velocity);
         float[] place = new float[2];
         for (int a = 0; a < 2; a++) {

@@ -7,6 +7,7 @@ import static io.github.circles2d.reference.Numbers.min;
 import static io.github.circles2d.reference.Numbers.minus;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** Keeps fast circles from passing through others: clamps the motion of a step. */
 final class ContinuousCollision {
@@ -25,6 +26,15 @@ final class ContinuousCollision {
         this.circles = circles;
         this.grid = grid;
         this.k = k;
+    }
+
+    /** A static circle stops at the bounds. */
+    static void cutStaticPath(Circle c, StepParameters k) {
+        for (int a = 0; a < 2; a++) {
+            float to = c.base[a] + c.path[a];
+            c.path[a] = to < k.min()[a] ? k.min()[a] - c.base[a] : to > k.max()[a] ? k.max()[a] - c.base[a] : c.path[a];
+        }
+        c.pathLength = length(c.path);
     }
 
     /** What a circle that is not static moves in the step if it meets no other circle: no path leads far, or along into a wall. */
@@ -50,66 +60,93 @@ final class ContinuousCollision {
             c.timeOfImpact = timeOfWalls(c);
             c.allowance = Float.POSITIVE_INFINITY;
             c.stands = false;
-            c.pusher = null;
         }
-        for (boolean pushers : new boolean[] {false, true}) {
-            for (Circle c : circles) {
-                if (c.pathLength > c.leastPath) {
-                    circles.stream().filter(other -> other != c).forEach(other -> look(c, other, pushers));
-                }
+        circles.stream().filter(c -> isFast(c) && !c.isStatic()).forEach(c -> others(c)
+                .forEach(other -> look(c, other)));
+        Carrying carrying = new Carrying(grid);
+        for (Circle c : circles) {
+            carrying.start(c);
+            if (!c.isStatic()) {
+                others(c)
+                        .filter(other -> isCarrier(other, c))
+                        .forEach(other -> carrying.meet(other, c, isNearWithoutImpact(other, c)));
             }
         }
         circles.stream().filter(c -> !c.isStatic()).forEach(this::setClamp);
+    }
+
+    private Stream<Circle> others(Circle c) {
+        return circles.stream().filter(other -> other != c);
+    }
+
+    private static boolean isFast(Circle c) {
+        return c.pathLength > c.leastPath;
+    }
+
+    /** Whether one circle is static and moves, and the faster one of both looks for the other. */
+    private static boolean isCarrier(Circle carrier, Circle c) {
+        float[] u = minus(c.path, carrier.path);
+        return carrier.isStatic()
+                && carrier.pathLength > 0f
+                && (isFast(carrier) && c.pathLength <= carrier.pathLength + Circle.CAP * c.radius
+                        || isFast(c) && length2(u) > c.leastPath * c.leastPath);
     }
 
     /** The share of its path after which a circle that goes farther than its radius touches a wall. */
     private float timeOfWalls(Circle c) {
         float first = 1f;
         for (int a = 0; a < 2 && !c.isStatic() && c.pathLength > c.radius; a++) {
-            float low = (k.min()[a] + c.radius) - c.base[a];
-            float high = (k.max()[a] - c.radius) - c.base[a];
-            float p = c.path[a];
-            first = min(p < low ? max(low, p) / p : p > high ? min(high, p) / p : 1f, first);
+            float minIn = comesIn(k.minIn()[a], c);
+            float maxIn = comesIn(k.maxIn()[a], c);
+            float low = ((k.min()[a] - minIn) + c.radius) - c.base[a];
+            float high = ((k.max()[a] + maxIn) - c.radius) - c.base[a];
+            float p = minIn > 0f ? c.path[a] - minIn : c.path[a];
+            float q = maxIn > 0f ? c.path[a] + maxIn : c.path[a];
+            first = min(p < 0f && p < low ? low / p : q > 0f && q > high ? high / q : 1f, first);
         }
         return max(first, 0f);
     }
 
-    private void look(Circle c, Circle other, boolean pushers) {
+    /** How far a wall comes in that a circle feels. */
+    private static float comesIn(float in, Circle c) {
+        return Wall.moves(in, c) ? max(in, 0f) : 0f;
+    }
+
+    private void look(Circle c, Circle other) {
         float[] u = minus(c.path, other.path);
         float[] d = minus(other.base, c.base);
-        if (c.isStatic() && other.isStatic()
-                || !(length2(u) > c.leastPath * c.leastPath)
-                || !c.isStatic() && !other.isStatic() && !(other.radius * SWEEP_RATIO >= c.radius)) {
+        boolean atStatic = other.isStatic();
+        if (!(length2(u) > c.leastPath * c.leastPath) || !atStatic && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;
         }
         float reachToStatic = (c.radius + c.pathLength) + other.radius;
-        if (other.isStatic() && length2(d) < reachToStatic * reachToStatic) {
+        if (atStatic && length2(d) < reachToStatic * reachToStatic) {
             c.allowance = min(CLAMP_ALLOWANCE * c.radius, c.allowance);
         }
-        boolean pushes = c.isStatic() && c.pathLength > Circle.CAP * other.radius
-                || other.isStatic() && other.pathLength > Circle.CAP * c.radius;
-        float radii = c.radius + other.radius;
-        float least = 0.5f * Circle.CAP * radii;
-        float t = timeOfImpact(d, u, radii - GRAZE * radii) < 1f ? timeOfImpact(d, u, radii) : 2f;
-        if (!(t < 1f) || c.isNear(other) && !pushes && !(length2(u) > least * least)) {
+        boolean pushed = atStatic && Carrying.pushes(other, c);
+        float t = timeOfImpact(d, u, c.radius + other.radius);
+        if (!(t < 1f) || pushed || isNearWithoutImpact(c, other)) {
             return;
         }
-        boolean atStatic = c.isStatic() || other.isStatic();
-        float slack = atStatic ? Circle.MARGIN : HOLD;
-        float close = (c.radius + slack * c.radius) + (other.radius + slack * other.radius);
-        if (!pushes && length2(d) < close * close) {
-            if (!c.isStatic()) {
-                hold(c, other, t);
-            }
-        } else if (pushers) {
-            notePusher(c, other, t);
-            notePusher(other, c, t);
-        } else if (atStatic || other.pathLength <= c.pathLength || !(other.pathLength > other.leastPath)) {
-            stop(c, t);
-            if (c.isStatic() || other.pathLength > other.leastPath) {
-                stop(other, t);
-            }
+        if (areCloser(c, other, atStatic ? Circle.MARGIN : HOLD)) {
+            hold(c, other, t);
+        } else if (atStatic) {
+            c.timeOfImpact = other.pathLength > 0f ? c.timeOfImpact : min(t, c.timeOfImpact);
+        } else if (other.pathLength <= c.pathLength || !isFast(other)) {
+            c.timeOfImpact = min(t, c.timeOfImpact);
+            other.timeOfImpact = isFast(other) ? min(t, other.timeOfImpact) : other.timeOfImpact;
         }
+    }
+
+    /** Whether two circles have a contact and move little against each other. */
+    private static boolean isNearWithoutImpact(Circle a, Circle b) {
+        float least = 0.5f * Circle.CAP * (a.radius + b.radius);
+        return a.isNear(b) && !(length2(minus(a.path, b.path)) > least * least);
+    }
+
+    static boolean areCloser(Circle a, Circle b, float slack) {
+        float close = (a.radius + slack * a.radius) + (b.radius + slack * b.radius);
+        return length2(minus(a.base, b.base)) < close * close;
     }
 
     private static float length2(float[] a) {
@@ -128,18 +165,12 @@ final class ContinuousCollision {
         c.allowance = min(allowance, c.allowance);
     }
 
-    private static void stop(Circle c, float t) {
-        c.timeOfImpact = c.isStatic() ? 1f : min(t, c.timeOfImpact);
+    /** The share of their paths after which two circles touch that do more than graze each other; 2 if they do not. */
+    static float timeOfImpact(float[] d, float[] u, float radii) {
+        return timeOfTouch(d, u, radii - GRAZE * radii) < 1f ? timeOfTouch(d, u, radii) : 2f;
     }
 
-    private void notePusher(Circle pusher, Circle c, float t) {
-        if (pusher.isStatic() && pusher.pathLength > 0f && t == c.timeOfImpact) {
-            c.pusher = c.pusher == null || grid.isBefore(pusher, c.pusher) ? pusher : c.pusher;
-        }
-    }
-
-    /** The share of their paths after which two circles touch; 2 if they do not. */
-    private static float timeOfImpact(float[] d, float[] u, float radii) {
+    private static float timeOfTouch(float[] d, float[] u, float radii) {
         float b = dot(d, u);
         float gap = dot(d, d) - radii * radii;
         float discriminant = b * b - dot(u, u) * gap;
@@ -154,16 +185,21 @@ final class ContinuousCollision {
         for (int a = 0; a < 2; a++) {
             c.freePath[a] = share * c.path[a];
         }
-        if (c.timeOfImpact < c.contactTime) {
-            float rest = 1f - c.timeOfImpact;
+        boolean stops = c.timeOfImpact < c.contactTime || c.carryTime < 1f;
+        float own = min(Carrying.freeShare(c), c.carryTime);
+        if (c.carrier != null || stops) {
             for (int a = 0; a < 2; a++) {
-                float own = c.timeOfImpact * c.path[a];
-                c.freePath[a] = c.pusher == null ? own : own + rest * c.pusher.path[a];
-                c.velocity[a] -= rest * (k.gravityStep(a) * k.subSteps());
+                float alone = own * c.path[a];
+                c.freePath[a] = c.carrier == null ? alone : alone + (1f - c.carryTime) * c.carrier.path[a];
             }
             c.allowance = 0f;
             c.stands = false;
-            c.isPushed = c.pusher != null && c.pusher.pathLength > Circle.CAP * c.radius;
+            c.isPushed = c.carrier != null && Carrying.pushes(c.carrier, c);
+        }
+        if (stops) {
+            for (int a = 0; a < 2; a++) {
+                c.velocity[a] -= (1f - own) * (k.gravityStep(a) * k.subSteps());
+            }
             c.speculativeDistance = c.radius + Circle.MARGIN * c.radius;
         }
     }

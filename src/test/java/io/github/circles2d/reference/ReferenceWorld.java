@@ -1,11 +1,13 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.StaleHandles;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.IntConsumer;
 
 /**
  * World as the section "The step to the bit" of ARCHITECTURE.md describes it. Arguments are not checked: World is asked first,
@@ -15,10 +17,15 @@ public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
 
     private static final long CIRCLE = 0x636972636C653264L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int TARGET = 9;
+    private static final long CONTACTS = 0x636F6E7461637473L;
+    private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
 
     private final float restitution;
     private final int subSteps;
+    private final Settings settings;
 
     /** By id; null if the id is free. */
     private final List<Circle> byId = new ArrayList<>();
@@ -32,16 +39,28 @@ public final class ReferenceWorld implements WorldCalls {
     private final TouchEvents events = new TouchEvents();
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
+
+    /** Where the walls were in the last step; where they are if they have jumped since. */
+    private float[] startMin = min;
+
+    private float[] startMax = max;
+
     private float[] gravity = {0f, 0f};
     private float previousDt;
 
     public ReferenceWorld(float restitution, int subSteps) {
+        this(restitution, subSteps, Settings.DEFAULT);
+    }
+
+    public ReferenceWorld(float restitution, int subSteps, Settings settings) {
         this.restitution = restitution;
         this.subSteps = subSteps;
+        this.settings = settings;
     }
 
     private StepParameters parameters(float dt) {
-        return new StepParameters(min, max, gravity, dt, subSteps);
+        return new StepParameters(
+                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps, settings);
     }
 
     /** In the order of the ids. */
@@ -56,6 +75,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
+            float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
             if (size() > 0) {
@@ -64,7 +84,12 @@ public final class ReferenceWorld implements WorldCalls {
                 contacts = step.contacts();
             }
             events.step(contacts, circles());
+            for (int i = 0; i < size(); i++) {
+                circles().get(i).arrive(velocities[i]);
+            }
             previousDt = dt;
+            startMin = min;
+            startMax = max;
         }
     }
 
@@ -80,7 +105,7 @@ public final class ReferenceWorld implements WorldCalls {
         c.restitution = restitution;
         c.radius = radius;
         c.mass = mass;
-        setPosition(c.handle, x, y);
+        teleport(c.handle, x, y);
         setVelocity(c.handle, vx, vy);
         return c.handle;
     }
@@ -100,7 +125,8 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public boolean contains(long handle) {
-        return find(handle) != null && find(handle).handle == handle;
+        int id = (int) handle;
+        return id >= 0 && id < byId.size() && byId.get(id) != null && byId.get(id).handle == handle;
     }
 
     @Override
@@ -129,6 +155,16 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setPosition(long handle, float x, float y) {
+        if (find(handle).isStatic()) {
+            find(handle).target = new float[] {x, y};
+        } else {
+            teleport(handle, x, y);
+        }
+    }
+
+    @Override
+    public void teleport(long handle, float x, float y) {
+        find(handle).target = null;
         find(handle).place(0, x);
         find(handle).place(1, y);
     }
@@ -147,7 +183,11 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setMass(long handle, float mass) {
-        find(handle).mass = mass;
+        Circle c = find(handle);
+        c.mass = mass;
+        if (c.target != null && !c.isStatic()) {
+            teleport(handle, c.target[0], c.target[1]);
+        }
         forgetImpulses(find(handle));
     }
 
@@ -179,6 +219,59 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public int removeAll(long[] handles, int count, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> remove(handles[k]));
+    }
+
+    @Override
+    public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setPosition(handles[k], positions[2 * k], positions[2 * k + 1]));
+    }
+
+    @Override
+    public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setVelocity(handles[k], velocities[2 * k], velocities[2 * k + 1]));
+    }
+
+    @Override
+    public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> applyImpulse(handles[k], impulses[2 * k], impulses[2 * k + 1]));
+    }
+
+    /** Returns how many handles are stale. */
+    private int forEachThatLives(long[] handles, int count, IntConsumer change) {
+        int skipped = 0;
+        for (int k = 0; k < count; k++) {
+            if (contains(handles[k])) {
+                change.accept(k);
+            } else {
+                skipped++;
+            }
+        }
+        return skipped;
+    }
+
+    @Override
+    public int explode(float x, float y, float radius, float impulse, float falloff) {
+        int pushed = 0;
+        for (Circle c : circles()) {
+            float[] d = {c.base[0] - x, c.base[1] - y};
+            float distance = Numbers.length(d[0], d[1]);
+            float gap = Numbers.max(distance - c.radius, 0f);
+            if (c.isStatic() || distance == 0f || gap > radius && gap >= radius + falloff) {
+                continue;
+            }
+            float share = 1f;
+            if (gap > radius) {
+                share = Numbers.min((radius + falloff - gap) / falloff, 1f);
+            }
+            applyImpulse(c.handle, impulse * share * (d[0] / distance), impulse * share * (d[1] / distance));
+            pushed++;
+        }
+        return pushed;
+    }
+
+    @Override
     public void setGravity(float gx, float gy) {
         gravity = new float[] {gx, gy};
     }
@@ -187,23 +280,54 @@ public final class ReferenceWorld implements WorldCalls {
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         min = new float[] {minX, minY};
         max = new float[] {maxX, maxY};
+        startMin = starts(startMin, min);
+        startMax = starts(startMax, max);
         for (Circle c : circles()) {
             for (int a = 0; a < 2; a++) {
-                float inside = Numbers.clamp(c.base[a], c.low(a, parameters(0f)), c.high(a, parameters(0f)));
+                float low = min[a] + margin(startMin[a], min[a], c);
+                float inside = Numbers.clamp(c.base[a], low, max[a] - margin(startMax[a], max[a], c));
                 if (inside != c.base[a]) {
                     c.place(a, inside);
+                }
+                if (c.target != null) {
+                    c.target[a] = Numbers.clamp(c.target[a], min[a], max[a]);
                 }
             }
         }
     }
 
+    /** A wall jumps if it moves farther than every radius. */
+    private float[] starts(float[] from, float[] to) {
+        double greatest = circles().stream().mapToDouble(c -> c.radius).max().orElse(0);
+        float[] start = from.clone();
+        for (int a = 0; a < 2; a++) {
+            start[a] = from[a] == to[a] || Math.abs(to[a] - from[a]) > greatest ? to[a] : from[a];
+        }
+        return start;
+    }
+
+    /** How far a circle is kept from a wall: not at all if the next step pushes it. */
+    private static float margin(float from, float to, Circle c) {
+        boolean pushed = from != to && Math.abs(to - from) <= c.radius;
+        return c.isStatic() || pushed ? 0f : c.radius;
+    }
+
     @Override
     public long hash() {
-        long sum = 0;
+        boolean moved =
+                startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
+        long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
+        if (!settings.equals(Settings.DEFAULT)) {
+            float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
+            sum += absorb(CONTACTS, numbers);
+        }
         for (Circle c : circles()) {
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
+            if (c.target != null) {
+                sum += absorb(absorb(absorb(FIELD, TARGET), c.id), c.target);
+            }
         }
         for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {
             Contact.Pair pair = entry.getKey();

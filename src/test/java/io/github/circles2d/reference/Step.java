@@ -32,10 +32,11 @@ final class Step {
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
-            circles.forEach(this::integrateVelocities);
+            int now = subStep;
+            circles.forEach(c -> integrateVelocities(c, now));
             contacts.forEach(Contact::solve);
             contacts.forEach(Contact::lookAfterSolve);
-            circles.forEach(this::integratePositions);
+            circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
             contacts.forEach(Contact::lookAfterRelax);
         }
@@ -54,7 +55,9 @@ final class Step {
             c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
         }
         c.pathLength = length(c.path);
-        if (!c.isStatic()) {
+        if (c.isStatic()) {
+            ContinuousCollision.cutStaticPath(c, k);
+        } else {
             ContinuousCollision.cutPath(c, k);
         }
         c.speculativeDistance = (c.radius + Circle.MARGIN * c.radius) + min(c.pathLength, Circle.CAP * c.radius);
@@ -99,28 +102,26 @@ final class Step {
         }
     }
 
-    private void integrateVelocities(Circle c) {
+    private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
         float[] before = new float[2];
-        float[] gap = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.velocity[a];
             if (!c.isStatic()) {
                 c.velocityBeforeImpulses[a] += k.gravityStep(a);
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
-                c.walls[a].measure();
+                c.walls[a].measure(subStep);
                 before[a] = c.velocity[a];
-                gap[a] = c.walls[a].separation;
                 c.walls[a].apply(c.walls[a].normalImpulse);
-                c.walls[a].solve();
+                c.walls[a].solveInFrame();
             }
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
-            c.walls[a].look(c.velocityBeforeImpulses[a], before[a], gap[a]);
+            c.walls[a].look(c.velocityBeforeImpulses[a], before[a]);
         }
     }
 
-    private void integratePositions(Circle c) {
+    private void integratePositions(Circle c, int subStep) {
         float[] to = new float[2];
         float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
@@ -132,12 +133,12 @@ final class Step {
         }
         for (int a = 0; a < 2; a++) {
             float x = c.base[a] + to[a];
-            float low = c.low(a, k);
-            float high = c.high(a, k);
+            float low = c.isStatic() ? c.low(a, k) : (k.min()[a] - k.behind(k.minIn()[a], subStep)) + c.radius;
+            float high = c.isStatic() ? c.high(a, k) : (k.max()[a] + k.behind(k.maxIn()[a], subStep)) - c.radius;
             c.displacement[a] = x < low ? low - c.base[a] : x > high ? high - c.base[a] : to[a];
             if (!c.isStatic()) {
                 c.walls[a].stopAtFarWall(to[a]);
-                c.walls[a].measure();
+                c.walls[a].measure(subStep);
                 before[a] = c.velocity[a];
                 c.walls[a].relax();
                 c.walls[a].storeImpulse();
@@ -146,7 +147,7 @@ final class Step {
             }
         }
         for (int a = 0; a < 2 && !c.isStatic(); a++) {
-            c.walls[a].look(before[a], before[a], c.walls[a].separation);
+            c.walls[a].look(before[a], before[a]);
         }
         clearImpulses(c);
     }

@@ -1,7 +1,22 @@
 package io.github.circles2d.reference;
 
-/** The walls, the gravity and the times that a step is made with. Arrays hold a value for x and one for y. */
-record StepParameters(float[] min, float[] max, float[] gravity, float dt, int subSteps) {
+/**
+ * The walls, the gravity and the times that a step is made with. Arrays hold a value for x and one for y.
+ *
+ * @param min the lower walls at the end of the step
+ * @param max the upper walls at the end of the step
+ * @param minIn what the lower walls come in during the step; negative if they go out
+ * @param maxIn what the upper walls come in during the step; negative if they go out
+ */
+record StepParameters(
+        float[] min,
+        float[] max,
+        float[] minIn,
+        float[] maxIn,
+        float[] gravity,
+        float dt,
+        int subSteps,
+        Settings settings) {
     float h() {
         return dt / subSteps;
     }
@@ -17,5 +32,15 @@ record StepParameters(float[] min, float[] max, float[] gravity, float dt, int s
     /** How far gravity moves a circle in a step. */
     float fall(int axis) {
         return gravityStep(axis) * h() * (0.5f * subSteps * (subSteps + 1));
+    }
+
+    /** What a wall that comes in moves in a sub-step. */
+    float sweep(float in) {
+        return in > 0f ? in / subSteps : 0f;
+    }
+
+    /** How far a wall that comes in is from its last place at the end of a sub-step. */
+    float behind(float in, int subStep) {
+        return sweep(in) * (subSteps - 1 - subStep);
     }
 }

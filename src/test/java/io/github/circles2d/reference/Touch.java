@@ -3,7 +3,6 @@ package io.github.circles2d.reference;
 /** What two surfaces did to each other in a step. */
 final class Touch {
     static final float SLACK = 0.005f;
-    private static final float REST_SPEED = 1f;
 
     /** The greatest approach speed of the sub-steps in which they touched; -1 if they did not. */
     float approach = -1f;
@@ -36,12 +35,6 @@ final class Touch {
                 point = place.clone();
             }
         }
-    }
-
-    /** By gravity's part, and by a creeping speed. */
-    void restSpeed(float gravityPart, float radii) {
-        float creep = REST_SPEED * 0.5f * radii;
-        threshold = gravityPart + creep * creep;
     }
 
     /** The step ends: if the place is not known yet, it is this. */

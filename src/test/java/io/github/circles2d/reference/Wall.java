@@ -20,6 +20,12 @@ final class Wall extends Constraint {
     /** What it does in the step. */
     final Touch touch = new Touch();
 
+    /** What the wall comes in during the step. */
+    private final float in;
+
+    /** The speed of the wall inwards, for this circle: it jumps if its way is longer than the radius. */
+    private final float speed;
+
     Wall(Circle c, int axis, StepParameters step) {
         super(step, WALL_STIFFNESS, Math.abs(step.gravity()[axis]), 2f * c.radius, c.restitution, 1f);
         this.c = c;
@@ -28,11 +34,41 @@ final class Wall extends Constraint {
         float belowMax = step.max()[axis] - c.base[axis];
         height = Numbers.min(belowMax, aboveMin);
         normal = aboveMin <= belowMax ? 1f : -1f;
+        in = normal > 0f ? step.minIn()[axis] : step.maxIn()[axis];
+        speed = speed(normal);
         normalImpulse = Numbers.max(normal * c.wallImpulse[axis], 0f);
     }
 
-    void measure() {
-        separation = (height - c.radius) + normal * c.displacement[axis];
+    /** The speed inwards of the wall on a side. */
+    private float speed(float side) {
+        float travel = side > 0f ? step.minIn()[axis] : step.maxIn()[axis];
+        return moves(travel, c) ? Numbers.limitSpeed(travel / step.dt()) : 0f;
+    }
+
+    /** Whether a circle feels the velocity of a wall. */
+    static boolean moves(float in, Circle c) {
+        return in != 0f && Math.abs(in) <= c.radius;
+    }
+
+    /** By where the wall is at the end of a sub-step. */
+    void measure(int subStep) {
+        separation = ((height - c.radius) + normal * c.displacement[axis]) + step.behind(in, subStep);
+    }
+
+    /** The biased visit of a wall that has been measured; in the frame of the wall, by where it is before the sub-step. */
+    void solveInFrame() {
+        float v = normal * c.velocity[axis];
+        float before = normal * c.velocityBeforeImpulses[axis];
+        boolean staysClear = separation > 0f
+                && normalImpulse == 0f
+                && separation * step.inverseH() + v >= 0f
+                && separation + before * step.h() >= 0f;
+        if (staysClear) {
+            bounceSpeed = 0f;
+            return;
+        }
+        separation += moves(in, c) ? step.sweep(in) : 0f;
+        solve();
     }
 
     /**
@@ -47,18 +83,18 @@ final class Wall extends Constraint {
     }
 
     /**
-     * Looks at the touch after a visit of both walls.
+     * Looks at the touch after a visit of both walls. The approach is that to a wall that may move.
      *
-     * @param speed the velocity along the axis with which the circle approached
+     * @param velocity the velocity along the axis with which the circle approached
      * @param before the same before the visit
-     * @param gap the separation before the visit
      */
-    void look(float speed, float before, float gap) {
+    void look(float velocity, float before) {
         float impulse = normal * (c.velocity[axis] - before);
         touch.impulse += impulse;
-        if (impulse > 0f || gap <= 0f) {
+        if (impulse > 0f || separation <= 0f) {
             float along = c.base[1 - axis] + c.displacement[1 - axis];
-            touch.seen(Numbers.max(-(normal * speed), 0f), direction(normal), point(normal, along), true);
+            float approach = Numbers.max(-(normal * velocity - speed), 0f);
+            touch.seen(approach, direction(normal), point(normal, along), true);
         }
     }
 
@@ -95,8 +131,8 @@ final class Wall extends Constraint {
 
     private void atEnd(Touch ended, float side) {
         ended.end(direction(side), point(side, c.base[1 - axis]));
-        ended.restSpeed(gravityRate * radii, radii);
-        ended.normalVelocity = side * c.velocity[axis];
+        ended.threshold = squaredHitSpeed();
+        ended.normalVelocity = side * c.velocity[axis] - speed(side);
     }
 
     /** Left, right, lower, upper. */
@@ -110,7 +146,7 @@ final class Wall extends Constraint {
 
     @Override
     float normalVelocity(Function<Circle, float[]> velocity) {
-        return normal * velocity.apply(c)[axis];
+        return normal * velocity.apply(c)[axis] - speed;
     }
 
     @Override

@@ -49,7 +49,7 @@ public final class HardScenes {
         int posts = (int) (1 / r);
         Scene.Builder b = new Scene.Builder("fence", side * side + 2 * posts).restitution(1);
         Random random = new Random(seed);
-        lattice(b, side, r, random);
+        lattice(b, side, side * side, r, random);
         for (int i = 0; i < side * side; i++) {
             double speed = r / STEP * 0.5 * StrictMath.pow(128, random.nextDouble());
             double angle = random.nextDouble() * 2 * Math.PI;
@@ -75,7 +75,7 @@ public final class HardScenes {
         Scene.Builder b =
                 new Scene.Builder("paddles", balls + paddles).gravity(0, -1).restitution(0.5f);
         Random random = new Random(seed);
-        lattice(b, side, r, random);
+        lattice(b, side, side * side, r, random);
         for (int k = 0; k < paddles; k++) {
             float radius = r * (2 + 3 * random.nextFloat());
             b.circle(balls + k, (k + 0.5f) / paddles, 0, radius, 1);
@@ -85,10 +85,30 @@ public final class HardScenes {
         return b.build();
     }
 
+    /**
+     * A crowd: side by side balls that almost touch, and below them a row of static circles as large as they, from wall to wall, that
+     * rises by 2 of their radii a step. No gravity, restitution 0.5.
+     */
+    public static Scene crowd(int side, long seed) {
+        float r = 0.45f / side;
+        int balls = side * side / 2;
+        Scene.Builder b = new Scene.Builder("crowd", balls + side + 1).restitution(0.5f);
+        lattice(b, side, balls, r, new Random(seed));
+        for (int i = 0; i < balls; i++) {
+            b.y[i] += 0.2f;
+        }
+        for (int k = 0; k <= side; k++) {
+            b.circle(balls + k, (float) k / side, 0.1f, r, 1);
+            b.velocity(balls + k, 0, 2 * r / STEP);
+            b.fixed[balls + k] = true;
+        }
+        return b.build();
+    }
+
     /** Puts balls into the unit arena, one into each of side by side squares, not quite in its middle. */
-    private static void lattice(Scene.Builder b, int side, float r, Random random) {
+    private static void lattice(Scene.Builder b, int side, int balls, float r, Random random) {
         float room = 1f / side - 2 * r;
-        for (int i = 0; i < side * side; i++) {
+        for (int i = 0; i < balls; i++) {
             float x = (i % side + 0.5f) / side + 0.9f * room * (random.nextFloat() - 0.5f);
             float y = (i / side + 0.5f) / side + 0.9f * room * (random.nextFloat() - 0.5f);
             b.circle(i, x, y, r, 1 + 9 * random.nextFloat());

@@ -8,11 +8,12 @@ public class Game {
                 world.add(31 + 2 * (i % 10), 1 + 2 * (i / 10), 0.9f, 1);
             }
             world.setVelocity(ball, 1, 0);
-            float[] circles = new float[4 * world.size()];
+            float[] circles = new float[4 * world.idLimit()];
+            int k = 4 * World.id(ball); // where the ball is in the array, whichever other circles are removed
             for (int frame = 0; frame < 300; frame++) {
                 world.step(1 / 60f);
-                world.read(circles); // x, y, radius, mass of every circle, one bulk copy
-                System.out.printf("frame %d: the ball is at (%.2f, %.2f)%n", frame, circles[0], circles[1]);
+                world.readById(circles, null); // x, y, radius, mass of every circle, one bulk copy
+                System.out.printf("frame %d: the ball is at (%.2f, %.2f)%n", frame, circles[k], circles[k + 1]);
             }
         }
     }

@@ -99,6 +99,15 @@ public final class CircleFields {
         }
     }
 
+    /** Gives all circles the initial values. */
+    void clearAll() {
+        for (CircleField field : fields) {
+            for (int id = 0; id < end(field); id++) {
+                set(field, id, field.initial());
+            }
+        }
+    }
+
     /** Memory of the values. */
     public long bytes() {
         long sum = 0;

@@ -39,6 +39,15 @@ public final class Commands {
     /** New value of a field that steps read: its place in {@link CircleField#OF_STEPS}, the value. */
     public static final int FIELD = 9;
 
+    /**
+     * A static circle gets the velocity that leads it to a place within a step: x, y, length of the step. It keeps its own where
+     * others have the impulses of the walls.
+     */
+    public static final int DEPART = 10;
+
+    /** It is at the place, and gets its own velocity back: x, y. */
+    public static final int ARRIVE = 11;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -53,6 +62,9 @@ public final class Commands {
 
     /** Field of a change: its second value; of no meaning if the operation has one. */
     public static final int SECOND = 3;
+
+    /** Field of {@link #DEPART}: length of the step. */
+    public static final int THIRD = 4;
 
     /** Field of a new circle: x. */
     public static final int ADD_X = 2;
@@ -117,6 +129,23 @@ public final class Commands {
         return records[STRIDE * record + ID];
     }
 
+    /**
+     * The number of values of an operation, which lie from {@link #FIRST} on. A log of calls has so many.
+     *
+     * @param operation any number
+     * @return at least 0; -1 if there is no such operation
+     */
+    public static int values(int operation) {
+        return switch (operation) {
+            case ADD -> STRIDE - FIRST;
+            case REMOVE -> 0;
+            case RADIUS, MASS, RESTITUTION -> 1;
+            case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE -> 2;
+            case DEPART -> 3;
+            default -> -1;
+        };
+    }
+
     /** Forgets all records. */
     public void clear() {
         count = 0;
@@ -174,6 +203,15 @@ public final class Commands {
     }
 
     /**
+     * The mass of the first circle that is prepared.
+     *
+     * @return a mass, positive infinity for a static circle
+     */
+    public float preparedMass() {
+        return Float.intBitsToFloat(records[STRIDE * count + ADD_MASS]);
+    }
+
+    /**
      * Records the first circle that is prepared.
      *
      * @param id its id
@@ -207,6 +245,28 @@ public final class Commands {
     }
 
     /**
+     * Records that a static circle is to be somewhere else at the end of a step.
+     *
+     * @param id the circle's id
+     * @param x place
+     * @param y place
+     * @param timeStep length of the step
+     */
+    public void depart(int id, float x, float y, float timeStep) {
+        set(DEPART, id, x, y);
+        records[STRIDE * (count - 1) + THIRD] = Float.floatToRawIntBits(timeStep);
+    }
+
+    /**
+     * Takes the last records back.
+     *
+     * @param records how many
+     */
+    public void drop(int records) {
+        count -= records;
+    }
+
+    /**
      * Records a new value of a field.
      *
      * @param field a field that steps read
@@ -217,6 +277,74 @@ public final class Commands {
         int k = record(FIELD, id);
         records[k + FIRST] = CircleField.OF_STEPS.indexOf(field);
         records[k + SECOND] = value;
+    }
+
+    /**
+     * Copies a change to where {@link #admitChanges} finds it. Until then it is no record, and the next record of another kind
+     * overwrites it.
+     *
+     * @param ahead number of changes that are prepared and come before this one
+     * @param operation what changes, or {@link #REMOVE}
+     * @param id the circle's id
+     * @param a first value
+     * @param b second value
+     */
+    public void prepareChange(int ahead, int operation, int id, float a, float b) {
+        ensure(ahead + 1);
+        int k = STRIDE * (count + ahead);
+        records[k + OPCODE] = operation;
+        records[k + ID] = id;
+        records[k + FIRST] = Float.floatToRawIntBits(a);
+        records[k + SECOND] = Float.floatToRawIntBits(b);
+    }
+
+    /**
+     * The id of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return its circle's id
+     */
+    public int preparedId(int ahead) {
+        return records[STRIDE * (count + ahead) + ID];
+    }
+
+    /**
+     * The first value of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return the value
+     */
+    public float preparedFirst(int ahead) {
+        return Float.intBitsToFloat(records[STRIDE * (count + ahead) + FIRST]);
+    }
+
+    /**
+     * The second value of a change that is prepared.
+     *
+     * @param ahead number of changes that are prepared and come before it
+     * @return the value
+     */
+    public float preparedSecond(int ahead) {
+        return Float.intBitsToFloat(records[STRIDE * (count + ahead) + SECOND]);
+    }
+
+    /**
+     * Moves a change that is prepared to an earlier place, over the one that is there.
+     *
+     * @param from number of changes that come before it
+     * @param to number of changes that are to come before it
+     */
+    public void advancePrepared(int from, int to) {
+        System.arraycopy(records, STRIDE * (count + from), records, STRIDE * (count + to), STRIDE);
+    }
+
+    /**
+     * Records the changes that are prepared.
+     *
+     * @param changes how many
+     */
+    public void admitChanges(int changes) {
+        count += changes;
     }
 
     private int record(int operation, int id) {

@@ -14,12 +14,15 @@ import java.nio.ByteBuffer;
 final class FieldSections {
     private static final int HEAD = 2 * Integer.BYTES;
 
+    /** No list, whose iterators would be garbage of each snapshot. */
+    private static final CircleField[] ALL = CircleField.ALL.toArray(CircleField[]::new);
+
     private FieldSections() {}
 
     /** The number of sections of a state. */
     static int count(SavedState s) {
         int count = 0;
-        for (CircleField field : CircleField.ALL) {
+        for (CircleField field : ALL) {
             count += values(s.fields, field) > 0 ? 1 : 0;
         }
         return count;
@@ -36,7 +39,7 @@ final class FieldSections {
     /** The length of all sections. */
     static long bytes(SavedState s) {
         long sum = 0;
-        for (CircleField field : CircleField.ALL) {
+        for (CircleField field : ALL) {
             long before = sum;
             int previous = -1;
             for (int id = 0; id < s.fields.end(field); id++) {
@@ -55,7 +58,7 @@ final class FieldSections {
     }
 
     static void write(SavedState s, ByteBuffer out) {
-        for (CircleField field : CircleField.ALL) {
+        for (CircleField field : ALL) {
             int values = values(s.fields, field);
             if (values > 0) {
                 out.putInt(field.number()).putInt(values);
@@ -80,11 +83,11 @@ final class FieldSections {
         }
     }
 
-    /** Reads sections behind the records of the ids, and checks them. */
+    /** Reads sections behind the records of the ids, those of {@link ParameterSections} and {@link TouchSection} too, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
-        s.fields.copy(new CircleFields(CircleField.ALL));
+        s.fields.clearAll();
         s.touches.clear();
-        SnapshotCodec.require(sections >= 0, "it cannot have " + sections + " sections");
+        SnapshotCodec.require(sections >= 0, "it cannot have fewer sections than 0");
         int before = 0;
         for (int k = 0; k < sections; k++) {
             SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
@@ -93,6 +96,8 @@ final class FieldSections {
             before = number;
             if (number == TouchSection.NUMBER) {
                 TouchSection.read(in, s, in.getInt());
+            } else if (number >= ParameterSections.FIRST) {
+                ParameterSections.read(in, s, number);
             } else {
                 readSection(in, s, field(number), in.getInt());
             }
@@ -100,20 +105,19 @@ final class FieldSections {
     }
 
     private static CircleField field(int number) {
-        for (CircleField field : CircleField.ALL) {
-            if (field.number() == number) {
-                return field;
-            }
+        CircleField field = CircleField.ofNumber(number);
+        if (field == null) {
+            throw new IllegalArgumentException(
+                    "this is no snapshot of a world: no field of a circle has the number " + number);
         }
-        throw new IllegalArgumentException(
-                "this is no snapshot of a world: no field of a circle has the number " + number);
+        return field;
     }
 
     private static void readSection(ByteBuffer in, SavedState s, CircleField field, int values) {
         int least = 1 + valueBytes(field);
         SnapshotCodec.require(
                 values > 0 && values <= s.circles && (long) values * least <= in.remaining(),
-                "it cannot hold " + values + " values of a field");
+                "it cannot hold as many values of a field as it says");
         s.fields.ensure(field, s.ids);
         long id = -1;
         int circle = 0;

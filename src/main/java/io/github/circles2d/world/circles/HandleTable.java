@@ -32,10 +32,18 @@ public final class HandleTable {
     private int[] livingBefore = new int[1];
 
     private boolean livingBeforeCurrent;
+
+    /** As {@link #live}, a bit for each id: whether its circle is static. */
+    private long[] isStatic = new long[1];
+
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private float[] restitution = new float[64];
     private final CircleFields fields = new CircleFields(CircleField.ALL);
+
+    /** The ids whose circles have stayed since {@link #markSurvivors}. */
+    private final IdMask survivors = new IdMask();
+
     private int size;
 
     /** No id below this one is free. */
@@ -99,6 +107,20 @@ public final class HandleTable {
         long[] copy = to.length < words ? new long[live.length] : to;
         System.arraycopy(live, 0, copy, 0, words);
         return copy;
+    }
+
+    /** From now on the circles of now count as survivors, until they are removed. */
+    public void markSurvivors() {
+        survivors.copy(this);
+    }
+
+    /**
+     * The ids whose circles have stayed since {@link #markSurvivors}. An id that another circle has now is none of them.
+     *
+     * @return the ids; changes with the circles
+     */
+    public IdMask survivors() {
+        return survivors;
     }
 
     /**
@@ -170,6 +192,7 @@ public final class HandleTable {
         if (ids > generation.length) {
             int c = Math.max(ids, generation.length + (generation.length >> 1));
             live = Arrays.copyOf(live, word(c) + 1);
+            isStatic = Arrays.copyOf(isStatic, live.length);
             radius = Arrays.copyOf(radius, c);
             restitution = Arrays.copyOf(restitution, c);
             generation = Arrays.copyOf(generation, c);
@@ -203,6 +226,7 @@ public final class HandleTable {
     public void remove(int id) {
         live[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
+        survivors.remove(id);
         generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
@@ -220,6 +244,27 @@ public final class HandleTable {
         leave(radius[id]);
         radius[id] = r;
         enter(r);
+    }
+
+    /**
+     * Takes a circle's mass down, of which only whether it is infinite is kept.
+     *
+     * @param id its id
+     * @param mass the mass
+     */
+    public void setMass(int id, float mass) {
+        boolean infinite = mass == Float.POSITIVE_INFINITY;
+        isStatic[word(id)] = isStatic[word(id)] & ~bit(id) | (infinite ? bit(id) : 0);
+    }
+
+    /**
+     * Whether a circle is static.
+     *
+     * @param id its id
+     * @return whether the mass taken down last is infinite
+     */
+    public boolean isStatic(int id) {
+        return (isStatic[word(id)] & bit(id)) != 0;
     }
 
     /**
@@ -339,6 +384,11 @@ public final class HandleTable {
      * @param from the state, for which room has been made; not kept
      */
     public void load(SavedState from) {
+        for (int id = 0; id < survivors.end(); id++) {
+            if (id >= from.ids || from.generation[id] != generation[id]) {
+                survivors.remove(id);
+            }
+        }
         Arrays.fill(live, 0);
         Arrays.fill(generation, 0);
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
@@ -346,10 +396,16 @@ public final class HandleTable {
         for (int k = 0; k < from.circles; k++) {
             int id = from.id[k];
             live[word(id)] |= bit(id);
+            setMass(id, from.circle[CircleRow.STRIDE * k + CircleRow.MASS]);
             radius[id] = from.circle[CircleRow.STRIDE * k + CircleRow.RADIUS];
             restitution[id] = from.traits[CircleRow.STRIDE * k + CircleRow.RESTITUTION];
         }
         end = from.ids;
+        for (int id = 0; id < survivors.end(); id++) {
+            if (id >= end || !lives(id)) {
+                survivors.remove(id);
+            }
+        }
         size = from.circles;
         noneFreeBelow = 0;
         livingBeforeCurrent = false;

@@ -9,13 +9,13 @@ import java.nio.ByteOrder;
 
 /**
  * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, and the fields of
- * circles that are not the initial ones ({@link FieldSections}), and the pairs that touch if events are reported
- * ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
+ * circles that are not the initial ones ({@link FieldSections}), rare parameters ({@link ParameterSections}), and the pairs that touch
+ * if events are reported ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
  *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int number of sections
- *            of fields, 0 in snapshots of versions without fields; long check
+ *            behind the records, 0 in snapshots of versions without them; long check
  * free id    byte flags; varint generation if it is not 0
  * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; if the flags say so: varint generation,
  *            float restitution (else the world's), wall impulse x, wall impulse y; number of impulses in the flags, or 7 and
@@ -34,6 +34,7 @@ public final class SnapshotCodec {
     // Where some fields of the header begin.
     private static final int LENGTH_AT = 8;
     private static final int CIRCLES_AT = 12;
+    private static final int SECTIONS_AT = 60;
     static final int CHECK_AT = 64;
 
     /** Bytes of the header. */
@@ -67,7 +68,7 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s) + TouchSection.bytes(s.touches);
+        long sum = HEADER + (long) Float.BYTES * s.impulses + sectionBytes(s);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -93,6 +94,10 @@ public final class SnapshotCodec {
         return (int) sum;
     }
 
+    private static long sectionBytes(SavedState s) {
+        return FieldSections.bytes(s) + ParameterSections.bytes(s) + TouchSection.bytes(s.touches);
+    }
+
     /**
      * Writes a snapshot.
      *
@@ -101,6 +106,18 @@ public final class SnapshotCodec {
      */
     public static void write(SavedState s, ByteBuffer to) {
         ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
+        writeAtStart(s, out);
+        to.position(to.position() + out.position());
+    }
+
+    /** Writes a snapshot to a little-endian buffer, from position 0 on, without garbage. */
+    public static void writeAtStart(SavedState s, ByteBuffer out) {
+        encode(s, out);
+        out.putLong(CHECK_AT, check(out, out.position()));
+    }
+
+    /** Writes a snapshot without a check to a little-endian buffer, from position 0 on. */
+    static void encode(SavedState s, ByteBuffer out) {
         WorldParameters p = s.parameters();
         out.putInt(MAGIC)
                 .putInt(VERSION)
@@ -112,7 +129,8 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s) + TouchSection.count(s.touches)).putLong(0);
+        out.putInt(FieldSections.count(s) + ParameterSections.count(s) + TouchSection.count(s.touches))
+                .putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -131,11 +149,9 @@ public final class SnapshotCodec {
             impulse = end;
         }
         FieldSections.write(s, out);
+        ParameterSections.write(s, out);
         TouchSection.write(s.touches, out);
-        int length = out.position();
-        out.putInt(LENGTH_AT, length);
-        out.putLong(CHECK_AT, check(out, length));
-        to.position(to.position() + length);
+        out.putInt(LENGTH_AT, out.position());
     }
 
     private static int flags(SavedState s, int circle) {
@@ -215,19 +231,35 @@ public final class SnapshotCodec {
         ByteBuffer in = copy(from.slice().order(ByteOrder.LITTLE_ENDIAN));
         int length = in.limit();
         require(in.getLong(CHECK_AT) == check(in, length), "it is damaged: its check does not fit");
+        decode(in, s, null);
+        checkPairs(s);
+        checkTargets(s);
+        return length;
+    }
+
+    /**
+     * Reads a snapshot whose check is not looked at.
+     *
+     * @param in little-endian, from position 0 to the limit
+     * @param s takes the state
+     * @param known the parameters in it, which are not made again; null if they are not known
+     */
+    static void decode(ByteBuffer in, SavedState s, WorldParameters known) {
+        int length = in.limit();
         in.position(CIRCLES_AT);
         int circles = in.getInt();
         int ids = in.getInt();
         int impulses = in.getInt();
-        require(
-                circles >= 0
-                        && ids >= circles
-                        && ids <= Limits.CIRCLES
-                        && impulses >= 0
-                        && ids + (LEAST_CIRCLE - 1L) * circles + (long) LEAST_IMPULSE * impulses <= length - HEADER,
-                "it cannot hold " + circles + " circles, " + ids + " ids and " + impulses + " impulses");
-        s.setParameters(readParameters(in));
-        int sections = in.getInt();
+        boolean fits = circles >= 0
+                && ids >= circles
+                && ids <= Limits.CIRCLES
+                && impulses >= 0
+                && ids + (LEAST_CIRCLE - 1L) * circles + (long) LEAST_IMPULSE * impulses <= length - HEADER;
+        if (!fits) { // a message that is not needed would be garbage
+            require(false, "it cannot hold " + circles + " circles, " + ids + " ids and " + impulses + " impulses");
+        }
+        s.setParameters(known == null ? readParameters(in) : known);
+        int sections = in.getInt(SECTIONS_AT);
         s.setIds(ids);
         s.setCircles(circles);
         s.ensureImpulses(impulses);
@@ -240,8 +272,6 @@ public final class SnapshotCodec {
         require(circle == circles, "its records do not fit its header");
         FieldSections.read(in, s, sections);
         require(s.impulses == impulses && in.position() == length, "its records do not fit its header");
-        checkPairs(s);
-        return length;
     }
 
     /** Copies a snapshot: what is checked in the copy still holds when it is used. */
@@ -349,6 +379,22 @@ public final class SnapshotCodec {
         }
         for (int k = 0; k < s.impulses; k++) {
             require(lives[s.hi[k]], "an impulse has no second circle");
+        }
+    }
+
+    /** Only static circles travel, and only to places within the bounds. */
+    private static void checkTargets(SavedState s) {
+        for (int k = 0; k < s.circles; k++) {
+            long target = s.fields.get(CircleField.TARGET, s.id[k]);
+            if (target != CircleField.TARGET.initial()) {
+                require(
+                        s.traits[CircleRow.STRIDE * k + CircleRow.INVERSE_MASS] == 0,
+                        "a circle travels that is not static");
+                Limits.position(
+                        CircleField.placeX(target),
+                        CircleField.placeY(target),
+                        s.parameters().bounds());
+            }
         }
     }
 

@@ -94,7 +94,7 @@ final class TouchSection {
                         && open <= pairs
                         && (long) pairs + late > 0
                         && (long) LEAST_PAIR * pairs + (long) OPEN * open + (long) LATE * late <= in.remaining(),
-                "it cannot hold " + pairs + " pairs that touch, " + open + " hits and " + late + " events");
+                "it cannot hold as many pairs that touch as it says, and their events");
         SavedTouches t = s.touches;
         t.ensure(pairs, open, late);
         int lower = 0;

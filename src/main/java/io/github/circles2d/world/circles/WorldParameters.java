@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 
 /**
  * What a world has besides its circles.
@@ -11,6 +12,76 @@ import io.github.circles2d.world.model.Bounds;
  * @param restitution what new circles get
  * @param subSteps sub-steps per step
  * @param previousTimeStep length of the last step, seconds; 0 before the first
+ * @param contacts how contacts are
+ * @param wallStart where the walls start in the next step: not the bounds if they have been moved since the last
  */
 public record WorldParameters(
-        Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {}
+        Bounds bounds,
+        float gravityX,
+        float gravityY,
+        float restitution,
+        int subSteps,
+        float previousTimeStep,
+        ContactSettings contacts,
+        Bounds wallStart) {
+    /** Parameters of a world whose walls are at rest, and whose contacts are as by default. */
+    public WorldParameters(
+            Bounds bounds, float gravityX, float gravityY, float restitution, int subSteps, float previousTimeStep) {
+        this(bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, ContactSettings.DEFAULT, bounds);
+    }
+
+    /** The same with walls that start somewhere. */
+    WorldParameters startingAt(Bounds start) {
+        return new WorldParameters(
+                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, contacts, start);
+    }
+
+    /** The same with other contacts. */
+    public WorldParameters with(ContactSettings settings) {
+        return new WorldParameters(
+                bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, settings, wallStart);
+    }
+
+    /** Whether the walls move in the next step. */
+    boolean wallsMove() {
+        return differ(wallStart, bounds);
+    }
+
+    private static boolean differ(Bounds a, Bounds b) {
+        return a.minX() != b.minX() || a.minY() != b.minY() || a.maxX() != b.maxX() || a.maxY() != b.maxY();
+    }
+
+    /** The part of parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
+    public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
+        long walls = differ(wallStart, bounds) ? StateHash.walls(wallStart) : 0;
+        return walls + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
+    }
+
+    /**
+     * Whether these are the components, in their order. Comparing with an object of them would leave garbage.
+     *
+     * @return true if all bits, and the objects, are the same
+     */
+    public boolean has(
+            Bounds otherBounds,
+            float otherGravityX,
+            float otherGravityY,
+            float otherRestitution,
+            int otherSubSteps,
+            float otherTimeStep,
+            ContactSettings otherContacts,
+            Bounds otherStart) {
+        return bounds == otherBounds
+                && same(gravityX, otherGravityX)
+                && same(gravityY, otherGravityY)
+                && same(restitution, otherRestitution)
+                && subSteps == otherSubSteps
+                && same(previousTimeStep, otherTimeStep)
+                && contacts == otherContacts
+                && wallStart == otherStart;
+    }
+
+    private static boolean same(float a, float b) {
+        return Float.floatToRawIntBits(a) == Float.floatToRawIntBits(b);
+    }
+}

@@ -117,8 +117,8 @@ final class CommandsStage {
         freeCount = 0;
     }
 
-    /** Brings circles that are outside of new bounds inside. */
-    void confine(Bounds bounds, int slots) {
+    /** Brings circles that are outside of new bounds inside, unless the next step does. */
+    void confine(Bounds from, Bounds bounds, int slots) {
         confine.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
                 .arg(2, arrays.get(DeviceArray.HOME_MOTION))
@@ -128,6 +128,10 @@ final class CommandsStage {
                 .arg(6, bounds.minY())
                 .arg(7, bounds.maxX())
                 .arg(8, bounds.maxY())
+                .arg(9, from.minX())
+                .arg(10, from.minY())
+                .arg(11, from.maxX())
+                .arg(12, from.maxY())
                 .run(slots);
     }
 

@@ -2,11 +2,13 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.DeviceMemoryException;
+import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
@@ -20,6 +22,7 @@ import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
@@ -49,9 +52,11 @@ public final class DevicePipeline implements Pipeline {
     private final DeviceArrays arrays;
     private final StageKernels kernels;
     private final StepParameters parameters = new StepParameters();
+    private final int workGroupSize;
     private final CommandsStage commands;
 
-    private final Stages stages;
+    /** What the plans share; with other kernels if they have been compiled anew. */
+    private Stages stages;
 
     /** Where steps record what contacts do, and who reads it; null if nobody is told. */
     private TouchArrays touches;
@@ -77,6 +82,9 @@ public final class DevicePipeline implements Pipeline {
 
     /** Places of contacts in the last step, which cached impulses are numbered by. */
     private int cachedPlaces;
+
+    /** Whether the plans have been compiled for contacts of any settings. */
+    private boolean tuned;
 
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
@@ -107,13 +115,13 @@ public final class DevicePipeline implements Pipeline {
 
     DevicePipeline(Device device, int capacity, boolean profiling, List<Plan> plans, int workGroupSize) {
         this.plans = plans;
+        this.workGroupSize = workGroupSize;
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             kernels = new StageKernels(session, Plans.source(plans, device), workGroupSize);
             commands = new CommandsStage(session, kernels, arrays);
-            stages = new Stages(device, kernels, arrays, parameters);
-            plans.forEach(each -> each.load(stages));
+            load(kernels);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             stats = new StepStatistics(kernels, arrays);
@@ -131,6 +139,23 @@ public final class DevicePipeline implements Pipeline {
      */
     public static String kernels() {
         return Plans.source(Plans.all()).fingerprint();
+    }
+
+    private void load(StageKernels from) {
+        stages = new Stages(session.device(), from, arrays, parameters);
+        stages.record(touches);
+        plans.forEach(each -> each.load(stages));
+    }
+
+    /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
+    @Override
+    public void prepare(ContactSettings contacts) {
+        if (contacts.areTuned() && !tuned) {
+            settle();
+            KernelSource source = Plans.source(plans, session.device()).define("TUNED", 1);
+            load(new StageKernels(session, source, workGroupSize));
+            tuned = true;
+        }
     }
 
     @Override
@@ -293,9 +318,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer positions(HandleTable handles) {
+    public FloatBuffer positions(HandleTable handles, boolean byId) {
         settle();
-        return readback.positions(handles, slots);
+        return readback.positions(handles, byId, slots);
     }
 
     @Override
@@ -309,13 +334,13 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer takePositions() {
+    public FloatBuffer takePositions(IdMask shown) {
         if (!requested.arrived()) {
             // A step before the request had been refused. Now it is made, and the positions are laid out behind it.
             settle();
             requested.arrived();
         }
-        return requested.take();
+        return requested.take(shown);
     }
 
     @Override
@@ -345,9 +370,9 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds bounds) {
+    public void confine(Bounds from, Bounds to) {
         settle();
-        commands.confine(bounds, slots);
+        commands.confine(from, to, slots);
     }
 
     @Override

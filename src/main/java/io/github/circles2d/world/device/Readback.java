@@ -5,6 +5,7 @@ import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
@@ -32,6 +33,7 @@ final class Readback {
     private HostBuffer shared;
 
     private FloatBuffer sharedView;
+    private final IdMask living = new IdMask();
 
     Readback(Session session, StageKernels kernels, DeviceArrays arrays) {
         this.session = session;
@@ -61,14 +63,19 @@ final class Readback {
         compact(handles::lives, handles.end(), 2, (at, written, length) -> read.get(at, to, written, length));
     }
 
-    FloatBuffer positions(HandleTable handles, int slots) {
+    FloatBuffer positions(HandleTable handles, boolean lieById, int slots) {
         ensureShared(POINT_BYTES * handles.end());
         layOut(positions, DeviceArray.HOME_CIRCLE, slots);
         byId.read(0, shared, 0, POINT_BYTES * handles.end());
         if (handles.size() < handles.end()) {
-            closeGaps(handles::lives, handles.end(), shared.floats());
+            living.copy(handles);
+            if (lieById) {
+                living.markGaps(shared.floats(), 2);
+            } else {
+                living.closeGaps(shared.floats(), 2);
+            }
         }
-        return sharedView.clear().limit(2 * handles.size());
+        return sharedView.clear().limit(2 * (lieById ? handles.end() : handles.size()));
     }
 
     /** Lays an array of the state out by id, on the device. */
@@ -78,11 +85,6 @@ final class Readback {
                 .arg(2, slots)
                 .arg(3, byId)
                 .run(slots);
-    }
-
-    /** Moves the positions of the ids that live together, in place. */
-    static void closeGaps(IntPredicate lives, int end, FloatBuffer positions) {
-        compact(lives, end, 2, (from, to, length) -> positions.put(to, positions, from, length));
     }
 
     /** Closes the gaps that removed ids have left; while nothing was removed, that is one copy. */

@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
@@ -34,11 +35,10 @@ final class RequestedPositions {
     /** Where the next request arrives. */
     private int current;
 
-    /** The circles at the request: how many, one more than their greatest id, and, where ids are free, a bit for each that lives. */
+    /** The circles at the request: how many, and their ids. */
     private int circles;
 
-    private int end;
-    private long[] living = new long[0];
+    private final IdMask living = new IdMask();
 
     /** Steps written home since the world was made that must have led to these positions. */
     private int stepsDue;
@@ -66,10 +66,7 @@ final class RequestedPositions {
         requested = false;
         ensure(HEADER + Readback.POINT_BYTES * handles.end());
         circles = handles.size();
-        end = handles.end();
-        if (circles < end) {
-            living = handles.copyLiving(living);
-        }
+        living.copy(handles);
         stepsDue = steps;
         layOut(slots);
         requested = true;
@@ -94,7 +91,7 @@ final class RequestedPositions {
                 .arg(3, arrays.get(DeviceArray.STATUS))
                 .arg(4, byId)
                 .run(slots);
-        copies.read(byId, host, HEADER + Readback.POINT_BYTES * end);
+        copies.read(byId, host, HEADER + Readback.POINT_BYTES * living.end());
         copying = true;
     }
 
@@ -104,14 +101,22 @@ final class RequestedPositions {
         return circles == 0 || targets[current].host.ints().get(0) == stepsDue;
     }
 
-    /** What has arrived: x and y of each circle; valid until the request after the next. */
-    FloatBuffer take() {
+    /**
+     * What has arrived; valid until the request after the next.
+     *
+     * @param shown null for x and y of each circle; else they lie by id, and those of other ids are NaN
+     */
+    FloatBuffer take(IdMask shown) {
         requested = false;
         Target target = targets[current];
-        if (circles < end) {
-            Readback.closeGaps(id -> (living[id >>> 6] >>> id & 1) != 0, end, target.positions);
-        }
         current = 1 - current;
+        if (shown != null) {
+            shown.markGaps(target.positions, 2);
+            return target.view.clear().limit(2 * living.end());
+        }
+        if (circles < living.end()) {
+            living.closeGaps(target.positions, 2);
+        }
         return target.view.clear().limit(2 * circles);
     }
 

@@ -28,6 +28,7 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.WallMotion;
 import java.util.Arrays;
 
 /** The circles' part of stage Solver: gravity, walls, motion. {@link Constraints} has the formulas of walls. */
@@ -49,7 +50,7 @@ final class CirclePasses {
     }
 
     /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
-    void integrateVelocities(int from, int to, StepConstants k) {
+    void integrateVelocities(int from, int to, StepConstants k, int sub) {
         float minX = k.bounds.minX();
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
@@ -101,11 +102,11 @@ final class CirclePasses {
                 bounce[CircleRow.vector(slot) + X] = 0f;
                 bounce[CircleRow.vector(slot) + Y] = 0f;
             } else {
-                solveWall(slot, X, minX, maxX, k);
-                solveWall(slot, Y, minY, maxY, k);
+                solveWall(slot, X, minX, maxX, k, sub);
+                solveWall(slot, Y, minY, maxY, k, sub);
                 if (touches != null) {
-                    touches.visited(slot, X, sideX, vx, nextX, gapX);
-                    touches.visited(slot, Y, sideY, vy, nextY, gapY);
+                    touches.solved(slot, X, sideX, vx, nextX, gapX, k, sub);
+                    touches.solved(slot, Y, sideY, vy, nextY, gapY, k, sub);
                 }
             }
         }
@@ -115,8 +116,11 @@ final class CirclePasses {
         return axis == X ? k.thresholdRateX : k.thresholdRateY;
     }
 
-    /** The biased pass over the nearer wall of an axis: warm start, then a visit. */
-    private void solveWall(int slot, int axis, float min, float max, StepConstants k) {
+    /**
+     * The biased pass over the nearer wall of an axis: warm start, then a visit. A wall that moves is where it will be at the end of
+     * the sub-step; the visit is made in its frame, by where it is now.
+     */
+    private void solveWall(int slot, int axis, float min, float max, StepConstants k, int sub) {
         int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] traits = state.traits;
@@ -125,12 +129,23 @@ final class CirclePasses {
         float loaded = state.load[s + LOADED];
         float restitution = traits[s + RESTITUTION];
         float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max);
+        int wall = WallMotion.of(axis, side);
+        float ahead = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
         float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
         float v = m[s + VX + axis] + side * impulse;
-        float vn = side * v;
-        float before = side * state.load[s + BEFORE_X + axis];
-        float threshold = CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate);
+        float beforeImpulses = side * state.load[s + BEFORE_X + axis];
+        if (Constraints.staysClear(ahead, impulse, side * v, beforeImpulses, k.h, k.inverseH) != 0) {
+            m[s + VX + axis] = v;
+            traits[s + WALL_X + axis] = side * impulse;
+            state.wallBounce[CircleRow.vector(slot) + axis] = 0f;
+            return;
+        }
+        float gap = ahead + k.walls.sweepFor(wall, r);
+        float speed = k.walls.speedFor(wall, r);
+        float vn = side * v - speed;
+        float before = beforeImpulses - speed;
+        float threshold =
+                CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         float pushSpeed = k.pushRate * (2f * r);
         float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
         state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
@@ -146,6 +161,7 @@ final class CirclePasses {
                     gap,
                     bounce,
                     pushSpeed,
+                    k.deepRate,
                     k.inverseH,
                     k.wallBiasRate,
                     k.wallMassScale,
@@ -160,7 +176,7 @@ final class CirclePasses {
     }
 
     /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
-    void integratePositions(int from, int to, StepConstants k, boolean first) {
+    void integratePositions(int from, int to, StepConstants k, int sub) {
         float[] m = state.motion;
         float[] traits = state.traits;
         float[] circle = state.circle;
@@ -190,7 +206,7 @@ final class CirclePasses {
             load[s + IMPULSE_X] = 0f;
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
-            if (first) {
+            if (sub == 0) {
                 state.firstCached[slot] = -1;
                 state.fresh[slot] = false;
             }
@@ -199,14 +215,30 @@ final class CirclePasses {
                 m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
                 m[s + VY] = m[s + DY] == dy ? m[s + VY] : 0f;
             } else {
+                if (k.walls.any()) {
+                    m[s + DX] = keepInside(circle[s + X], dx, m[s + DX], margin, X, minX, maxX, k, sub);
+                    m[s + DY] = keepInside(circle[s + Y], dy, m[s + DY], margin, Y, minY, maxY, k, sub);
+                }
                 m[s + VX] = CircleMath.stopAtFarWall(
                         m[s + VX], dx, m[s + DX], CircleMath.wallSide(circle[s + X], minX, maxX));
                 m[s + VY] = CircleMath.stopAtFarWall(
                         m[s + VY], dy, m[s + DY], CircleMath.wallSide(circle[s + Y], minY, maxY));
-                relaxWall(slot, X, minX, maxX, k);
-                relaxWall(slot, Y, minY, maxY, k);
+                relaxWall(slot, X, minX, maxX, k, sub);
+                relaxWall(slot, Y, minY, maxY, k, sub);
             }
         }
+    }
+
+    /** A displacement that walls have cut as if they were at the end of their way: cut where they are in fact. */
+    private static float keepInside(
+            float base, float d, float kept, float r, int axis, float min, float max, StepConstants k, int sub) {
+        return kept == d
+                ? kept
+                : CircleMath.within(
+                        base,
+                        d,
+                        (min - k.walls.behind(WallMotion.of(axis, 1f), sub)) + r,
+                        (max + k.walls.behind(WallMotion.of(axis, -1f), sub)) - r);
     }
 
     /** Sets a circle's displacement, no farther from the free part of its path than it is allowed. */
@@ -242,21 +274,22 @@ final class CirclePasses {
     }
 
     /** The relaxing pass over the nearer wall of an axis. */
-    private void relaxWall(int slot, int axis, float min, float max, StepConstants k) {
+    private void relaxWall(int slot, int axis, float min, float max, StepConstants k, int sub) {
         int s = CircleRow.of(slot);
         float[] m = state.motion;
         float[] traits = state.traits;
         float base = state.circle[s + X + axis];
         float r = state.circle[s + RADIUS];
         float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max);
+        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max)
+                + k.walls.behind(WallMotion.of(axis, side), sub);
         float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
         if (Constraints.isIdle(gap, impulse, bounce) == 0) {
             float v = m[s + VX + axis];
             relaxWall(s, axis, side, gap, impulse, bounce, k);
             if (touches != null) {
-                touches.visited(slot, axis, side, v, v, gap);
+                touches.relaxed(slot, axis, side, v, gap, k);
             }
         }
     }
@@ -265,11 +298,12 @@ final class CirclePasses {
         float[] m = state.motion;
         float[] traits = state.traits;
         float v = m[s + VX + axis];
-        float vn = side * v;
+        float vn = side * v - k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
         float loaded = state.load[s + LOADED];
         float restitution = traits[s + RESTITUTION];
         float radii = 2f * state.circle[s + RADIUS];
-        float threshold = CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate);
+        float threshold =
+                CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, threshold);
         if (visit == Constraints.SOLVE) {
             float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);

@@ -3,13 +3,13 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
 import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
 import static io.github.circles2d.world.jvm.ContactRow.BOUNCE_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.FLIGHT_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
 import static io.github.circles2d.world.jvm.ContactRow.MASS;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
-import static io.github.circles2d.world.jvm.ContactRow.PUSH_SPEED;
 import static io.github.circles2d.world.jvm.ContactRow.RADII;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
@@ -95,10 +95,6 @@ final class ContactPasses {
         return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
     }
 
-    private static float flightThreshold(float radii, float restitution, StepConstants k) {
-        return CircleMath.flightThreshold(radii, restitution, k.thresholdRate, k.flightRestRate);
-    }
-
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
     private void warmStart(int a, int b, float nx, float ny, float impulse, int carries) {
         float[] load = state.load;
@@ -112,6 +108,19 @@ final class ContactPasses {
 
     /** The biased pass: stops approaches, pushes overlaps out, bounces. */
     void solve(int from, int to, StepConstants k) {
+        int c = solveUntilFlight(from, to, -1, k);
+        while (c < to) {
+            c = solveFlying(c, k) ? solveUntilFlight(c + 1, to, -1, k) : solveUntilFlight(c, to, c, k);
+        }
+    }
+
+    /**
+     * The biased pass up to the first contact of circles that fly free of each other, which it returns. Few contacts of a pile do, and
+     * in this loop they would slow down all others.
+     *
+     * @param asked a contact that is to be solved even if its circles fly
+     */
+    private int solveUntilFlight(int from, int to, int asked, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] m = state.motion;
@@ -126,51 +135,75 @@ final class ContactPasses {
             float restitution = q[o + RESTITUTION];
             float impulse = q[o + NORMAL_IMPULSE];
             float threshold = q[o + RESTITUTION_THRESHOLD];
+            float pushSpeed = k.pushRate * q[o + RADII];
             float mass = q[o + MASS];
             float vn = normalVelocity(m, a, b, nx, ny);
             float bounce = 0f;
-            int visit = Constraints.SOLVE;
-            // without restitution both stay so: this only spares the reads
+            // without restitution it stays so, and none flies: this only spares the reads
             if (restitution > 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
-                float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
-                float before = CircleMath.along(nx, ny, beforeX, beforeY);
-                int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
-                int meets = Constraints.meets(separation, vn, k.inverseH);
-                bounce = Constraints.bounceSpeed(
-                        restitution, loaded, before, separation, k.h, threshold, q[o + PUSH_SPEED]);
-                float flight = flightThreshold(q[o + RADII], restitution, k);
-                visit = Constraints.visitOf(restitution, loaded, lingers, impulse, vn, meets, flight);
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && c != asked) {
+                    return c;
+                }
+                float before = CircleMath.along(
+                        nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
+                bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold, pushSpeed);
             }
             q[o + BOUNCE_SPEED] = bounce;
-            float applied;
-            if (visit == Constraints.SOLVE) {
-                float next = Constraints.solve(
-                        impulse,
-                        mass,
-                        vn,
-                        separation,
-                        bounce,
-                        q[o + PUSH_SPEED],
-                        k.inverseH,
-                        k.biasRate,
-                        k.massScale,
-                        k.impulseScale);
-                applied = next - impulse;
-                q[o + NORMAL_IMPULSE] = next;
-            } else if (visit == Constraints.BOUNCE) {
-                float fall = CircleMath.along(nx, ny, k.gravityStepX, k.gravityStepY);
-                float halfFall = CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]);
-                applied = CircleMath.freeBounce(restitution, vn - halfFall, mass);
-                if (touches != null) {
-                    touches.add(c, applied);
-                }
-            } else {
-                continue;
-            }
-            apply(a, b, nx, ny, q[o + INV_MASS_A], q[o + INV_MASS_B], applied);
+            float next = Constraints.solve(
+                    impulse,
+                    mass,
+                    vn,
+                    separation,
+                    bounce,
+                    pushSpeed,
+                    k.deepRate,
+                    k.inverseH,
+                    k.biasRate,
+                    k.massScale,
+                    k.impulseScale);
+            q[o + NORMAL_IMPULSE] = next;
+            apply(a, b, nx, ny, q[o + INV_MASS_A], q[o + INV_MASS_B], next - impulse);
         }
+        return to;
+    }
+
+    /** Visits a contact of circles that fly free of each other with bias; returns false if it is to be solved as others are. */
+    private boolean solveFlying(int c, StepConstants k) {
+        float[] q = contacts.contact;
+        float[] load = state.load;
+        int o = ContactRow.of(c);
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float separation = q[o + SEPARATION];
+        float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
+        float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
+        int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
+        float nx = q[o + NORMAL_X];
+        float ny = q[o + NORMAL_Y];
+        float vn = normalVelocity(state.motion, a, b, nx, ny);
+        int meets = Constraints.meets(separation, vn, k.inverseH);
+        float fall = CircleMath.along(nx, ny, k.gravityStepX, k.gravityStepY);
+        q[o + BOUNCE_SPEED] = 0f;
+        return fly(c, vn, lingers, meets, CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]));
+    }
+
+    /** Leaves a contact of circles that fly free of each other alone, or lets them bounce; returns false if it is to be solved. */
+    private boolean fly(int c, float vn, int lingers, int meets, float halfFall) {
+        float[] q = contacts.contact;
+        int o = ContactRow.of(c);
+        float restitution = q[o + RESTITUTION];
+        int visit = Constraints.visitOf(restitution, 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
+        if (visit == Constraints.BOUNCE) {
+            float impulse = CircleMath.freeBounce(restitution, vn - halfFall, q[o + MASS]);
+            int a = contacts.pair[ContactRow.a(c)];
+            int b = contacts.pair[ContactRow.b(c)];
+            apply(a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + INV_MASS_A], q[o + INV_MASS_B], impulse);
+            if (touches != null) {
+                touches.add(c, impulse);
+            }
+        }
+        return visit != Constraints.SOLVE;
     }
 
     private void apply(int a, int b, float nx, float ny, float invMassA, float invMassB, float impulse) {
@@ -230,22 +263,12 @@ final class ContactPasses {
             float invMassB = q[o + INV_MASS_B];
             float mass = q[o + MASS];
             float vn = normalVelocity(m, a, b, nx, ny);
-            int visit = Constraints.SOLVE;
-            // else it stays so: this only spares the reads
             if (restitution > 0f && impulse == 0f) {
                 float loaded = load[a + LOADED] + load[b + LOADED];
-                float flight = flightThreshold(q[o + RADII], restitution, k);
-                visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, flight);
-            }
-            if (visit != Constraints.SOLVE) {
-                if (visit == Constraints.BOUNCE) {
-                    float applied = CircleMath.freeBounce(restitution, vn, mass);
-                    apply(a, b, nx, ny, invMassA, invMassB, applied);
-                    if (touches != null) {
-                        touches.add(c, applied);
-                    }
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0
+                        && fly(c, vn, 0, Constraints.ALWAYS, 0f)) {
+                    continue;
                 }
-                continue;
             }
             float next = Constraints.relax(impulse, mass, vn, separation, bounce, k.inverseH);
             float applied = next - impulse;

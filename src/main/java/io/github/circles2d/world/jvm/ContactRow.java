@@ -20,8 +20,8 @@ final class ContactRow {
     static final int INV_MASS_A = 4;
     static final int INV_MASS_B = 5;
 
-    /** Greatest push-out speed. */
-    static final int PUSH_SPEED = 6;
+    /** Square of the speed; see {@link io.github.circles2d.world.model.CircleMath#flightThreshold}. */
+    static final int FLIGHT_THRESHOLD = 6;
 
     static final int NORMAL_X = 7;
     static final int NORMAL_Y = 8;

@@ -2,13 +2,13 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
 import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
+import static io.github.circles2d.world.jvm.ContactRow.FLIGHT_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
 import static io.github.circles2d.world.jvm.ContactRow.MASS;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
 import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
-import static io.github.circles2d.world.jvm.ContactRow.PUSH_SPEED;
 import static io.github.circles2d.world.jvm.ContactRow.RADII;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
@@ -264,12 +264,13 @@ public final class Contacts {
         contact[o + BASE_Y] = dy;
         contact[o + RADII] = radii;
         contact[o + RESTITUTION] = restitution;
-        contact[o + RESTITUTION_THRESHOLD] =
-                CircleMath.bounceThreshold(radii, restitution, constants.thresholdRate, constants.restRate);
+        contact[o + RESTITUTION_THRESHOLD] = CircleMath.bounceThreshold(
+                radii, restitution, constants.thresholdRate, constants.restRate, constants.fixedThreshold);
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
-        contact[o + PUSH_SPEED] = constants.pushRate * radii;
+        contact[o + FLIGHT_THRESHOLD] = CircleMath.flightThreshold(
+                radii, restitution, constants.thresholdRate, constants.flightRestRate, constants.fixedThreshold);
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
             part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }

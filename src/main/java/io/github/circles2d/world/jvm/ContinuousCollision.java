@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
 import static io.github.circles2d.world.model.CircleRow.LIMIT;
+import static io.github.circles2d.world.model.CircleRow.MASS;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -18,6 +19,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.model.WallMotion;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
@@ -26,7 +28,7 @@ import java.lang.invoke.VarHandle;
  * fast if its path in this step is longer than its speculative distance covers. It stops where it touches another on their straight
  * paths, and another fast one stops there too. In the next step both are a contact with an exact normal. If they are so close
  * already that their contact solves them in this step, their paths end where they touch, but they may bounce off. A static circle is
- * never stopped: one that moves looks ahead too, and takes along what it comes upon for the rest of the step.
+ * never stopped: one that moves looks ahead too, and takes along what it comes upon for the rest of the step ({@link Carrying}).
  *
  * <p>The motion clamp then holds every circle: a collision may lead it away from its path by a part of its radius. At a static
  * circle it may not go on along its path at all, or it would squeeze through narrow gaps.
@@ -48,12 +50,23 @@ public final class ContinuousCollision {
     private static final int HIGH_Y = 3;
     private static final int RANGE_STRIDE = 4;
 
-    private static final int NOBODY = Integer.MAX_VALUE;
+    /** What a fast circle looks for on its path. */
+    private enum Look {
+        /** Circles at which it stops, or that stop at it. */
+        STOPS,
+
+        /** When a static circle that moves takes a circle along. */
+        CARRY_TIMES,
+
+        /** Which static circle that is. */
+        CARRIERS
+    }
 
     private final State state;
     private final Grid grid;
     private final GridLevels levels;
     private final Team team;
+    private final Carrying carrying;
 
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
     private int[] timeOfImpact = new int[0];
@@ -64,9 +77,6 @@ public final class ContinuousCollision {
     /** By slot: how far such a one lets it leave its path; negative if it stands at a static one, and may not go on. */
     private float[] allowance = new float[0];
 
-    /** By slot: the static circle that moves and that a circle touches at the end of its share; {@link #NOBODY}. */
-    private int[] pusher = new int[0];
-
     /** By block: least and greatest path x, least and greatest path y of its circles. */
     private float[] range = new float[0];
 
@@ -75,14 +85,15 @@ public final class ContinuousCollision {
         this.grid = grid;
         this.levels = levels;
         this.team = team;
+        carrying = new Carrying(state, grid);
     }
 
     void ensure() {
+        carrying.ensure();
         if (timeOfImpact.length < state.capacity()) {
             timeOfImpact = new int[state.capacity()];
             near = new float[state.capacity()];
             allowance = new float[state.capacity()];
-            pusher = new int[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
         if (range.length < RANGE_STRIDE * blocks) {
@@ -92,7 +103,7 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 16L * timeOfImpact.length + 4L * range.length;
+        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes();
     }
 
     void sweep(int worker, StepConstants constants) {
@@ -109,10 +120,12 @@ public final class ContinuousCollision {
             summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
         }
         team.sync(worker);
-        lookAhead(from, to, false);
+        lookAhead(from, to, Look.STOPS);
         team.sync(worker);
         if (grid.anyMovingStatic()) {
-            lookAhead(from, to, true);
+            lookAhead(from, to, Look.CARRY_TIMES);
+            team.sync(worker);
+            lookAhead(from, to, Look.CARRIERS);
             team.sync(worker);
         }
         setMotionClamps(from, to, constants);
@@ -138,8 +151,11 @@ public final class ContinuousCollision {
         Bounds b = k.bounds;
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
-        float tx = CircleMath.timeOfWall(state.circle[s + X], px, r, b.minX(), b.maxX());
-        float ty = CircleMath.timeOfWall(state.circle[s + Y], py, r, b.minY(), b.maxY());
+        WallMotion m = k.walls;
+        float tx = CircleMath.timeOfWall(
+                state.circle[s + X], px, r, b.minX(), b.maxX(), m.travelFor(0, r), m.travelFor(1, r));
+        float ty = CircleMath.timeOfWall(
+                state.circle[s + Y], py, r, b.minY(), b.maxY(), m.travelFor(2, r), m.travelFor(3, r));
         return CircleMath.greatest(CircleMath.least(tx, ty), 0f);
     }
 
@@ -148,7 +164,7 @@ public final class ContinuousCollision {
             timeOfImpact[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
             near[slot] = 1f;
             allowance[slot] = Float.POSITIVE_INFINITY;
-            pusher[slot] = NOBODY;
+            carrying.start(slot);
         }
     }
 
@@ -183,39 +199,52 @@ public final class ContinuousCollision {
         }
     }
 
-    private void lookAhead(int from, int to, boolean forPushers) {
+    private void lookAhead(int from, int to, Look look) {
         for (int slot = from; slot < to; slot++) {
-            if (looksAhead(slot)) {
-                lookAhead(slot, forPushers);
+            if (looksAhead(slot) && !(look == Look.STOPS && state.isStatic(slot))) {
+                lookAhead(slot, look);
             }
         }
     }
 
-    /** Looks for circles that a fast one would touch, no faster than itself; the second time, for who pushes whom. */
-    private void lookAhead(int slot, boolean forPushers) {
+    /** Looks at the circles around the path of a fast one. */
+    private void lookAhead(int slot, Look look) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
         float r = state.circle[s + RADIUS];
-        float path = grid.path[slot];
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float top = levels.top[level];
+            float path = state.isStatic(slot)
+                    ? CircleMath.carriedPath(grid.path[slot], grid.longestPath(), top)
+                    : grid.path[slot];
             float margin = CircleMath.sightMargin(r, path, top);
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
-            int c0 = CircleMath.cell(CircleMath.least(x, x + px) - margin, levels.minX, edge);
-            int c1 = CircleMath.cell(CircleMath.greatest(x, x + px) + margin, levels.minX, edge);
             int r0 = CircleMath.cell(CircleMath.least(y, y + py) - margin, levels.minY, edge);
             int r1 = CircleMath.cell(CircleMath.greatest(y, y + py) + margin, levels.minY, edge);
-            lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), r0, Math.min(r1, r0 + rows - 1), forPushers);
+            // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on
+            // the ring.
+            boolean byPieces = state.isStatic(slot) && r1 - r0 < rows;
+            int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
+            for (int v = r0; v <= Math.min(r1, r0 + rows - 1); v += rowsAtOnce) {
+                int end = Math.min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
+                float low = byPieces ? levels.minY + v / edge - margin : Float.NEGATIVE_INFINITY;
+                float high = byPieces ? levels.minY + end / edge + margin : Float.POSITIVE_INFINITY;
+                float left = CircleMath.leastBetween(x, px, y, py, low, high) - margin;
+                float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
+                int c0 = CircleMath.cell(left, levels.minX, edge);
+                int c1 = CircleMath.cell(right, levels.minX, edge);
+                lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), look);
+            }
         }
     }
 
-    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, boolean forPushers) {
+    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, Look look) {
         int w = levels.columnsLog[level];
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
@@ -230,11 +259,18 @@ public final class ContinuousCollision {
                 int column = GridLevels.onRing(u, columns);
                 int columnsOfBlock = inBlock(column, columns, c1 - u);
                 int k = RANGE_STRIDE * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
-                if (CircleMath.differ(
-                        px, py, range[k + LOW_X], range[k + HIGH_X], range[k + LOW_Y], range[k + HIGH_Y], least)) {
+                if (state.isStatic(slot)
+                        || CircleMath.differ(
+                                px,
+                                py,
+                                range[k + LOW_X],
+                                range[k + HIGH_X],
+                                range[k + LOW_Y],
+                                range[k + HIGH_Y],
+                                least)) {
                     for (int r = row; r < row + rowsOfBlock; r++) {
                         int first = levels.rowStart(level, r) + column;
-                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, forPushers);
+                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, look);
                     }
                 }
                 u += columnsOfBlock;
@@ -249,15 +285,34 @@ public final class ContinuousCollision {
         return Math.min(Math.min(blockEnd, side) - column, most + 1);
     }
 
-    private void meetAll(int slot, int from, int to, float least, boolean forPushers) {
+    private void meetAll(int slot, int from, int to, float least, Look look) {
         for (int other = from; other < to; other++) {
-            if (other != slot) {
-                meet(slot, other, least, forPushers);
+            if (other == slot) {
+                continue;
+            }
+            if (look != Look.STOPS) {
+                meetCarrier(slot, other, least, look == Look.CARRIERS);
+            } else if (mayMatter(slot, other) != 0) {
+                meet(slot, other, least);
             }
         }
     }
 
-    private void meet(int slot, int other, float least, boolean forPushers) {
+    /** Whether a pair needs a closer look, which few do: all bits, or none. */
+    private int mayMatter(int slot, int other) {
+        float[] circle = state.circle;
+        float[] plan = state.plan;
+        int s = CircleRow.of(slot);
+        int o = CircleRow.of(other);
+        float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
+        float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
+        float dx = circle[o + X] - circle[s + X];
+        float dy = circle[o + Y] - circle[s + Y];
+        int touches = PairRule.mayTouch(dx, dy, ux, uy, circle[s + RADIUS] + circle[o + RADIUS]);
+        return touches | PairRule.isStatic(circle[o + MASS]);
+    }
+
+    private void meet(int slot, int other, float least) {
         float[] circle = state.circle;
         float[] plan = state.plan;
         int s = CircleRow.of(slot);
@@ -269,9 +324,8 @@ public final class ContinuousCollision {
         }
         float r = circle[s + RADIUS];
         float ro = circle[o + RADIUS];
-        boolean pushes = state.isStatic(slot);
         boolean stands = state.isStatic(other);
-        if (!pushes && !stands && !CircleMath.sweeps(r, ro)) {
+        if (!stands && !CircleMath.sweeps(r, ro)) {
             return;
         }
         float dx = circle[o + X] - circle[s + X];
@@ -281,30 +335,20 @@ public final class ContinuousCollision {
         }
         // first what most pairs fail
         float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
-        if (!(t < 1f)) {
+        if (!(t < 1f) || stands && carrying.pushes(other, r)) {
             return;
         }
-        boolean carries = pushes && carries(slot, ro) || stands && carries(other, r);
         if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
-                && !carries
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
-        float slack = pushes || stands ? Tuning.MARGIN : Tuning.HOLD;
-        if (!carries && PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            if (!pushes && !forPushers) {
-                hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, stands), stands);
-            }
-        } else if (forPushers) {
-            if (pushes && timeOfImpact[other] == Float.floatToRawIntBits(t)) {
-                push(slot, other);
-            } else if (stands && grid.path[other] > 0f && timeOfImpact[slot] == Float.floatToRawIntBits(t)) {
-                push(other, slot);
-            }
-        } else if (pushes) {
-            shorten(other, t);
+        float slack = stands ? Tuning.MARGIN : Tuning.HOLD;
+        if (PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
+            hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, stands), stands);
         } else if (stands) {
-            shorten(slot, t);
+            if (grid.path[other] == 0f) {
+                shorten(slot, t);
+            }
         } else if (grid.path[other] <= grid.path[slot] || !looksAhead(other)) {
             shorten(slot, t);
             if (looksAhead(other)) {
@@ -313,9 +357,30 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Whether a static circle moves so far in the step that it pushes one of a radius along. */
-    private boolean carries(int slot, float r) {
-        return CircleMath.isFast(grid.path[slot], r);
+    /** As {@link #meet}, for a pair of which one is static and moves. Its faster circle finds it, or both do. */
+    private void meetCarrier(int slot, int other, float least, boolean note) {
+        if (!PairFilter.mayMeet(state, slot, other)) {
+            return;
+        }
+        float path = grid.path[slot];
+        float pathOfOther = grid.path[other];
+        if (state.isStatic(slot)) {
+            float r = state.circle[CircleRow.of(other) + RADIUS];
+            if (pathOfOther <= path + Tuning.CAP * r) {
+                carrying.meet(slot, other, freeShare(other), note);
+            }
+        } else if (state.isStatic(other) && pathOfOther > 0f) {
+            float ux = state.plan[CircleRow.vector(slot) + X] - state.plan[CircleRow.vector(other) + X];
+            float uy = state.plan[CircleRow.vector(slot) + Y] - state.plan[CircleRow.vector(other) + Y];
+            if (CircleMath.isLonger(ux, uy, least)) {
+                carrying.meet(other, slot, freeShare(slot), note);
+            }
+        }
+    }
+
+    /** The share of its path that a circle goes if no static one takes it along. */
+    private float freeShare(int slot) {
+        return CircleMath.least(Float.intBitsToFloat(timeOfImpact[slot]), near[slot]);
     }
 
     /** Ends the path of a circle where it touches one that it has a contact with, and says how far it may leave it. */
@@ -327,13 +392,6 @@ public final class ContinuousCollision {
     private void restrain(int slot, float most, boolean stands) {
         float least = CircleMath.least(most, Math.abs(allowance[slot]));
         allowance[slot] = stands ? -least : least;
-    }
-
-    private void push(int slot, int pushed) {
-        int seen = pusher[pushed];
-        while (slot < seen && !INTS.compareAndSet(pusher, pushed, seen, slot)) {
-            seen = (int) INTS.getVolatile(pusher, pushed);
-        }
     }
 
     private void shorten(int slot, float t) {
@@ -368,23 +426,26 @@ public final class ContinuousCollision {
             float r = state.circle[s + RADIUS];
             float limit = near[slot];
             float allowed = limit < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
-            if (free < limit) {
-                float rest = 1f - free;
-                px = free * px;
-                py = free * py;
+            float own = CircleMath.least(CircleMath.least(free, limit), carrying.time(slot));
+            boolean carried = carrying.isCarried(slot);
+            boolean stops = free < limit || carrying.time(slot) < 1f;
+            if (carried || stops) {
+                px = own * px;
+                py = own * py;
                 allowed = 0f;
-                if (pusher[slot] != NOBODY) {
-                    int p = CircleRow.vector(pusher[slot]);
-                    px += rest * plan[p + X];
-                    py += rest * plan[p + Y];
-                    allowed = carries(pusher[slot], r) ? Tuning.CARRIED : 0f;
+                if (carried) {
+                    px += carrying.x(slot);
+                    py += carrying.y(slot);
+                    allowed = carrying.allowance(slot);
                 }
-                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
-                state.motion[s + VX] -= rest * (k.gravityStepX * k.subSteps);
-                state.motion[s + VY] -= rest * (k.gravityStepY * k.subSteps);
             } else if (allowed >= 0f) {
                 px = limit * px;
                 py = limit * py;
+            }
+            if (stops) {
+                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
+                state.motion[s + VX] -= (1f - own) * (k.gravityStepX * k.subSteps);
+                state.motion[s + VY] -= (1f - own) * (k.gravityStepY * k.subSteps);
             }
             clamp[s + PATH_X] = px;
             clamp[s + PATH_Y] = py;

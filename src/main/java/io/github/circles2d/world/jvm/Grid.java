@@ -16,6 +16,7 @@ import io.github.circles2d.world.model.StepConstants;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Arrays;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /**
  * Stage Grid: sorts the circles by (level, bucket), and by id within a bucket, so that a bucket's circles have consecutive
@@ -60,6 +61,9 @@ public final class Grid {
 
     private volatile boolean movingStatics;
 
+    /** The longest path of a circle that is not static, as the bits of a float, which sort like the float itself. */
+    private final AtomicInteger longestPath = new AtomicInteger();
+
     Grid(State state, GridLevels levels, Team team) {
         this.state = state;
         this.levels = levels;
@@ -84,6 +88,7 @@ public final class Grid {
         moved = false;
         fast = false;
         movingStatics = false;
+        longestPath.set(0);
     }
 
     void build(int worker, StepConstants constants) {
@@ -179,7 +184,9 @@ public final class Grid {
         float[] plan = state.plan;
         boolean some = false;
         boolean moving = false;
+        float longest = 0f;
         float least = leastRadius();
+        Bounds b = constants.bounds;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
@@ -187,8 +194,12 @@ public final class Grid {
             float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
             float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
             float length = CircleMath.norm(px, py);
-            if (!isStatic && length > r) {
-                Bounds b = constants.bounds;
+            if (isStatic) {
+                // it stops at the bounds
+                px = CircleMath.within(circle[s + X], px, b.minX(), b.maxX());
+                py = CircleMath.within(circle[s + Y], py, b.minY(), b.maxY());
+                length = CircleMath.norm(px, py);
+            } else if (length > r) {
                 px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
                 py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
                 length = CircleMath.norm(px, py);
@@ -201,6 +212,7 @@ public final class Grid {
             speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
             some |= CircleMath.isFast(path[slot], isStatic ? least : r);
             moving |= isStatic && length > 0f;
+            longest = isStatic ? longest : CircleMath.greatest(path[slot], longest);
         }
         if (some) {
             fast = true;
@@ -208,6 +220,7 @@ public final class Grid {
         if (moving) {
             movingStatics = true;
         }
+        longestPath.accumulateAndGet(Float.floatToRawIntBits(longest), Math::max);
     }
 
     /** About the least radius: a static circle that moves is fast if it is so for circles of this radius. */
@@ -223,6 +236,11 @@ public final class Grid {
     /** Whether any circle is fast in this step. */
     boolean anyFast() {
         return fast;
+    }
+
+    /** The length of the longest path of a circle that is not static. */
+    float longestPath() {
+        return Float.intBitsToFloat(longestPath.get());
     }
 
     /** Whether any static circle moves in this step. */

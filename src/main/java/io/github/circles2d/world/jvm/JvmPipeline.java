@@ -6,6 +6,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.threads.Team;
@@ -51,6 +52,9 @@ public final class JvmPipeline implements Pipeline {
     private Positions requested = new Positions();
 
     private Positions taken = new Positions();
+
+    /** Whether the positions taken last were taken by id: the next ones probably are, too, and are copied so. */
+    private boolean takenById;
 
     /**
      * An empty world.
@@ -154,8 +158,8 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void confine(Bounds bounds) {
-        state.confine(bounds);
+    public void confine(Bounds from, Bounds to) {
+        state.confine(from, to);
     }
 
     @Override
@@ -178,14 +182,14 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer positions(HandleTable handles) {
-        positions.copy(state, handles);
-        return positions.view();
+    public FloatBuffer positions(HandleTable handles, boolean byId) {
+        positions.copy(state, handles, byId);
+        return byId ? positions.byId(positions.living) : positions.together();
     }
 
     @Override
     public void requestPositions(HandleTable handles) {
-        requested.copy(state, handles);
+        requested.copy(state, handles, takenById);
     }
 
     @Override
@@ -194,11 +198,12 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public FloatBuffer takePositions() {
+    public FloatBuffer takePositions(IdMask shown) {
         Positions next = taken;
         taken = requested;
         requested = next;
-        return taken.view();
+        takenById = shown != null;
+        return shown == null ? taken.together() : taken.byId(shown);
     }
 
     @Override

@@ -4,34 +4,62 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import java.nio.FloatBuffer;
 
 /** Positions that callers read in place. */
 public final class Positions {
+    /** The circles whose positions were copied last. */
+    final IdMask living = new IdMask();
+
+    private int circles;
+
+    /** Whether they lie by id; else they lie together. */
+    private boolean liesById;
+
     private FloatBuffer floats = FloatBuffer.allocate(0);
     private FloatBuffer view = floats.asReadOnlyBuffer();
 
-    /** Takes the positions of now, in ascending order of ids. */
-    void copy(State state, HandleTable handles) {
-        if (floats.capacity() < 2 * handles.size()) {
-            FloatBuffer larger = FloatBuffer.allocate(3 * handles.size());
+    /** Takes the positions of now, by id or in ascending order of ids. */
+    void copy(State state, HandleTable handles, boolean byId) {
+        if (floats.capacity() < 2 * handles.end()) {
+            FloatBuffer larger = FloatBuffer.allocate(3 * handles.end());
             view = larger.asReadOnlyBuffer();
             floats = larger;
         }
+        living.copy(handles);
+        circles = handles.size();
+        liesById = byId;
         int k = 0;
         for (int id = 0; id < handles.end(); id++) {
             if (handles.lives(id)) {
                 int s = CircleRow.of(state.slotOf[id]);
-                floats.put(k++, state.circle[s + X]);
-                floats.put(k++, state.circle[s + Y]);
+                floats.put(k, state.circle[s + X]);
+                floats.put(k + 1, state.circle[s + Y]);
+                k += 2;
+            } else if (byId) {
+                k += 2;
             }
         }
-        view.clear().limit(k);
     }
 
-    /** What was copied last, read-only. */
-    FloatBuffer view() {
-        return view;
+    /** What was copied last, in ascending order of ids, read-only. */
+    FloatBuffer together() {
+        if (liesById && circles < living.end()) {
+            living.closeGaps(floats, 2);
+        }
+        liesById = false;
+        return view.clear().limit(2 * circles);
+    }
+
+    /** What was copied last, by id, read-only, and NaN for ids that are not to be shown. */
+    FloatBuffer byId(IdMask shown) {
+        if (!liesById && circles < living.end()) {
+            living.spread(floats.array(), 2, circles);
+        }
+        liesById = true;
+        shown.markGaps(floats, 2);
+        return view.clear().limit(2 * living.end());
     }
 }

@@ -139,8 +139,8 @@ public final class Solver {
     /** All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row. */
     private void subStep(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
         if (low <= row && row < high) {
-            integrateVelocities(row, k);
-            integrateVelocities(row + 1, k);
+            integrateVelocities(row, sub, k);
+            integrateVelocities(row + 1, sub, k);
             solveRow(worker, row, k);
         }
         int from = low + inwards;
@@ -166,8 +166,8 @@ public final class Solver {
         return grid.start[levels.rowStart(levels.used[0], ring(row) + 1)];
     }
 
-    private void integrateVelocities(int row, StepConstants k) {
-        mover.integrateVelocities(firstSlot(row), endSlot(row), k);
+    private void integrateVelocities(int row, int sub, StepConstants k) {
+        mover.integrateVelocities(firstSlot(row), endSlot(row), k, sub);
     }
 
     private void solveRow(int worker, int row, StepConstants k) {
@@ -176,7 +176,7 @@ public final class Solver {
 
     private void integratePositions(int row, int from, int to, int sub, StepConstants k) {
         if (from <= row && row < to) {
-            mover.integratePositions(firstSlot(row), endSlot(row), k, sub == 0);
+            mover.integratePositions(firstSlot(row), endSlot(row), k, sub);
         }
     }
 
@@ -199,12 +199,12 @@ public final class Solver {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         for (int sub = 0; sub < k.subSteps; sub++) {
-            mover.integrateVelocities(from, to, k);
+            mover.integrateVelocities(from, to, k, sub);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
                 solveAll(worker, levels.used[l], k);
             }
-            mover.integratePositions(from, to, k, sub == 0);
+            mover.integratePositions(from, to, k, sub);
             team.sync(worker);
             for (int l = 0; l < levels.usedCount; l++) {
                 relaxAll(worker, levels.used[l], sub, k);

@@ -200,10 +200,30 @@ public final class State {
                     motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
+                case Commands.DEPART -> depart(s, a, b, Float.intBitsToFloat(records[k + Commands.THIRD]));
+                case Commands.ARRIVE -> arrive(s, a, b);
                 case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
             }
         }
+    }
+
+    private void depart(int s, float x, float y, float dt) {
+        traits[s + WALL_X] = motion[s + VX];
+        traits[s + WALL_Y] = motion[s + VY];
+        motion[s + VX] = CircleMath.travelSpeed(circle[s + X], x, dt);
+        motion[s + VY] = CircleMath.travelSpeed(circle[s + Y], y, dt);
+    }
+
+    private void arrive(int s, float x, float y) {
+        circle[s + X] = x;
+        circle[s + Y] = y;
+        motion[s + DX] = 0;
+        motion[s + DY] = 0;
+        motion[s + VX] = traits[s + WALL_X];
+        motion[s + VY] = traits[s + WALL_Y];
+        traits[s + WALL_X] = 0;
+        traits[s + WALL_Y] = 0;
     }
 
     private void add(int circleId, int[] records, int k) {
@@ -256,12 +276,12 @@ public final class State {
         return traits[row + INVERSE_MASS] == 0f ? 0f : circle[row + RADIUS];
     }
 
-    /** Brings circles that the walls have left outside to the nearest place inside. */
-    void confine(Bounds bounds) {
+    /** Brings circles that the walls have left outside to the nearest place inside, if the step does not push them there. */
+    void confine(Bounds from, Bounds to) {
         for (int s = 0; s < CircleRow.of(n); s += CircleRow.STRIDE) {
             float margin = margin(s);
-            float x = CircleMath.bounded(circle[s + X], bounds.minX() + margin, bounds.maxX() - margin);
-            float y = CircleMath.bounded(circle[s + Y], bounds.minY() + margin, bounds.maxY() - margin);
+            float x = confined(circle[s + X], from.minX(), to.minX(), from.maxX(), to.maxX(), margin);
+            float y = confined(circle[s + Y], from.minY(), to.minY(), from.maxY(), to.maxY(), margin);
             if (x != circle[s + X]) {
                 circle[s + X] = x;
                 motion[s + DX] = 0f;
@@ -271,6 +291,11 @@ public final class State {
                 motion[s + DY] = 0f;
             }
         }
+    }
+
+    private static float confined(float x, float fromMin, float min, float fromMax, float max, float margin) {
+        float low = min + CircleMath.marginAtWall(fromMin, min, margin);
+        return CircleMath.bounded(x, low, max - CircleMath.marginAtWall(fromMax, max, margin));
     }
 
     /** Saves the circle of a slot as circle k. */

@@ -154,7 +154,8 @@ final class Touches {
     }
 
     private float threshold(int c, StepConstants k) {
-        return CircleMath.bounceThreshold(contacts.contact[ContactRow.of(c) + RADII], 0f, k.thresholdRate, k.restRate);
+        float radii = contacts.contact[ContactRow.of(c) + RADII];
+        return CircleMath.bounceThreshold(radii, 0f, k.thresholdRate, k.restRate, k.fixedThreshold);
     }
 
     private void list(int worker, int c) {

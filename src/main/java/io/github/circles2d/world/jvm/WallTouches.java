@@ -13,6 +13,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
+import io.github.circles2d.world.model.WallMotion;
 
 /**
  * Records what walls do to circles in a step. The impulse of a visit is what it adds to the velocity. A visit in which an impulse
@@ -60,17 +61,36 @@ final class WallTouches {
     }
 
     /**
-     * Takes a visit of a wall down.
+     * Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step.
      *
-     * @param speed velocity along the axis that the circle approached with
+     * @param before velocity along the axis before any impulse
      * @param from the same just before the visit
+     * @param gap separation before the visit from where the wall is at the end of the step
+     */
+    void solved(int slot, int axis, float side, float before, float from, float gap, StepConstants k, int sub) {
+        int wall = WallMotion.of(axis, side);
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        float now = (gap + k.walls.behind(wall, sub)) + k.walls.sweepFor(wall, r);
+        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), from, now);
+    }
+
+    /**
+     * Takes a visit of the relaxing pass down.
+     *
+     * @param from velocity along the axis just before the visit
      * @param gap separation before the visit
      */
-    void visited(int slot, int axis, float side, float speed, float from, float gap) {
+    void relaxed(int slot, int axis, float side, float from, float gap, StepConstants k) {
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        visited(slot, axis, side, side * from - k.walls.speedFor(WallMotion.of(axis, side), r), from, gap);
+    }
+
+    /** vn: normal speed that the circle approached with. */
+    private void visited(int slot, int axis, float side, float vn, float from, float gap) {
         int t = row(slot, axis);
         float impulse = side * (state.motion[CircleRow.of(slot) + VX + axis] - from);
         rows[t + IMPULSE] += impulse;
-        float approach = TouchRule.approach(side * speed);
+        float approach = TouchRule.approach(vn);
         if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {
             rows[t + APPROACH] = approach;
             rows[t + PLACE] = place(CircleRow.of(slot), axis, 1f);
@@ -90,14 +110,14 @@ final class WallTouches {
     void endStep(TouchRecords records, int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             if (state.traits[CircleRow.of(slot) + INVERSE_MASS] != 0f) {
-                endStep(records, slot, 0, k.bounds.minX(), k.bounds.maxX(), k.thresholdRateX, k.restRate);
-                endStep(records, slot, 1, k.bounds.minY(), k.bounds.maxY(), k.thresholdRateY, k.restRate);
+                endStep(records, slot, 0, k.bounds.minX(), k.bounds.maxX(), k.thresholdRateX, k);
+                endStep(records, slot, 1, k.bounds.minY(), k.bounds.maxY(), k.thresholdRateY, k);
             }
         }
     }
 
     private void endStep(
-            TouchRecords records, int slot, int axis, float min, float max, float thresholdRate, float restRate) {
+            TouchRecords records, int slot, int axis, float min, float max, float thresholdRate, StepConstants k) {
         int s = CircleRow.of(slot);
         int t = row(slot, axis);
         float base = state.circle[s + X + axis];
@@ -108,7 +128,7 @@ final class WallTouches {
         if (!touched && !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
             return;
         }
-        float threshold = CircleMath.bounceThreshold(2f * r, 0f, thresholdRate, restRate);
+        float threshold = CircleMath.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
         if (touched) {
             float impulse = state.circle[s + MASS] * rows[t + IMPULSE];
             tell(
@@ -120,13 +140,13 @@ final class WallTouches {
                     rows[t + APPROACH],
                     impulse,
                     rows[t + PLACE],
-                    min,
-                    max,
-                    threshold);
+                    rows[t + SIDE] > 0f ? min : max,
+                    threshold,
+                    k);
         }
         if ((!touched || rows[t + SIDE] != side) && TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
             boolean touches = TouchRule.touches(TouchRule.NONE, gap);
-            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), min, max, threshold);
+            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, threshold, k);
         }
     }
 
@@ -139,14 +159,15 @@ final class WallTouches {
             float approach,
             float impulse,
             float place,
-            float min,
-            float max,
-            float threshold) {
+            float at,
+            float threshold,
+            StepConstants k) {
+        int s = CircleRow.of(slot);
         int id = state.id[slot];
         int wall = ContactEvents.wall(axis, side);
         if (events.concerns(id, wall, touches, approach, impulse, threshold)) {
-            float at = side > 0f ? min : max;
-            float vn = side * state.motion[CircleRow.of(slot) + VX + axis];
+            float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
+            float vn = side * state.motion[s + VX + axis] - speed;
             boolean isX = axis == 0;
             records.add(
                     id,

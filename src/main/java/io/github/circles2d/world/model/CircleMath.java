@@ -133,6 +133,18 @@ public final class CircleMath {
     }
 
     /**
+     * A component of the velocity of a circle that is to be somewhere else at the end of a step.
+     *
+     * @param from coordinate
+     * @param to coordinate at the end
+     * @param dt length of the step
+     * @return the component, which may be too small if the way is very long
+     */
+    public static float travelSpeed(float from, float to, float dt) {
+        return limitSpeed((to - from) / dt);
+    }
+
+    /**
      * How far from its centre a circle looks for contacts: its radius, a margin, and what it moves in a step, up to a limit.
      * Two circles are listed as a contact where the distance of their centres is less than the sum of their speculative distances.
      *
@@ -172,19 +184,23 @@ public final class CircleMath {
     }
 
     /**
-     * The share of a component of its path after which a circle touches a wall.
+     * The share of a component of its path after which a circle touches a wall that it moves to.
      *
      * @param x coordinate
      * @param p component of the path
      * @param r radius
-     * @param min lower wall
-     * @param max upper wall
-     * @return the share, 1 where it does not
+     * @param min lower wall at the end of the step
+     * @param max upper wall at the end of the step
+     * @param travelMin what the lower wall comes in during the step, at least 0
+     * @param travelMax what the upper wall comes in during the step, at least 0
+     * @return the share, negative where the circle is in the wall; 1 where it does not touch it
      */
-    public static float timeOfWall(float x, float p, float r, float min, float max) {
-        float low = (min + r) - x;
-        float high = (max - r) - x;
-        return p < low ? greatest(low, p) / p : p > high ? least(high, p) / p : 1f;
+    public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+        float low = ((min - travelMin) + r) - x;
+        float high = ((max + travelMax) - r) - x;
+        float toMin = p - travelMin; // against the wall
+        float toMax = p - (0f - travelMax); // for no travel p itself, a zero with its sign
+        return toMin < 0f && toMin < low ? low / toMin : toMax > 0f && toMax > high ? high / toMax : 1f;
     }
 
     /**
@@ -210,6 +226,51 @@ public final class CircleMath {
      */
     public static float sightMargin(float r, float path, float top) {
         return 1.125f * ((r + top) + greatest(path, Tuning.CAP * top));
+    }
+
+    /**
+     * The greatest length of the path of a circle that is not static and that a static one looks out for.
+     *
+     * @param path length of the static circle's path
+     * @param longest at least the length of the longest path of all circles that are not static
+     * @param top greatest radius of the others
+     * @return a length
+     */
+    public static float carriedPath(float path, float longest, float top) {
+        return least(path, longest) + Tuning.CAP * top;
+    }
+
+    /**
+     * The least coordinate of the part of a straight path that is between two values of the other coordinate; of a path without such
+     * a part, that of one of its ends.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the least coordinate
+     */
+    public static float leastBetween(float x, float px, float y, float py, float low, float high) {
+        float from = py == 0f ? 0f : bounded((low - y) / py, 0f, 1f);
+        float to = py == 0f ? 1f : bounded((high - y) / py, 0f, 1f);
+        return x + least(from * px, to * px);
+    }
+
+    /**
+     * As {@link #leastBetween}, the greatest coordinate.
+     *
+     * @param x where the path begins
+     * @param px path
+     * @param y where the path begins, the other coordinate
+     * @param py path
+     * @param low least other coordinate
+     * @param high greatest other coordinate
+     * @return the greatest coordinate
+     */
+    public static float greatestBetween(float x, float px, float y, float py, float low, float high) {
+        return -leastBetween(-x, -px, y, py, low, high);
     }
 
     /**
@@ -290,6 +351,55 @@ public final class CircleMath {
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
+     * When a static circle that moves takes another along, which goes a share of its path and waits there: when they touch, if they
+     * do so on its way, or if the static circle runs over it where it waits. At the end of the step, if it would be run over only
+     * if something stopped it at once.
+     *
+     * @param dx position of the other minus that of the static circle
+     * @param dy position of the other minus that of the static circle
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param pathX path of the other
+     * @param pathY path of the other
+     * @param share how much of it the other goes
+     * @param r radius of the other
+     * @param sum sum of the radii
+     * @return the share of the step, at least 0; more than 1 where it takes it along not at all
+     */
+    public static float timeOfCarry(
+            float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
+        float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+        if (t < share) {
+            return t;
+        }
+        float x = dx + share * pathX;
+        float y = dy + share * pathY;
+        t = greatest(timeOfImpact(x, y, px, py, sum), share);
+        if (t < 1f && isRunOver(x, y, px, py, r, sum)) {
+            return t;
+        }
+        boolean meets = timeOfImpact(dx, dy, px, py, sum) < 1f;
+        return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
+    }
+
+    /**
+     * Whether a circle that does not move is deep in a static one or behind it when that has moved.
+     *
+     * @param dx position minus that of the static circle before
+     * @param dy position minus that of the static circle before
+     * @param px path of the static circle
+     * @param py path of the static circle
+     * @param r radius
+     * @param sum sum of the radii
+     * @return true where it is
+     */
+    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+        float x = dx - px;
+        float y = dy - py;
+        return x * px + y * py < 0f || !isLonger(x, y, sum - Tuning.RUN_OVER * r);
     }
 
     /**
@@ -453,12 +563,13 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair that is not nearly elastic
-     * @return the square of the speed; 0 for an elastic pair
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
+     * @return the square of the speed; 0 for an elastic pair without a fixed one
      */
-    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float length = inelasticity(e) * sum;
         float creep = lengthRate * length;
-        return gravityRate * length + creep * creep;
+        return gravityRate * length + creep * creep + fixed;
     }
 
     /**
@@ -468,11 +579,12 @@ public final class CircleMath {
      * @param e restitution of the pair
      * @param gravityRate gravity's part, per sum of radii, of a pair that is not nearly elastic
      * @param lengthRate creeping speed per sum of radii, of a pair without restitution
+     * @param fixed the square of a threshold of all pairs, with rates of 0; or 0
      * @return the square of the speed
      */
-    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate) {
+    public static float flightThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float creep = lengthRate * ((1f - e) * sum);
-        return gravityRate * (inelasticity(e) * sum) + creep * creep;
+        return gravityRate * (inelasticity(e) * sum) + creep * creep + fixed;
     }
 
     /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
@@ -550,6 +662,19 @@ public final class CircleMath {
      */
     public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
         return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
+    }
+
+    /**
+     * How far from a wall circles are kept as it is set to a new place. One whose radius is more than the wall's way stays where it is:
+     * the step pushes it. Its centre is inside even so.
+     *
+     * @param from where the wall was; where it is now if it jumped
+     * @param to where it is now
+     * @param margin 0 for a static circle, else its radius
+     * @return the margin, or 0
+     */
+    public static float marginAtWall(float from, float to, float margin) {
+        return from == to || Math.abs(to - from) > margin ? margin : 0f;
     }
 
     /**

@@ -94,6 +94,16 @@ public final class Constraints {
     }
 
     /**
+     * Whether circles of a restitution greater than 0 fly free of each other: nothing carries them, they do not press, and they move
+     * against each other faster than the threshold. All others are solved.
+     *
+     * @param loaded greater than 0 if something carries one of the circles
+     */
+    public static int flies(float loaded, float normalImpulse, float vn, float threshold) {
+        return isImpact(vn, threshold) & ~(Branchless.isPositive(loaded) | Branchless.isPositive(normalImpulse));
+    }
+
+    /**
      * How to treat a constraint. Circles in free flight, which move against each other faster than the threshold, bounce if they
      * meet, and are left alone if they part, unless they linger. All others are solved.
      *
@@ -104,8 +114,7 @@ public final class Constraints {
      */
     public static int visitOf(
             float restitution, float loaded, int lingers, float normalImpulse, float vn, int meets, float threshold) {
-        int flies = isImpact(vn, threshold) & ~Branchless.isPositive(loaded);
-        if (flies != 0 && normalImpulse == 0f && restitution > 0f) {
+        if (flies(loaded, normalImpulse, vn, threshold) != 0 && restitution > 0f) {
             return vn > 0f ? lingers != 0 ? SOLVE : LEAVE : meets != 0 ? BOUNCE : SOLVE;
         }
         return SOLVE;
@@ -117,6 +126,7 @@ public final class Constraints {
      *
      * @param mass effective mass
      * @param pushSpeed greatest push-out speed of overlaps that are not deep
+     * @param deepRate gain of the push-out speed per depth of deep overlaps, 1/s
      * @param biasRate push-out speed per depth, 1/s
      * @param massScale softness: share of the impulse
      * @param impulseScale softness: decay of the impulse
@@ -128,12 +138,13 @@ public final class Constraints {
             float separation,
             float bounceSpeed,
             float pushSpeed,
+            float deepRate,
             float inverseH,
             float biasRate,
             float massScale,
             float impulseScale) {
         int rigid = Branchless.isPositive(separation) | Branchless.isPositive(bounceSpeed);
-        float soft = massScale * pushOut(separation, pushSpeed, biasRate);
+        float soft = massScale * pushOut(separation, pushSpeed, deepRate, biasRate);
         float bias = bias(separation, bounceSpeed, inverseH, soft);
         float decay = Branchless.choose(rigid, 0f, impulseScale) * normalImpulse;
         return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, massScale), vn, bias, decay);
@@ -145,8 +156,8 @@ public final class Constraints {
      * which many pairs overlap at once does not burst. The last piece keeps single pairs from staying deep where there is too little
      * space for all.
      */
-    private static float pushOut(float separation, float pushSpeed, float biasRate) {
-        float deep = Tuning.DEEP_RATE * separation + Tuning.DEEP_OFFSET * pushSpeed;
+    private static float pushOut(float separation, float pushSpeed, float deepRate, float biasRate) {
+        float deep = deepRate * separation + Tuning.DEEP_OFFSET * pushSpeed;
         return CircleMath.greatest(biasRate * separation, CircleMath.least(-pushSpeed, deep));
     }
 

@@ -26,17 +26,32 @@ public final class Limits {
     /** Greatest magnitude of a component of an impulse. */
     public static final float IMPULSE = 1e18f;
 
+    /** Greatest radius, and greatest falloff, of an explosion: more than any two circles are apart. */
+    public static final float EXPLOSION = 1e10f;
+
     /** Greatest impulse that a snapshot may hold: more than any step leaves, and far from overflow in the next one. */
     public static final float CACHED_IMPULSE = 1e24f;
 
-    /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e11. */
-    public static final float WALL_IMPULSE = 1e12f;
+    /** Greatest impulse speed of a wall that a snapshot may hold; steps leave less than 1e13. */
+    public static final float WALL_IMPULSE = 1e15f;
 
     /** Shortest step, seconds. */
     public static final float LEAST_STEP = 1e-6f;
 
     /** Longest step, seconds. */
     public static final float GREATEST_STEP = 1f;
+
+    /** Least frequency of contacts, hertz. */
+    public static final float LEAST_FREQUENCY = 1f;
+
+    /** Greatest frequency of contacts, hertz. */
+    public static final float GREATEST_FREQUENCY = 10_000f;
+
+    /** Greatest damping ratio of contacts. */
+    public static final float DAMPING = 1_000f;
+
+    /** Greatest push-out speed of overlaps that are not deep, mean radii a second. */
+    public static final float PUSH_OUT_SPEED = 100f;
 
     /** Greatest number of sub-steps. */
     public static final int SUB_STEPS = 16;

@@ -17,4 +17,32 @@ public final class PairRule {
         float limit = speculativeDistance + otherSpeculativeDistance;
         return Branchless.isNegative(dx * dx + dy * dy - limit * limit);
     }
+
+    /**
+     * Whether two circles may touch within the step, by their paths: no only where {@link CircleMath#timeOfImpact} is at least 1. There
+     * a circle touches another if max(c, 0) is less than b and a root of b * b - a * c. If c is positive, that root is at most b; 2.5 b
+     * is more than both, also where b * b is too small a number to be exact. No root and no branch, since most pairs fail here.
+     *
+     * @param dx second position minus first
+     * @param dy second position minus first
+     * @param ux path of the first minus that of the second
+     * @param uy path of the first minus that of the second
+     * @param sum sum of the radii
+     * @return -1 if they may, else 0
+     */
+    public static int mayTouch(float dx, float dy, float ux, float uy, float sum) {
+        float b = dx * ux + dy * uy;
+        float c = (dx * dx + dy * dy) - sum * sum;
+        return Branchless.isNegative(CircleMath.greatest(c, 0f) - 2.5f * b);
+    }
+
+    /**
+     * Whether a circle is static, by its mass.
+     *
+     * @param mass greater than 0
+     * @return -1 if it is infinite, else 0
+     */
+    public static int isStatic(float mass) {
+        return Branchless.isPositive(mass - Float.MAX_VALUE);
+    }
 }

@@ -62,14 +62,23 @@ public final class StepConstants {
     /** The same, of pairs without restitution that nothing carries, 1/s. */
     public float flightRestRate;
 
+    /** The square of a restitution threshold that does not follow from gravity and radii; else 0. */
+    public float fixedThreshold;
+
     /** Greatest push-out speed of overlaps that are not deep, per sum of radii, 1/s. */
     public float pushRate;
+
+    /** Gain of the push-out speed of deep overlaps, 1/s. */
+    public float deepRate;
 
     /** Factor for the impulses of the step before: the ratio of the two steps' lengths, limited. */
     public float warmScale;
 
-    /** The arena. */
+    /** The arena, at the end of the step. */
     public Bounds bounds;
+
+    /** How its walls move there. */
+    public final WallMotion walls = new WallMotion();
 
     /** No constants, until they are set. */
     public StepConstants() {}
@@ -81,13 +90,24 @@ public final class StepConstants {
      * @param subSteps sub-steps a step
      * @param gravityX gravity
      * @param gravityY gravity
-     * @param bounds the arena
+     * @param from where the walls start
+     * @param bounds where they are at the end of the step: the arena
      * @param previousDt length of the step before, seconds; without meaning in the first step
+     * @param contacts how contacts are
      */
-    public void set(float dt, int subSteps, float gravityX, float gravityY, Bounds bounds, float previousDt) {
+    public void set(
+            float dt,
+            int subSteps,
+            float gravityX,
+            float gravityY,
+            Bounds from,
+            Bounds bounds,
+            float previousDt,
+            ContactSettings contacts) {
         this.dt = dt;
         this.subSteps = subSteps;
         this.bounds = bounds;
+        walls.set(from, bounds, dt, subSteps);
         h = dt / subSteps;
         inverseH = subSteps / dt;
         gravityStepX = gravityX * h;
@@ -96,25 +116,33 @@ public final class StepConstants {
         fallY = gravityStepY * h * (0.5f * subSteps * (subSteps + 1));
         warmScale = Math.min(Tuning.GREATEST_WARM_SCALE, dt / previousDt);
 
-        float omega = 2f * 3.14159265f * Math.min(Tuning.FREQUENCY * h, Tuning.GREATEST_FREQUENCY); // times h
-        biasRate = (omega / (2f * Tuning.DAMPING + omega)) * inverseH;
-        float a2 = omega * (2f * Tuning.DAMPING + omega);
+        float omega = 2f * 3.14159265f * Math.min(contacts.frequency() * h, Tuning.GREATEST_FREQUENCY); // times h
+        float damping = 2f * contacts.damping();
+        biasRate = (omega / (damping + omega)) * inverseH;
+        float a2 = omega * (damping + omega);
         impulseScale = 1f / (1f + a2);
         massScale = a2 * impulseScale;
 
         float wallOmega = Tuning.WALL_STIFFNESS * omega;
-        wallBiasRate = (wallOmega / (2f * Tuning.DAMPING + wallOmega)) * inverseH;
-        float wallA2 = wallOmega * (2f * Tuning.DAMPING + wallOmega);
+        wallBiasRate = (wallOmega / (damping + wallOmega)) * inverseH;
+        float wallA2 = wallOmega * (damping + wallOmega);
         wallImpulseScale = 1f / (1f + wallA2);
         wallMassScale = wallA2 * wallImpulseScale;
 
-        float gravity = CircleMath.norm(gravityX, gravityY);
-        float half = Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f;
-        thresholdRate = half * gravity;
+        setThresholds(gravityX, gravityY, contacts.restitutionThreshold());
+        pushRate = 0.5f * contacts.pushOutSpeed();
+        deepRate = Tuning.DEEP_RATE * (pushRate / Tuning.PUSH);
+    }
+
+    /** A fixed threshold takes the place of all that follows from gravity and radii. */
+    private void setThresholds(float gravityX, float gravityY, float fixed) {
+        boolean byGravity = fixed == ContactSettings.BY_GRAVITY;
+        float half = byGravity ? Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f : 0f;
+        thresholdRate = half * CircleMath.norm(gravityX, gravityY);
         thresholdRateX = half * Math.abs(gravityX);
         thresholdRateY = half * Math.abs(gravityY);
-        restRate = Tuning.REST_SPEED * 0.5f;
-        flightRestRate = Tuning.FLIGHT_REST_SPEED * 0.5f;
-        pushRate = Tuning.PUSH;
+        restRate = byGravity ? Tuning.REST_SPEED * 0.5f : 0f;
+        flightRestRate = byGravity ? Tuning.FLIGHT_REST_SPEED * 0.5f : 0f;
+        fixedThreshold = byGravity ? 0f : fixed * fixed;
     }
 }

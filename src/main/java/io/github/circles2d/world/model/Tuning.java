@@ -31,6 +31,9 @@ public final class Tuning {
     /** The allowance of a circle that a static one pushes along: it goes to the end of its free path, whatever its velocity. */
     public static final float CARRIED = Float.NEGATIVE_INFINITY;
 
+    /** A static circle that moves leaves circles to their contact unless it would be so deep in them, in radii of theirs. */
+    public static final float RUN_OVER = 0.75f;
+
     /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
     public static final int CROWD = 32;
 

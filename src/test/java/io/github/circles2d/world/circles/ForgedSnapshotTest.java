@@ -49,11 +49,13 @@ class ForgedSnapshotTest {
             world.setTag(world.add(70, 20, 1, 1), -5);
             world.setTag(world.add(75, 20, 1, 1), Long.MAX_VALUE);
             world.remove(world.add(50, 20, 1, 1));
+            long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
             long touching = world.add(20, 20, 1, 1);
             world.add(21, 20, 1, 1);
             world.step(1 / 60f);
             world.remove(touching);
+            world.setPosition(travelling, 25, 22);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
             for (int k = 0; k < FORGERIES; k++) {

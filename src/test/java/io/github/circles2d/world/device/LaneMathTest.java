@@ -32,7 +32,7 @@ class LaneMathTest {
         "return NAME(restitutionThreshold)(k, A, B);",
         "return NAME(least)(A, B);",
         "return NAME(pushSpeed)(k, fabs(A));",
-        "return NAME(pushOut)(A, fabs(B), k->biasRate);",
+        "return NAME(pushOut)(k, A, fabs(B), k->biasRate);",
         "return NAME(halfFall)(A, B, C);",
         "return NAME(lingers)(A, fabs(B)) ? (REAL)(1.0f) : (REAL)(0.0f);",
         "return NAME(effectiveMass)(A, B);",
@@ -53,7 +53,7 @@ class LaneMathTest {
     private static final String VISITS =
             "NAME(Found) NAME(found)(const StepConstants *k, REAL A, REAL B, REAL C, REAL F) {\n"
                     + "    NAME(Found) f = {A, B, NAME(restitutionThreshold)(k, fabs(A), B),\n"
-                    + "                     NAME(flightThreshold)(fabs(A), B, k->thresholdRate, k->flightRestRate), fabs(F), C, F > 0.0f,\n"
+                    + "                     NAME(flightThreshold)(k, fabs(A), B), fabs(F), C, F > 0.0f,\n"
                     + "                     fabs(C), B, fabs(A * B), A};\n"
                     + "    return f;\n"
                     + "}\n"

@@ -11,6 +11,7 @@ import io.github.circles2d.world.device.plan.PersistentGpu;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.ContactSettings;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -190,7 +191,7 @@ class PipelinesAgreeTest {
         float speed = power(random, -6, random.nextInt(8) == 0 ? 6 : 0);
         twins.set(Commands.VELOCITY, id, (random.nextInt(3) - 1) * speed, (random.nextInt(3) - 1) * speed);
         if (random.nextInt(8) == 0) {
-            twins.set(Commands.POSITION, id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
+            twins.move(id, random.nextInt(8) / 8f, random.nextInt(8) / 8f);
         }
     }
 
@@ -225,6 +226,46 @@ class PipelinesAgreeTest {
                         twins.confine();
                         twins.assertSameReadings();
                     }
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void wallsThatMovePushTheSameOnTheDeviceAsInJava(Device device) {
+        // By up to about the largest radius: some circles are pushed, others brought inside.
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(11);
+                for (int k = 0; k < 40; k++) {
+                    twins.moveWalls(random, 1.5f * scene.radius(0));
+                    if (k % 10 == 9) {
+                        twins.exchange();
+                    }
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    twins.assertEqual(scene.name() + " after move " + k);
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void contactsOfAnySettingsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        ContactSettings[] settings = {
+            new ContactSettings(0f, 30f, 5f, 3f), new ContactSettings(0.05f, 67f, 20f, 0.1f), ContactSettings.DEFAULT
+        };
+        for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                for (ContactSettings each : settings) {
+                    twins.step(scene.timeStep(), 30);
+                    twins.restoreWith(each);
+                    for (int k = 0; k < 6; k++) {
+                        twins.step(scene.timeStep(), 5);
+                        twins.assertEqual(scene.name() + " with " + each);
+                    }
+                    twins.exchange();
                 }
             }
         }

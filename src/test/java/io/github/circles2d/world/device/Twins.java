@@ -14,12 +14,14 @@ import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.UnaryOperator;
 
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
 final class Twins implements AutoCloseable {
@@ -32,6 +34,11 @@ final class Twins implements AutoCloseable {
 
     /** The circles at the last request for positions. */
     private float[] requested;
+
+    /** The handles of these circles. */
+    private long[] requestedHandles;
+
+    private boolean takeById;
 
     private Twins(Simulation[] simulations) {
         this.simulations = simulations;
@@ -124,14 +131,46 @@ final class Twins implements AutoCloseable {
             assertThat(circles[k]).isEqualTo(circles[0]);
             assertThat(velocities[k]).isEqualTo(velocities[0]);
             assertPositions(simulations[k].readings().positions(), circles[0]);
+            assertSameReadingsById(simulations[k], circles[0], velocities[0]);
         }
         requestPositions();
         assertSameRequestedPositions();
     }
 
+    private void assertSameReadingsById(Simulation simulation, float[] circles, float[] velocities) {
+        int ids = simulation.circles().idLimit();
+        float[] byId = new float[4 * ids + 4];
+        float[] velocitiesById = new float[2 * ids];
+        long[] living = new long[(ids + 63) / 64];
+        simulation.readings().readById(byId, null);
+        simulation.readings().readVelocitiesById(velocitiesById, null);
+        FloatBuffer positions = simulation.readings().positionsById(living);
+        float[] expected = new float[byId.length];
+        float[] expectedPositions = new float[2 * ids];
+        float[] expectedVelocities = new float[2 * ids];
+        Arrays.fill(expected, Float.NaN);
+        Arrays.fill(expectedPositions, Float.NaN);
+        Arrays.fill(expectedVelocities, Float.NaN);
+        int place = 0;
+        for (int id = 0; id < ids; id++) {
+            boolean lives = (living[id / 64] >>> id & 1) != 0;
+            assertThat(lives).isEqualTo(simulation.circles().handle(id) != 0);
+            if (lives) {
+                System.arraycopy(circles, 4 * place, expected, 4 * id, 4);
+                System.arraycopy(circles, 4 * place, expectedPositions, 2 * id, 2);
+                System.arraycopy(velocities, 2 * place++, expectedVelocities, 2 * id, 2);
+            }
+        }
+        assertThat(byId).isEqualTo(expected);
+        assertThat(velocitiesById).isEqualTo(expectedVelocities);
+        assertThat(positions).isEqualTo(FloatBuffer.wrap(expectedPositions));
+    }
+
     /** Asks every pipeline for the positions as they are now. */
     void requestPositions() {
         requested = new float[4 * simulations[0].circles().size()];
+        requestedHandles = new long[simulations[0].circles().size()];
+        simulations[0].readings().readHandles(requestedHandles);
         // Of the first pipeline alone: the others are not to come to rest before they are asked.
         simulations[0].readings().read(requested);
         for (Simulation simulation : simulations) {
@@ -139,11 +178,34 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Takes the positions from every pipeline: those of the request. */
+    /** Takes the positions from every pipeline, by turns by id: those of the request. */
     void assertSameRequestedPositions() {
+        takeById = !takeById;
         for (Simulation simulation : simulations) {
-            assertPositions(simulation.readings().takePositions(), requested);
+            if (takeById) {
+                assertRequestedById(simulation);
+            } else {
+                assertPositions(simulation.readings().takePositions(), requested);
+            }
         }
+    }
+
+    /** Those of circles that are still there. */
+    private void assertRequestedById(Simulation simulation) {
+        long[] living = new long[handles.length / 64 + 1];
+        FloatBuffer positions = simulation.readings().takePositionsById(living);
+        float[] expected = new float[positions.limit()];
+        Arrays.fill(expected, Float.NaN);
+        long[] expectedLiving = new long[living.length];
+        for (int place = 0; place < requestedHandles.length; place++) {
+            if (simulation.circles().contains(requestedHandles[place])) {
+                int id = (int) requestedHandles[place];
+                System.arraycopy(requested, 4 * place, expected, 2 * id, 2);
+                expectedLiving[id / 64] |= 1L << id;
+            }
+        }
+        assertThat(positions).isEqualTo(FloatBuffer.wrap(expected));
+        assertThat(living).isEqualTo(expectedLiving);
     }
 
     private static void assertPositions(FloatBuffer positions, float[] circles) {
@@ -160,6 +222,18 @@ final class Twins implements AutoCloseable {
             Bounds now = simulation.bounds();
             float less = 0.01f * (now.maxX() - now.minX());
             simulation.setBounds(now.minX() + less, now.minY(), now.maxX() - less, now.maxY());
+        }
+    }
+
+    /** Moves every wall by up to a length, in or out. */
+    void moveWalls(SplittableRandom random, float most) {
+        Bounds now = simulations[0].bounds();
+        float minX = now.minX() + between(random, -most, most);
+        float minY = now.minY() + between(random, -most, most);
+        float maxX = now.maxX() + between(random, -most, most);
+        float maxY = now.maxY() + between(random, -most, most);
+        for (Simulation simulation : simulations) {
+            simulation.setBounds(minX, minY, maxX, maxY);
         }
     }
 
@@ -183,12 +257,20 @@ final class Twins implements AutoCloseable {
 
     /** Sets the number of sub-steps, by the only way there is: a restore. */
     void restoreWithSubSteps(int count) {
+        restoreWith(p -> new WorldParameters(
+                p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+    }
+
+    /** Sets how contacts are, by a restore. */
+    void restoreWith(ContactSettings contacts) {
+        restoreWith(p -> p.with(contacts));
+    }
+
+    private void restoreWith(UnaryOperator<WorldParameters> change) {
         for (Simulation simulation : simulations) {
             SavedState state = new SavedState();
             SnapshotCodec.read(snapshot(simulation), state);
-            WorldParameters p = state.parameters();
-            state.setParameters(new WorldParameters(
-                    p.bounds(), p.gravityX(), p.gravityY(), p.restitution(), count, p.previousTimeStep()));
+            state.setParameters(change.apply(state.parameters()));
             ByteBuffer changed = ByteBuffer.allocate(SnapshotCodec.bytes(state));
             SnapshotCodec.write(state, changed);
             simulation.snapshots().restore(changed.flip());
@@ -215,15 +297,29 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Puts the circle that had an id last somewhere else; a static one travels there. */
+    void move(int id, float x, float y) {
+        for (Simulation simulation : simulations) {
+            simulation.circles().move(handles[id], x, y);
+        }
+    }
+
     /** Makes some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
         Bounds bounds = simulations[0].bounds();
         int id = random.nextInt(handles.length);
         if (lives(id)) {
+            long[] twice = {handles[id], handles[id]};
+            boolean alone = random.nextBoolean();
             for (Simulation simulation : simulations) {
-                simulation.circles().remove(handles[id]);
+                if (alone) {
+                    simulation.circles().remove(handles[id]);
+                } else {
+                    assertThat(simulation.bulk().remove(twice, 2, true)).isOne();
+                }
             }
         }
+        changeSome(bounds, random);
         float r = scene.radius(random.nextInt(scene.size()));
         if (random.nextInt(4) > 0) {
             float x = between(random, bounds.minX(), bounds.maxX());
@@ -238,7 +334,7 @@ final class Twins implements AutoCloseable {
             switch (operation) {
                 case Commands.POSITION -> {
                     float x = between(random, bounds.minX(), bounds.maxX());
-                    set(operation, id, x, between(random, bounds.minY(), bounds.maxY()));
+                    move(id, x, between(random, bounds.minY(), bounds.maxY()));
                 }
                 case Commands.VELOCITY, Commands.IMPULSE ->
                     set(operation, id, between(random, -9 * r, 9 * r), between(random, -9 * r, 9 * r));
@@ -247,8 +343,29 @@ final class Twins implements AutoCloseable {
             }
         }
         for (CircleField field : CircleField.values()) {
-            for (int k = 0; k < 20; k++) {
+            for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+            }
+        }
+    }
+
+    /** Makes a change of some circles at once, of which some may be gone, and now and then an explosion. */
+    private void changeSome(Bounds bounds, SplittableRandom random) {
+        int operation = new int[] {Commands.POSITION, Commands.VELOCITY, Commands.IMPULSE}[random.nextInt(3)];
+        long[] some =
+                random.ints(5, 0, handles.length).mapToLong(id -> handles[id]).toArray();
+        float[] values = new float[2 * some.length];
+        for (int k = 0; k < values.length; k++) {
+            values[k] = k % 2 == 0
+                    ? between(random, bounds.minX(), bounds.maxX())
+                    : between(random, bounds.minY(), bounds.maxY());
+        }
+        boolean explodes = random.nextInt(50) == 0;
+        float reach = between(random, 0, bounds.maxX() - bounds.minX());
+        for (Simulation simulation : simulations) {
+            simulation.bulk().set(operation, some, some.length, values, true);
+            if (explodes) {
+                simulation.bulk().explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
             }
         }
     }

@@ -31,7 +31,10 @@ class ConstraintsTest {
                         : (impulse - mass * (0.9f * vn + 0.9f * pushOut(separation, push))) - 0.1f * impulse;
                 relaxed = separation > 0f ? next : impulse - mass * vn;
             }
-            same(Constraints.solve(impulse, mass, vn, separation, bounce, push, 240f, 45f, 0.9f, 0.1f), max(next, 0f));
+            same(
+                    Constraints.solve(
+                            impulse, mass, vn, separation, bounce, push, Tuning.DEEP_RATE, 240f, 45f, 0.9f, 0.1f),
+                    max(next, 0f));
             same(Constraints.relax(impulse, mass, vn, separation, bounce, 240f), max(relaxed, 0f));
 
             boolean impact = vn * vn > threshold;

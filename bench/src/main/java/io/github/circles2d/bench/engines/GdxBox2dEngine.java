@@ -4,8 +4,11 @@ import com.badlogic.gdx.math.Vector2;
 import com.badlogic.gdx.physics.box2d.Body;
 import com.badlogic.gdx.physics.box2d.BodyDef;
 import com.badlogic.gdx.physics.box2d.CircleShape;
+import com.badlogic.gdx.physics.box2d.Fixture;
 import com.badlogic.gdx.physics.box2d.FixtureDef;
 import com.badlogic.gdx.physics.box2d.PolygonShape;
+import com.badlogic.gdx.physics.box2d.QueryCallback;
+import com.badlogic.gdx.physics.box2d.RayCastCallback;
 import com.badlogic.gdx.physics.box2d.World;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 import io.github.circles2d.scenes.Scene;
@@ -14,7 +17,7 @@ import io.github.circles2d.scenes.Scene;
  * libGDX's binding of Box2D 2.3 (C++, one thread). Rotation locked, no friction, no sleeping, 8 velocity and 3 position
  * iterations as Box2D's manual advises; restitution does nothing below Box2D's 1 m/s.
  */
-final class GdxBox2dEngine implements Engine {
+final class GdxBox2dEngine implements SearchEngine {
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
 
@@ -28,14 +31,32 @@ final class GdxBox2dEngine implements Engine {
     private float timeStep;
     private float factor;
 
+    // the query that is being answered
+    private float searchX;
+    private float searchY;
+    private float searchRadius;
+    private long found;
+    private boolean hit;
+
     @Override
     public void load(Scene scene) {
+        load(scene, true);
+    }
+
+    @Override
+    public void loadCircles(Scene scene) {
+        load(scene, false);
+    }
+
+    private void load(Scene scene, boolean withWalls) {
         close();
         MeterScale scale = new MeterScale(scene);
         factor = (float) scale.factor;
         timeStep = scene.timeStep();
         world = new World(new Vector2(scene.gravityX() * factor, scene.gravityY() * factor), false);
-        addWalls(scale, scene.restitution());
+        if (withWalls) {
+            addWalls(scale, scene.restitution());
+        }
         bodies = new Body[scene.size()];
         for (int i = 0; i < bodies.length; i++) {
             bodies[i] = addCircle(scene, scale, i);
@@ -71,7 +92,7 @@ final class GdxBox2dEngine implements Engine {
         fixture.friction = 0;
         fixture.restitution = scene.restitution(i);
         Body body = world.createBody(def);
-        body.createFixture(fixture);
+        body.createFixture(fixture).setUserData(scene.radius(i) * factor);
         shape.dispose();
         return body;
     }
@@ -91,6 +112,53 @@ final class GdxBox2dEngine implements Engine {
             motion.vx[i] = velocity.x / factor;
             motion.vy[i] = velocity.y / factor;
         }
+    }
+
+    /** It has a search by bounding boxes only; the circles that it reports are tested here. */
+    @Override
+    public long overlaps(float[] discs) {
+        found = 0;
+        QueryCallback test = this::test;
+        for (int at = 0; at < discs.length; at += 3) {
+            searchX = discs[at] * factor;
+            searchY = discs[at + 1] * factor;
+            searchRadius = discs[at + 2] * factor;
+            world.QueryAABB(
+                    test,
+                    searchX - searchRadius,
+                    searchY - searchRadius,
+                    searchX + searchRadius,
+                    searchY + searchRadius);
+        }
+        return found;
+    }
+
+    private boolean test(Fixture fixture) {
+        if (fixture.getUserData() instanceof Float radius) {
+            Vector2 centre = fixture.getBody().getPosition();
+            float dx = centre.x - searchX;
+            float dy = centre.y - searchY;
+            float sum = radius + searchRadius;
+            found += dx * dx + dy * dy <= sum * sum ? 1 : 0;
+        }
+        return true;
+    }
+
+    @Override
+    public long rayHits(float[] rays) {
+        RayCastCallback nearest = (fixture, point, normal, fraction) -> {
+            hit = true;
+            return fraction;
+        };
+        long count = 0;
+        for (int at = 0; at < rays.length; at += 4) {
+            hit = false;
+            float x = rays[at] * factor;
+            float y = rays[at + 1] * factor;
+            world.rayCast(nearest, x, y, x + rays[at + 2] * factor, y + rays[at + 3] * factor);
+            count += hit ? 1 : 0;
+        }
+        return count;
     }
 
     @Override

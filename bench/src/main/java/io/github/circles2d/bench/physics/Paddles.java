@@ -12,6 +12,9 @@ final class Paddles {
     private static final int LANES = 64;
     private static final double[] SPEEDS = {0, 0.5, 1, 2, 5, 10};
     private static final double[] DRAGS = {0.1, 0.2, 0.5, 1, 2};
+    private static final double[] DRIVES = {0.2, 1, 2, 5, 10};
+    private static final int POSTS = 20;
+    private static final int BALLS = 120;
 
     private Paddles() {}
 
@@ -24,7 +27,8 @@ final class Paddles {
                 paddle(0.3),
                 paddle(1),
                 dragged(0.4),
-                dragged(1));
+                dragged(1),
+                crowd());
     }
 
     private static Case paddle(double ball) {
@@ -69,6 +73,46 @@ final class Paddles {
                 },
                 Measure.atMost("share that comes behind it", 0),
                 Measure.shown("at the worst speed"));
+    }
+
+    private static Case crowd() {
+        return Case.random(
+                "20 circles of r side by side that drive 60 r through 120 balls, at 0.2 to 10 r a step",
+                (physics, seed, effort) -> {
+                    Random random = new Random(seed);
+                    double total = 0;
+                    double worst = 0;
+                    for (double speed : DRIVES) {
+                        double left = leftBehind(physics, random, speed);
+                        total += left / DRIVES.length;
+                        worst = Math.max(worst, left);
+                    }
+                    return new double[] {total, worst};
+                },
+                Measure.atMost("share that comes behind them", 0),
+                Measure.shown("at the worst speed"));
+    }
+
+    private static double leftBehind(Physics physics, Random random, double radiiPerStep) {
+        double way = radiiPerStep * R;
+        try (Arena arena = physics.open(Setup.box(2 * R * POSTS, 200 * R).withFastCircles())) {
+            for (int i = 0; i < POSTS; i++) {
+                arena.add(R + 2 * R * i, 2 * R, R, Double.POSITIVE_INFINITY, 0, way / Scenery.TIME_STEP);
+            }
+            for (int i = 0; i < BALLS; i++) {
+                double r = R * (0.8 + 0.4 * random.nextDouble());
+                double x = R * (2.4 + 2.06 * (i % 18) + 0.1 * random.nextDouble());
+                double y = R * (4.6 + 2.2 * (i / 18) + 0.2 * random.nextDouble());
+                arena.add(x, y, r, Scenery.mass(r), 0, 0);
+            }
+            arena.step((int) Math.ceil(60 / radiiPerStep));
+            State state = arena.state();
+            double count = 0;
+            for (int i = 0; i < BALLS; i++) {
+                count += state.y[POSTS + i] < state.y[0] ? 1 : 0;
+            }
+            return count / BALLS;
+        }
     }
 
     /**

@@ -11,6 +11,8 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -90,6 +92,45 @@ class EnginesTest {
             assertThat(run(engine, scene, 200).hash())
                     .isEqualTo(run(engine, scene, 200).hash());
         }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"gdx-box2d", "dyn4j", "world-jvm"})
+    void enginesThatSearchFindTheSameCircles(String name) {
+        Scene scene = Scenes.packed(40, 7);
+        Random random = new Random(1);
+        float[] discs = new float[3 * 100];
+        float[] rays = new float[4 * 100];
+        long overlaps = 0;
+        for (int q = 0; q < 100; q++) {
+            float x = random.nextFloat();
+            float y = random.nextFloat();
+            float radius = 0.2f * random.nextFloat();
+            System.arraycopy(new float[] {x, y, radius}, 0, discs, 3 * q, 3);
+            System.arraycopy(new float[] {0.01f, y, 0.98f, 0}, 0, rays, 4 * q, 4); // from left of all circles
+            overlaps += overlapping(scene, x, y, radius);
+        }
+        try (SearchEngine engine = (SearchEngine) Engines.create(name)) {
+            engine.loadCircles(scene);
+            for (int repeat = 0; repeat < 2; repeat++) {
+                assertThat(engine.overlaps(discs)).isEqualTo(overlaps);
+                assertThat(engine.rayHits(rays)).isEqualTo(raysThatMeet(scene, rays));
+            }
+        }
+    }
+
+    private static long overlapping(Scene scene, float x, float y, float radius) {
+        return IntStream.range(0, scene.size())
+                .filter(i -> Math.hypot(scene.x(i) - x, scene.y(i) - y) <= scene.radius(i) + radius)
+                .count();
+    }
+
+    /** Of horizontal rays that go all the way through the arena. */
+    private static long raysThatMeet(Scene scene, float[] rays) {
+        return IntStream.range(0, rays.length / 4)
+                .filter(q -> IntStream.range(0, scene.size())
+                        .anyMatch(i -> Math.abs(scene.y(i) - rays[4 * q + 1]) <= scene.radius(i)))
+                .count();
     }
 
     @ParameterizedTest

@@ -7,6 +7,7 @@ package io.github.circles2d.world.device.memory;
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
     LEVELS("Levels", "levels", Index.STRUCT, "shape of the grids"),
+    WALLS("WallMotion", "walls", Index.STRUCT, "how walls move"),
     STATUS("int", "status", Index.STATUS, "see the defines above"),
 
     // The state between two steps.
@@ -64,7 +65,8 @@ public enum DeviceArray {
             Index.SLOT,
             "the share up to where it touches one that it has a contact with, NOT_FAST where it is not; how far it may leave its path"
                     + " then, negative at a static one"),
-    PUSHER("int", "pusher", Index.SLOT, "the slot of the static circle that pushes it, or NOBODY"),
+    CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
+    CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
     BLOCK_RANGE(
             "float4",
             "blockRange",

@@ -47,6 +47,7 @@ public final class DeviceArrays {
         this.tiled = tiled;
         allocateOnce(DeviceArray.CONSTANTS, StepParameters.CONSTANTS.words());
         allocateOnce(DeviceArray.LEVELS, StepParameters.LEVELS.words());
+        allocateOnce(DeviceArray.WALLS, StepParameters.WALLS.words());
         allocateOnce(DeviceArray.STATUS, StatusWord.WORDS);
         int circles = Math.max(capacity, LEAST_CAPACITY);
         ensureSlots(circles, 0);

@@ -3,6 +3,7 @@ package io.github.circles2d.world.device.memory;
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.WallMotion;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -35,7 +36,9 @@ public final class StepParameters {
                     "flightRestRate",
                     (k, to) -> to.put(k.flightRestRate),
                     "the same, of circles that nothing carries")
+            .field("float", "fixedThreshold", (k, to) -> to.put(k.fixedThreshold), "in place of all of these, or 0")
             .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
+            .field("float", "deepRate", (k, to) -> to.put(k.deepRate), "its gain per depth of deep overlaps")
             .field("float", "warmScale", (k, to) -> to.put(k.warmScale), "see World")
             .field("float", "minX", (k, to) -> to.put(k.bounds.minX()), "the arena")
             .field("float", "minY", (k, to) -> to.put(k.bounds.minY()), "the same")
@@ -45,6 +48,13 @@ public final class StepParameters {
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
+
+    /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
+    static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
+            .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
+            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.sweep), "in a sub-step; 0 if it goes out")
+            .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
+            .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
     static final HostStruct<GridLevels> LEVELS = new HostStruct<GridLevels>("Levels")
             .field("float", "minX", (s, to) -> to.put(s.minX), "where cells begin")
@@ -86,16 +96,27 @@ public final class StepParameters {
 
     private final int[] constants = new int[CONSTANTS.words()];
     private final int[] levels = new int[LEVELS.words()];
+    private final int[] walls = new int[WALLS.words()];
     private final int[] otherConstants = new int[CONSTANTS.words()];
     private final int[] otherLevels = new int[LEVELS.words()];
+    private final int[] otherWalls = new int[WALLS.words()];
     private final int[] sentConstants = new int[CONSTANTS.words()];
     private final int[] sentLevels = new int[LEVELS.words()];
+    private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
+    private final IntBuffer wallsView = IntBuffer.wrap(walls);
+
+    /** Nothing has been sent. */
+    public StepParameters() {
+        // No constants and no shape are all zeros. The motion of walls may be, but it has no -1 at the end.
+        Arrays.fill(sentWalls, -1);
+    }
 
     /** Takes down what the next steps are made with. */
     public void set(StepConstants k, GridLevels shape) {
         CONSTANTS.pack(k, constants);
+        WALLS.pack(k.walls, walls);
         LEVELS.pack(shape, levels);
     }
 
@@ -104,9 +125,12 @@ public final class StepParameters {
         System.arraycopy(constants, 0, otherConstants, 0, constants.length);
         System.arraycopy(levels, 0, otherLevels, 0, levels.length);
         CONSTANTS.pack(k, otherConstants);
+        WALLS.pack(k.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return Arrays.equals(constants, otherConstants) && Arrays.equals(levels, otherLevels);
+        return Arrays.equals(constants, otherConstants)
+                && Arrays.equals(levels, otherLevels)
+                && Arrays.equals(walls, otherWalls);
     }
 
     /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
@@ -129,14 +153,14 @@ public final class StepParameters {
         constants[TILED] = tiled ? 1 : 0;
     }
 
-    /** Sends both, in the order of the device's commands, where they are not there yet. */
+    /** Sends all, in the order of the device's commands, where they are not there yet. */
     public void send(DeviceArrays arrays) {
         send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
         send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
+        send(walls, wallsView, sentWalls, arrays.get(DeviceArray.WALLS));
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {
-        // No constants and no shape are all zeros.
         if (!Arrays.equals(words, sent)) {
             to.write(0, view);
             System.arraycopy(words, 0, sent, 0, words.length);

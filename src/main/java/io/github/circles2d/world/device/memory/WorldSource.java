@@ -37,6 +37,7 @@ public final class WorldSource {
                 .define("TRAVEL", Tuning.TRAVEL)
                 .define("SWEEP_RATIO", Tuning.SWEEP_RATIO)
                 .define("CLAMP_ALLOWANCE", Tuning.CLAMP_ALLOWANCE)
+                .define("RUN_OVER", Tuning.RUN_OVER)
                 .define("HOLD", Tuning.HOLD)
                 .define("ASIDE", Tuning.ASIDE)
                 .define("GRAZE", Tuning.GRAZE)

@@ -29,13 +29,14 @@ final class WorldTables {
                 "s" + CachedImpulse.AT_NEXT,
                 "the next entry of the same circle of lower id, or NONE");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
+        text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
 
     private static void commands(StringBuilder text) {
         define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next nine");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next eleven");
         define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
         define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
         define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
@@ -44,10 +45,13 @@ final class WorldTables {
         define(text, "COMMAND_MASS", Commands.MASS, "mass");
         define(text, "COMMAND_RESTITUTION", Commands.RESTITUTION, "restitution");
         define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
+        define(text, "COMMAND_DEPART", Commands.DEPART, "x, y, length of the step");
+        define(text, "COMMAND_ARRIVE", Commands.ARRIVE, "x, y");
         define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, the value");
         define(text, "COMMAND_ID", Commands.ID, "the circle's");
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
         define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
+        define(text, "COMMAND_THIRD", Commands.THIRD, "third value of a change");
         define(text, "COMMAND_ADD_X", Commands.ADD_X, "of a new circle");
         define(text, "COMMAND_ADD_Y", Commands.ADD_Y, "of a new circle");
         define(text, "COMMAND_ADD_RADIUS", Commands.ADD_RADIUS, "of a new circle");
@@ -101,6 +105,7 @@ final class WorldTables {
             text.append("    int " + count.kernelName() + "; // " + count.comment() + "\n");
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
+        text.append("    int subStep; // the one that is made, where walls may move\n");
         return text.append("} World;\n").toString();
     }
 
@@ -115,6 +120,6 @@ final class WorldTables {
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", ").append(count.kernelName());
         }
-        return text.append(", " + constants + "->warmScale }\n").toString();
+        return text.append(", " + constants + "->warmScale, 0 }\n").toString();
     }
 }

@@ -57,9 +57,9 @@ public final class ByColours implements Plan {
             return;
         }
         for (int sub = 0; sub < steps.subSteps(); sub++) {
-            integrateVelocities.run(steps.circles());
+            integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
             runByColour(levels, solve);
-            integratePositions.run(steps.circles());
+            integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
             relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0);
             runByColour(levels, relax);
         }

@@ -10,22 +10,28 @@ import io.github.circles2d.world.model.GridLevels;
  * same.
  */
 final class ContinuousCollisionStage {
+    /** Work-items of a kernel that has nothing to do in most steps. */
+    private static final int MOST_CARRY_ITEMS = 1 << 15;
+
     private final Kernel summarize;
     private final Kernel look;
-    private final Kernel push;
+    private final Kernel carryTimes;
+    private final Kernel carriers;
     private final Kernel clamp;
 
     ContinuousCollisionStage(StageKernels kernels) {
         summarize = kernels.staged("continuousCollision_summarize");
         look = kernels.staged("continuousCollision_look");
-        push = kernels.staged("continuousCollision_push");
+        carryTimes = kernels.staged("continuousCollision_carryTimes");
+        carriers = kernels.staged("continuousCollision_carriers");
         clamp = kernels.staged("continuousCollision_clamp");
     }
 
     void sweep(GridLevels levels, int circles) {
         summarize.run(DeviceArrays.cellBlocks(levels.buckets()));
         look.run(circles);
-        push.run(circles);
+        carryTimes.run(Math.min(circles, MOST_CARRY_ITEMS));
+        carriers.run(Math.min(circles, MOST_CARRY_ITEMS));
         clamp.run(circles);
     }
 }

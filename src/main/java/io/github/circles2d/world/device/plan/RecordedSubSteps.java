@@ -33,9 +33,9 @@ final class RecordedSubSteps {
                 .arg(StageKernels.own(1), touches.slots())
                 .run(2L * steps.circles());
         for (int sub = 0; sub < steps.subSteps(); sub++) {
-            integrateVelocities.arg(StageKernels.own(0), touches.slots()).run(steps.circles());
+            move(integrateVelocities, sub, steps);
             ByColours.runByColour(steps.levels(), solve.arg(StageKernels.own(2), touches.contacts()));
-            integratePositions.arg(StageKernels.own(0), touches.slots()).run(steps.circles());
+            move(integratePositions, sub, steps);
             relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0)
                     .arg(StageKernels.own(3), touches.contacts());
             ByColours.runByColour(steps.levels(), relax);
@@ -47,5 +47,11 @@ final class RecordedSubSteps {
                 .arg(StageKernels.own(3), touches.records())
                 .arg(StageKernels.own(4), touches.room())
                 .run(2L * steps.circles());
+    }
+
+    private void move(Kernel kernel, int sub, Steps steps) {
+        kernel.arg(StageKernels.own(0), sub)
+                .arg(StageKernels.own(1), stages.touches().slots())
+                .run(steps.circles());
     }
 }

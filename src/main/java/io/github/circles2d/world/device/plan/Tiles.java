@@ -81,7 +81,7 @@ public final class Tiles implements Plan {
         arrange.run(items, TileRecord.GROUP);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             solve.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
-            relax.arg(StageKernels.own(0), sub == steps.subSteps() - 1 ? 1 : 0).run(items, TileRecord.GROUP);
+            relax.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
         }
         storeImpulses.run(2L * steps.circles());
     }

@@ -29,9 +29,11 @@ class WorldTablesTest {
     @ParameterizedTest
     @MethodSource("devices")
     void theDeviceTakesTheSizesOfStructsAndElementsForWhatTheHostDoes(Device device) {
-        List<String> probed = new ArrayList<>(List.of("StepConstants", "Levels"));
-        List<Integer> onHost =
-                new ArrayList<>(List.of(4 * StepParameters.CONSTANTS.words(), 4 * StepParameters.LEVELS.words()));
+        List<String> probed = new ArrayList<>(List.of("StepConstants", "Levels", "WallMotion"));
+        List<Integer> onHost = new ArrayList<>(List.of(
+                4 * StepParameters.CONSTANTS.words(),
+                4 * StepParameters.LEVELS.words(),
+                4 * StepParameters.WALLS.words()));
         for (DeviceArray array : DeviceArray.values()) {
             if (array.index() != DeviceArray.Index.STRUCT) {
                 probed.add("*w." + array.kernelName());

@@ -1,0 +1,256 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.FloatBuffer;
+import java.util.Objects;
+
+/**
+ * A game loop with steps of one length, whatever the rate of frames: it makes the steps that are due, and gives a renderer positions
+ * in between.
+ *
+ * <pre>{@code
+ * FixedStep loop = new FixedStep(world, 1 / 60f);
+ * Runnable steer = () -> world.setVelocity(player, stick.x(), stick.y()); // your own
+ * while (running) {
+ *     loop.advance(secondsSinceTheLastFrame, steer);
+ *     FloatBuffer positions = loop.positions(null);
+ *     draw(positions.get(2 * World.id(player)), positions.get(2 * World.id(player) + 1));
+ * }
+ * }</pre>
+ *
+ * <p><b>Steps.</b> Time is saved up until it is enough for a step. A frame makes at most {@link #setMaxSteps} of them, 5 at first;
+ * whole steps that are due beyond that are dropped, and the game slows down. Otherwise steps that take longer than they last would
+ * be more in each frame. Changes of the world that a replay is to repeat belong into the Runnable: it runs before each step, so it
+ * sees the same steps at any rate of frames.
+ *
+ * <p><b>Positions</b> lie on the straight line from where a circle was before the last step to where it was after it, as far as
+ * {@link #alpha} says. So they are up to a step old, and move evenly. Both ends are taken with no change in between: a circle that a
+ * call moves elsewhere, or that is new, appears where it is and is not drawn across the screen. What a call does shows from the next
+ * step on, except for {@link World#remove}: a removed circle is gone at once.
+ *
+ * <p><b>On an OpenCL device</b> {@link #advance} does not wait for the last step, only for the positions before it; {@link
+ * #positions} waits for the step. A game that draws first and calls advance at the end of the frame does not wait there either: the
+ * next frame finds the positions, which have been copied meanwhile.
+ *
+ * <p>It uses {@link World#requestPositions}: a game that has a FixedStep leaves the requests of its world to it. All other methods of
+ * the world may be called at any time. One thread at a time uses it, as the world. Frames leave no garbage, once its memory has grown.
+ */
+public final class FixedStep {
+    private static final int MAX_STEPS = 5;
+    private static final int GREATEST_MAX_STEPS = 1000;
+    private static final float GREATEST_SPEED = 1000;
+
+    private final World world;
+    private final float timeStep;
+    private int maxSteps = MAX_STEPS;
+    private float speed = 1;
+    private long dropped;
+
+    /** Seconds that no step has made up for yet. */
+    private double saved;
+
+    /** The positions by id before the last step; those after it if there was no step. */
+    private FloatBuffer before;
+
+    /** The positions by id after the last step; null while they are requested, or not known. */
+    private FloatBuffer after;
+
+    /** Whether the positions after the last step have been requested and not taken. */
+    private boolean requested;
+
+    /** The world's number of the last request. */
+    private int request;
+
+    private float[] from = new float[0];
+    private float[] to = new float[0];
+    private FloatBuffer shown = FloatBuffer.allocate(0);
+    private FloatBuffer view = shown;
+
+    /**
+     * A loop that has saved up no time.
+     *
+     * @param world the world that makes the steps
+     * @param timeStep the length of each in seconds, 1e-6 to 1; games use 1 / 60f
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public FixedStep(World world, float timeStep) {
+        this.world = Objects.requireNonNull(world, "world");
+        this.timeStep = Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+    }
+
+    /**
+     * Sets the most steps of a frame. At first 5.
+     *
+     * @param steps 1 to 1000
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public void setMaxSteps(int steps) {
+        maxSteps = Limits.within("the number of steps", steps, 1, GREATEST_MAX_STEPS);
+    }
+
+    /**
+     * Sets how fast the time of the game goes by. The length of a step stays, so there are fewer or more of them, and positions in
+     * between keep slow motion smooth.
+     *
+     * @param factor 0 (stands still) to 1000; 1 at first, and less than 1 for slow motion
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public void setSpeed(float factor) {
+        speed = Limits.within("the speed", factor, 0, GREATEST_SPEED);
+    }
+
+    /**
+     * Makes the steps that are due.
+     *
+     * @param frameSeconds time since the last frame in seconds, at least 0 and finite
+     * @param beforeStep runs before each step; may be null. Keep one in a field: a lambda that is made in each frame may be garbage
+     * @return the number of steps made, 0 to the greatest number of a frame
+     * @throws IllegalArgumentException where the time is out of range
+     */
+    public int advance(float frameSeconds, Runnable beforeStep) {
+        Limits.within("the time of the frame", frameSeconds, 0, Float.MAX_VALUE);
+        double left = saved + (double) frameSeconds * speed;
+        int steps = 0;
+        while (left >= timeStep && steps < maxSteps) {
+            left -= timeStep;
+            steps++;
+        }
+        make(steps, beforeStep);
+        if (left >= timeStep) {
+            dropped += (long) (left / timeStep);
+            left %= timeStep;
+        }
+        saved = left;
+        return steps;
+    }
+
+    private void make(int steps, Runnable beforeStep) {
+        if (beforeStep == null && steps > 1) {
+            world.step(timeStep, steps - 1);
+        }
+        for (int k = 0; k < steps; k++) {
+            if (beforeStep != null) {
+                beforeStep.run();
+            }
+            if (k == steps - 1) {
+                makeLast();
+            } else if (beforeStep != null) {
+                world.step(timeStep);
+            }
+        }
+    }
+
+    /** Makes a step, and has the positions before and after it copied. */
+    private void makeLast() {
+        forget();
+        world.requestPositions();
+        world.step(timeStep);
+        FloatBuffer taken = world.takePositionsById(null); // waits for steps before this one alone
+        request();
+        before = taken;
+    }
+
+    private void request() {
+        world.requestPositions();
+        request = world.positionRequests();
+        requested = true;
+    }
+
+    private void forget() {
+        before = null;
+        after = null;
+        requested = false;
+    }
+
+    /**
+     * Starts again from the world as it is: no time is saved up, and {@link #positions} are those of now until the next step. Call
+     * this after {@link World#restore}, and when a level has been built.
+     */
+    public void reset() {
+        forget();
+        saved = 0;
+    }
+
+    /**
+     * How far the positions are on the way from before the last step to after it.
+     *
+     * @return 0 (before) to 1 (after)
+     */
+    public float alpha() {
+        return (float) (saved / timeStep);
+    }
+
+    /**
+     * The number of steps that were due and have been dropped, since more would have been made in a frame than are allowed.
+     *
+     * @return at least 0
+     */
+    public long droppedSteps() {
+        return dropped;
+    }
+
+    /**
+     * The positions to draw, by id: element 2 k is x of the circle with the id k ({@link World#id}), and the one behind it is y. NaN
+     * are those of ids that no circle has, or one that has been added since the last step. Before the first step, the positions are
+     * those of now.
+     *
+     * @param living takes a bit for each id, 1 if there is a position: id k is bit k % 64 of element k / 64. Further bits become 0.
+     *     It has an element for each 64 of {@link World#idLimit}, or more; may be null
+     * @return two elements an id, from position 0 to the limit, in direct memory of the loop's own. Read-only, and often the same
+     *     object: the next call overwrites it
+     * @throws IllegalArgumentException where the array is too short
+     * @throws IllegalStateException where the game has requested positions of its own since the last step
+     */
+    public FloatBuffer positions(long[] living) {
+        take();
+        int length = after.limit();
+        ensure(length);
+        before.get(0, from, 0, length);
+        after.get(0, to, 0, length);
+        float alpha = alpha();
+        for (int k = 0; k < length; k++) {
+            to[k] = from[k] + (to[k] - from[k]) * alpha;
+        }
+        shown.put(0, to, 0, length);
+        world.markGone(shown, living);
+        return view.clear().limit(length);
+    }
+
+    private void take() {
+        if (after == null || before == after) {
+            if (!requested) {
+                before = null;
+                request();
+            }
+            requireOwnRequest();
+            requested = false;
+            after = world.takePositionsById(null);
+            if (before == null) {
+                before = after;
+            }
+        }
+        requireOwnRequest();
+    }
+
+    private void requireOwnRequest() {
+        if (world.positionRequests() != request) {
+            throw new IllegalStateException("the world's positions have been requested since the last step:"
+                    + " leave requestPositions to the FixedStep, or call reset");
+        }
+    }
+
+    private void ensure(int length) {
+        if (to.length < length) {
+            int room = length + (length >> 1);
+            FloatBuffer larger = ByteBuffer.allocateDirect(Float.BYTES * room)
+                    .order(ByteOrder.nativeOrder())
+                    .asFloatBuffer();
+            from = new float[room];
+            view = larger.asReadOnlyBuffer();
+            shown = larger;
+            to = new float[room];
+        }
+    }
+}

@@ -1,0 +1,332 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Searches;
+import io.github.circles2d.world.queries.CastSearch;
+
+/**
+ * Questions about where the circles of a {@link World} are: which overlap a disc or a box, which is at a point, which are nearest,
+ * and which a ray or a moving disc meets. {@link World#queries} gives this object.
+ *
+ * <pre>{@code
+ * Queries queries = world.queries();
+ * long[] near = new long[64];
+ * int count = queries.overlapCircle(40, 50, 5, near); // all that touch a disc of radius 5 at (40, 50)
+ * for (int k = 0; k < Math.min(count, near.length); k++) {
+ *     world.applyImpulse(near[k], 0, 10);
+ * }
+ * long under = queries.pick(mouseX, mouseY); // 0 if there is no circle
+ * float[] hit = new float[Queries.HIT_STRIDE];
+ * long target = queries.rayCast(40, 50, 100, 0, hit); // from (40, 50) to (140, 50)
+ * }</pre>
+ *
+ * <p><b>Circles</b> are where they are now: changes that wait for the next step count (circles that were added, removed, moved or
+ * resized). Static circles are found like all others; the walls are not. Queries change nothing, and can be made at any time
+ * between two steps.
+ *
+ * <p><b>Results</b> are handles in the caller's arrays; nothing is allocated once the world's own arrays have grown. Their order is
+ * defined, and so is every bit: overlaps come by id, the lowest first; casts by distance, then by id; the nearest by distance,
+ * then by id. A query that finds all circles returns how many there are. If the array is shorter, it holds the first of them; an
+ * array of length 0 only counts.
+ *
+ * <p><b>Batches:</b> every query has a form that takes many at once, one after the other in an array of floats, of which it takes
+ * the first n. It answers as n single calls would. A form that finds all circles writes the results of all queries one after the
+ * other: those of query q begin at element ends[q - 1] of the handles (0 for the first) and end before element ends[q]. It returns
+ * ends[n - 1]. If the handles are too short, ends still count all results.
+ *
+ * <p><b>Exactness:</b> tests compute in double precision from the floats that {@link World#read} gives, and what touches exactly
+ * counts: a disc of radius R overlaps a circle of radius r if dx * dx + dy * dy &lt;= (r + R) * (r + R). So the results are the same
+ * on every back end, and the same as if all circles were tested.
+ *
+ * <p><b>Cost:</b> the first query after a step or a change reads all circles, as {@link World#x} does, and builds an index on the
+ * calling thread; later ones use both. On an OpenCL device that waits for the steps and copies 16 bytes a circle, so make the
+ * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
+ * circle.
+ *
+ * <p><b>Misuse:</b> coordinates, radii and lengths may be any finite floats, in the units of the world; radii are at least 0. A
+ * query with other values throws an IllegalArgumentException that names the value (in a batch, the query too, and what the arrays
+ * then hold is undefined), as does an array that is too short where no rule above says otherwise. The rules of {@link World} for
+ * threads, for failures and for closed worlds hold here too.
+ */
+public final class Queries {
+    /** Elements of a hit: {@link #DISTANCE}, {@link #X}, {@link #Y}, {@link #NORMAL_X}, {@link #NORMAL_Y}. */
+    public static final int HIT_STRIDE = CastSearch.HIT_STRIDE;
+
+    /** In a hit: how far along its path the ray or the disc meets the circle, a length; 0 if it begins in it or at its edge. */
+    public static final int DISTANCE = CastSearch.DISTANCE;
+
+    /** In a hit: x of the ray's end, or of the centre of the disc, when it meets the circle. */
+    public static final int X = CastSearch.X;
+
+    /** In a hit: y of the ray's end, or of the centre of the disc, when it meets the circle. */
+    public static final int Y = CastSearch.Y;
+
+    /**
+     * In a hit: x of the unit vector from the centre of the circle to ({@link #X}, {@link #Y}). If both are one point, the vector points
+     * against the path, and up if the path has length 0.
+     */
+    public static final int NORMAL_X = CastSearch.NORMAL_X;
+
+    /** In a hit: y of that vector. */
+    public static final int NORMAL_Y = CastSearch.NORMAL_Y;
+
+    private final Searches searches;
+
+    Queries(Searches searches) {
+        this.searches = searches;
+    }
+
+    // ---- overlaps
+    // ----------------------------------------------------------------------------------------------------
+
+    /**
+     * Finds the circles that a disc overlaps or touches.
+     *
+     * @param x x of its centre
+     * @param y y of its centre
+     * @param radius its radius, at least 0; 0 for the circles at a point
+     * @param handles takes their handles, the lowest id first; only the first ones if it is too short
+     * @return how many there are, which may be more than the array takes
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public int overlapCircle(float x, float y, float radius, long[] handles) {
+        return searches.disc(x, y, radius, handles);
+    }
+
+    /**
+     * Finds the circles that each of many discs overlaps or touches. See the class for batches.
+     *
+     * @param discs x, y and radius of one after the other
+     * @param n number of discs, at least 0
+     * @param ends takes where the handles of each end; at least n elements
+     * @param handles takes the handles
+     * @return how many there are for all discs together
+     * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
+     */
+    public int overlapCircle(float[] discs, int n, int[] ends, long[] handles) {
+        return searches.discs(discs, n, ends, handles);
+    }
+
+    /**
+     * Finds the circles that a box overlaps or touches; its sides are parallel to the axes.
+     *
+     * @param minX left side
+     * @param minY lower side
+     * @param maxX right side, at least minX
+     * @param maxY upper side, at least minY
+     * @param handles takes their handles, the lowest id first; only the first ones if it is too short
+     * @return how many there are, which may be more than the array takes
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public int overlapBox(float minX, float minY, float maxX, float maxY, long[] handles) {
+        return searches.box(minX, minY, maxX, maxY, handles);
+    }
+
+    /**
+     * Finds the circles that each of many boxes overlaps or touches. See the class for batches.
+     *
+     * @param boxes minX, minY, maxX and maxY of one after the other
+     * @param n number of boxes, at least 0
+     * @param ends takes where the handles of each end; at least n elements
+     * @param handles takes the handles
+     * @return how many there are for all boxes together
+     * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
+     */
+    public int overlapBox(float[] boxes, int n, int[] ends, long[] handles) {
+        return searches.boxes(boxes, n, ends, handles);
+    }
+
+    // ---- points
+    // ------------------------------------------------------------------------------------------------------
+
+    /**
+     * Finds the circle at a point, as under a mouse. Of several that overlap there it takes the one whose centre is nearest, and of
+     * several such ones that of the lowest id. A point on the edge of a circle is in it.
+     *
+     * @param x x of the point
+     * @param y y of the point
+     * @return the handle, or 0 if there is no circle
+     * @throws IllegalArgumentException if a value is not finite
+     */
+    public long pick(float x, float y) {
+        return searches.pick(x, y);
+    }
+
+    /**
+     * Finds the circle at each of many points.
+     *
+     * @param points x and y of one after the other
+     * @param n number of points, at least 0
+     * @param handles takes the handle of each, or 0; at least n elements
+     * @return at how many of them there is a circle
+     * @throws IllegalArgumentException if a value is not finite, or an array is too short
+     */
+    public int pick(float[] points, int n, long[] handles) {
+        return searches.picks(points, n, handles);
+    }
+
+    /**
+     * Finds the circles nearest to a point. What counts is the distance from the point to their edges, which is negative inside.
+     *
+     * @param x x of the point
+     * @param y y of the point
+     * @param within greatest distance, at least 0; positive infinity for any. The circles that count are those that a disc of
+     *     this radius overlaps or touches
+     * @param most how many circles to find, at least 1
+     * @param handles takes their handles, by distance, then by id; at least as many elements as there may be circles
+     * @param distances takes their distances, likewise; may be null
+     * @return how many were found
+     * @throws IllegalArgumentException if a value is out of range, or an array is too short
+     */
+    public int nearest(float x, float y, float within, int most, long[] handles, float[] distances) {
+        return searches.nearest(x, y, within, most, handles, distances);
+    }
+
+    /**
+     * Finds the circles nearest to each of many points. Those of point q begin at element q * most of the arrays.
+     *
+     * @param points x and y of one after the other
+     * @param n number of points, at least 0
+     * @param within greatest distance, at least 0; positive infinity for any
+     * @param most how many circles to find for each, at least 1
+     * @param handles takes their handles, by distance, then by id, and then 0 up to the number that may be found; at least
+     *     n * most elements
+     * @param distances takes their distances, and then positive infinity, likewise; may be null
+     * @return how many were found for all points together
+     * @throws IllegalArgumentException if a value is out of range, or an array is too short
+     */
+    public int nearest(float[] points, int n, float within, int most, long[] handles, float[] distances) {
+        return searches.nearest(points, n, within, most, handles, distances);
+    }
+
+    // ---- rays
+    // --------------------------------------------------------------------------------------------------------
+
+    /**
+     * Finds the first circle that a ray meets.
+     *
+     * @param x x of its start
+     * @param y y of its start
+     * @param dx how far it reaches along x
+     * @param dy how far it reaches along y
+     * @param hit takes {@link #HIT_STRIDE} elements; if there is no hit, the length of the ray, its end and a normal of 0 (infinite
+     *     where that is more than a float holds). May be null
+     * @return the handle, or 0 if the ray meets none; of several at the same distance that of the lowest id
+     * @throws IllegalArgumentException if a value is not finite, or the array is too short
+     */
+    public long rayCast(float x, float y, float dx, float dy, float[] hit) {
+        return searches.cast(x, y, 0, dx, dy, hit);
+    }
+
+    /**
+     * Finds the first circle that each of many rays meets.
+     *
+     * @param rays x, y, dx and dy of one after the other
+     * @param n number of rays, at least 0
+     * @param handles takes the handle of each first circle, or 0; at least n elements
+     * @param hits takes a hit for each ray, with or without a circle, as {@link #rayCast(float, float, float, float, float[])}
+     *     does; may be null
+     * @return how many rays meet a circle
+     * @throws IllegalArgumentException if a value is not finite, or an array is too short
+     */
+    public int rayCast(float[] rays, int n, long[] handles, float[] hits) {
+        return searches.casts(rays, n, Searches.RAY, handles, hits);
+    }
+
+    /**
+     * Finds all circles that a ray meets.
+     *
+     * @param x x of its start
+     * @param y y of its start
+     * @param dx how far it reaches along x
+     * @param dy how far it reaches along y
+     * @param handles takes their handles, by distance, then by id; only the first ones if it is too short
+     * @param hits takes their hits, {@link #HIT_STRIDE} elements each; only the first ones, and only as many handles, if it is too
+     *     short; may be null
+     * @return how many there are, which may be more than the arrays take
+     * @throws IllegalArgumentException if a value is not finite
+     */
+    public int rayCastAll(float x, float y, float dx, float dy, long[] handles, float[] hits) {
+        return searches.castAll(x, y, 0, dx, dy, handles, hits);
+    }
+
+    /**
+     * Finds all circles that each of many rays meets. See the class for batches.
+     *
+     * @param rays x, y, dx and dy of one after the other
+     * @param n number of rays, at least 0
+     * @param ends takes where the handles of each end; at least n elements
+     * @param handles takes the handles
+     * @param hits takes the hits, {@link #HIT_STRIDE} elements each; may be null
+     * @return how many there are for all rays together
+     * @throws IllegalArgumentException if a value is not finite, or there are more than 2^31 - 1 results
+     */
+    public int rayCastAll(float[] rays, int n, int[] ends, long[] handles, float[] hits) {
+        return searches.castsAll(rays, n, Searches.RAY, ends, handles, hits);
+    }
+
+    // ---- casts of discs
+    // ----------------------------------------------------------------------------------------------
+
+    /**
+     * Finds the first circle that a moving disc meets.
+     *
+     * @param x x of its centre at the start
+     * @param y y of its centre at the start
+     * @param radius its radius, at least 0
+     * @param dx how far it moves along x
+     * @param dy how far it moves along y
+     * @param hit takes {@link #HIT_STRIDE} elements, as for a ray; may be null
+     * @return the handle, or 0 if the disc meets none; of several at the same distance that of the lowest id
+     * @throws IllegalArgumentException if a value is out of range, or the array is too short
+     */
+    public long circleCast(float x, float y, float radius, float dx, float dy, float[] hit) {
+        return searches.cast(x, y, radius, dx, dy, hit);
+    }
+
+    /**
+     * Finds the first circle that each of many moving discs meets.
+     *
+     * @param casts x, y, radius, dx and dy of one after the other
+     * @param n number of discs, at least 0
+     * @param handles takes the handle of each first circle, or 0; at least n elements
+     * @param hits takes a hit for each disc, with or without a circle, as for rays; may be null
+     * @return how many discs meet a circle
+     * @throws IllegalArgumentException if a value is out of range, or an array is too short
+     */
+    public int circleCast(float[] casts, int n, long[] handles, float[] hits) {
+        return searches.casts(casts, n, Searches.DISC_CAST, handles, hits);
+    }
+
+    /**
+     * Finds all circles that a moving disc meets; it passes through them.
+     *
+     * @param x x of its centre at the start
+     * @param y y of its centre at the start
+     * @param radius its radius, at least 0
+     * @param dx how far it moves along x
+     * @param dy how far it moves along y
+     * @param handles takes their handles, by distance, then by id; only the first ones if it is too short
+     * @param hits takes their hits, {@link #HIT_STRIDE} elements each; only the first ones, and only as many handles, if it is too
+     *     short; may be null
+     * @return how many there are, which may be more than the arrays take
+     * @throws IllegalArgumentException if a value is out of range
+     */
+    public int circleCastAll(float x, float y, float radius, float dx, float dy, long[] handles, float[] hits) {
+        return searches.castAll(x, y, radius, dx, dy, handles, hits);
+    }
+
+    /**
+     * Finds all circles that each of many moving discs meets. See the class for batches.
+     *
+     * @param casts x, y, radius, dx and dy of one after the other
+     * @param n number of discs, at least 0
+     * @param ends takes where the handles of each end; at least n elements
+     * @param handles takes the handles
+     * @param hits takes the hits, {@link #HIT_STRIDE} elements each; may be null
+     * @return how many there are for all discs together
+     * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
+     */
+    public int circleCastAll(float[] casts, int n, int[] ends, long[] handles, float[] hits) {
+        return searches.castsAll(casts, n, Searches.DISC_CAST, ends, handles, hits);
+    }
+}

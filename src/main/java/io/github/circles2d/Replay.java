@@ -1,0 +1,121 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.LogPlayer;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.Objects;
+
+/**
+ * Makes the calls of a {@link Recording} again, step by step, and compares the hashes of the state with those in the log.
+ *
+ * <pre>{@code
+ * try (InputStream in = new BufferedInputStream(Files.newInputStream(file))) {
+ *     Replay replay = new Replay(in, world);
+ *     while (replay.step()) {
+ *         draw(world);
+ *     }
+ *     if (replay.differs()) {
+ *         log.warning(replay.difference());
+ *     }
+ * }
+ * }</pre>
+ *
+ * <p><b>The world</b> may be any, on any back end: its own state gives way to that of the log. It may be read, drawn and queried between
+ * steps, and a replay that is not played to its end leaves a world to go on with. Changes make it differ.
+ *
+ * <p><b>The log</b> may come from anywhere: it is checked as it is read, its calls are checked as all calls are, and it takes no more
+ * memory than it has bytes. What is no log, or is damaged or cut off, throws an IllegalArgumentException that names the step; the world is
+ * then what the calls before have made it. A version of the library whose physics are others replays an old log to other states, and {@link
+ * #differs} says so.
+ */
+public final class Replay {
+    private final LogPlayer player;
+
+    /**
+     * Makes a world what it was when the recording began.
+     *
+     * @param in a log from its beginning; it is not closed
+     * @param world makes the calls
+     * @throws IOException where the stream fails
+     * @throws IllegalArgumentException where this is no log
+     */
+    public Replay(InputStream in, World world) throws IOException {
+        Objects.requireNonNull(in, "in");
+        player = new LogPlayer(in, Objects.requireNonNull(world, "world").simulation());
+    }
+
+    /**
+     * Makes the next step, and the changes before it. Several steps of one call are made one by one.
+     *
+     * @return false where the log has come to its end, and only changes were left
+     * @throws IOException where the stream fails
+     * @throws IllegalArgumentException where the log is damaged or cut off
+     */
+    public boolean step() throws IOException {
+        return player.step();
+    }
+
+    /**
+     * Makes all steps that are left.
+     *
+     * @return this
+     * @throws IOException where the stream fails
+     * @throws IllegalArgumentException where the log is damaged or cut off
+     */
+    public Replay run() throws IOException {
+        while (player.step()) {
+            // the step has been made
+        }
+        return this;
+    }
+
+    /**
+     * The number of steps made.
+     *
+     * @return at least 0
+     */
+    public long steps() {
+        return player.steps();
+    }
+
+    /**
+     * Whether some hash so far was not that of the log.
+     *
+     * @return true where the replay has left the recording
+     */
+    public boolean differs() {
+        return player.differsAt() >= 0;
+    }
+
+    /**
+     * The first step after which the hash was not that of the log. It is the step that went another way if the recording has a hash for
+     * each step. Else that is one of those after {@link #equalUpTo}.
+     *
+     * @return the number of the step, from 1 on; 0 where the states differ from the start; -1 where no hash has differed
+     */
+    public long firstDifference() {
+        return player.differsAt();
+    }
+
+    /**
+     * The last step, before any difference, after which the hash was that of the log.
+     *
+     * @return the number of the step; 0 where there is none
+     */
+    public long equalUpTo() {
+        return player.equalUpTo();
+    }
+
+    /**
+     * The first difference, for people.
+     *
+     * @return a sentence with the step and both hashes
+     */
+    public String difference() {
+        if (!differs()) {
+            return "no difference in " + steps() + " steps";
+        }
+        String hashes = String.format("the hash is %016x, not %016x as recorded", player.hash(), player.recordedHash());
+        return "step " + firstDifference() + " differs: " + hashes + "; the last equal hash is of step " + equalUpTo();
+    }
+}

@@ -1,0 +1,127 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Snapshots;
+import io.github.circles2d.world.circles.SnapshotRing;
+import io.github.circles2d.world.model.Limits;
+import java.util.Objects;
+
+/**
+ * The last frames of a world, to go back to: for rollback netcode, for a key that rewinds, for a search that tries moves.
+ *
+ * <pre>{@code
+ * Rewind rewind = new Rewind(world, 600);
+ * rewind.save(frame);          // before the frame's changes and steps
+ * ...
+ * rewind.restore(frame - 10);  // the world is as it was when this frame was saved
+ * }</pre>
+ *
+ * <p><b>Frames</b> have numbers of the caller's, which ascend; there may be gaps. {@link #save} drops the frames whose numbers are not
+ * lower than its own, and the oldest one if there is no place. {@link #restore} drops none, so a player may scrub to and fro. A game
+ * that rolls back restores a frame, repeats the frames since with what it knows now, and saves each of them again.
+ *
+ * <p><b>State.</b> A restored world goes on to the same bits as it did before, on every back end. All that {@link World#restore}
+ * brings back comes back, parameters such as gravity and the bounds too.
+ *
+ * <p><b>Handles</b> are those of the frame. Handles of circles that have been removed since are valid again. Those that have been given
+ * since are stale, until the world gives the same ones again: it repeats its handles as it repeats its bits, so machines that roll
+ * back differently agree on them. So a game's own data that hold handles belong to the frame too: save and restore them with it.
+ *
+ * <p><b>Cost.</b> A frame takes 33 bytes a circle and 5 or 6 a contact that presses. 1,000 circles in a dense heap take 49 KB a frame,
+ * and 600 frames 30 MB. On the JVM, on one core of an AMD EPYC, {@link #save} takes 0.05 to 0.07 ms for them and {@link #restore} 0.04 ms, and
+ * neither leaves garbage once the memory of the frames has grown. (A frame whose time step, gravity or bounds differ from those of the
+ * last one leaves some 50 bytes.) On an OpenCL device each waits for the device, copies the whole state and allocates for it.
+ *
+ * <p>One thread at a time uses it, as the world.
+ */
+public final class Rewind {
+    private static final int GREATEST_FRAMES = 1 << 20;
+
+    private final Snapshots snapshots;
+    private final SnapshotRing ring;
+
+    /**
+     * No frames yet. Memory comes as frames are saved.
+     *
+     * @param world the world
+     * @param frames how many frames to keep, 1 to 1,048,576
+     * @throws IllegalArgumentException where the number is out of range
+     */
+    public Rewind(World world, int frames) {
+        snapshots = Objects.requireNonNull(world, "world").simulation().snapshots();
+        ring = new SnapshotRing(Limits.within("the number of frames", frames, 1, GREATEST_FRAMES));
+    }
+
+    /**
+     * Saves the world as it is. Frames from this number on are dropped, and the oldest one if there is no place.
+     *
+     * @param frame the number of the frame
+     */
+    public void save(int frame) {
+        snapshots.save(ring, frame);
+    }
+
+    /**
+     * Makes the world what it was when a frame was saved. All frames stay.
+     *
+     * @param frame the number of the frame
+     * @throws IllegalArgumentException where the frame is not there (any more); the message has the range of those that are
+     */
+    public void restore(int frame) {
+        snapshots.restore(ring, frame);
+    }
+
+    /**
+     * Whether a frame can be restored.
+     *
+     * @param frame the number of the frame
+     * @return false where it has not been saved, or has been dropped
+     */
+    public boolean has(int frame) {
+        return ring.has(frame);
+    }
+
+    /**
+     * The number of frames that can be restored.
+     *
+     * @return at least 0, at most what the constructor was told
+     */
+    public int size() {
+        return ring.size();
+    }
+
+    /**
+     * The oldest frame that can be restored.
+     *
+     * @return its number
+     * @throws IllegalStateException where there is none
+     */
+    public int oldest() {
+        return frame(0);
+    }
+
+    /**
+     * The newest frame that can be restored.
+     *
+     * @return its number
+     * @throws IllegalStateException where there is none
+     */
+    public int newest() {
+        return frame(ring.size() - 1);
+    }
+
+    private int frame(int k) {
+        if (ring.size() == 0) {
+            throw new IllegalStateException("no frame has been saved");
+        }
+        return ring.frame(k);
+    }
+
+    /**
+     * Memory of the frames.
+     *
+     * @return bytes
+     */
+    public long bytes() {
+        return ring.bytes();
+    }
+}

@@ -1,0 +1,246 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.log.LogWriter;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+
+/**
+ * Tells a log what changes the world, while there is one. The waiting {@link Commands} are written as they are, whatever call has made
+ * them; all other calls write a row of {@link LoggedCall} before they change the state. Without a log, a call costs a comparison.
+ */
+public final class Journal {
+    private final Simulation simulation;
+    private final Guard guard;
+    private final Commands commands;
+
+    /** Null while nothing is recorded. */
+    private LogWriter log;
+
+    private int hashEvery;
+    private long sinceHash;
+    private long steps;
+
+    /** Whether a step is in the log and is being made. If it stays true, the step was not made. */
+    private boolean stepping;
+
+    /** How many of the waiting commands are in the log. Whoever clears them sets it to 0. */
+    int logged;
+
+    /** Room for a snapshot on its way. */
+    private ByteBuffer snapshot = ByteBuffer.allocate(0);
+
+    Journal(Simulation simulation) {
+        this.simulation = simulation;
+        guard = simulation.guard;
+        commands = simulation.commands;
+    }
+
+    /**
+     * Begins a log with a snapshot of now.
+     *
+     * @param out where to; is not closed
+     * @param every steps between two hashes
+     */
+    public void start(OutputStream out, int every) throws IOException {
+        guard.enter();
+        try {
+            if (log != null) {
+                throw new IllegalStateException("this World is being recorded already");
+            }
+            SavedState now = simulation.snapshots().now();
+            LogWriter writer = new LogWriter(out, every);
+            write(now, writer);
+            if (writer.failure() instanceof IOException e) {
+                throw e;
+            }
+            hashEvery = every;
+            sinceHash = 0;
+            steps = 0;
+            logged = 0;
+            stepping = false;
+            log = writer;
+            writeHash();
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Ends the log, with a last hash if the state is there. Also if the simulation has been closed. */
+    public void stop() throws IOException {
+        guard.takeTurn();
+        try {
+            LogWriter last = log;
+            if (last != null) {
+                try {
+                    if (guard.holds()) {
+                        simulation.applyCommands();
+                        writeHash();
+                    }
+                } finally {
+                    log = null;
+                    last.close();
+                }
+            }
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Steps in the log. */
+    public long steps() {
+        return steps;
+    }
+
+    /** Bytes of the log; 0 if there is none. */
+    public long bytes() {
+        return log == null ? 0 : log.bytes();
+    }
+
+    /** Whether a log could not be written on. */
+    public boolean hasFailed() {
+        return log != null && log.failure() != null;
+    }
+
+    /** Writes the commands that wait and are not in the log. */
+    void writeCommands() {
+        if (log != null) {
+            while (logged < commands.count()) {
+                write(logged);
+                logged++;
+            }
+        }
+    }
+
+    private void write(int record) {
+        int at = Commands.STRIDE * record;
+        int operation = commands.operation(record);
+        int id = commands.id(record);
+        if (operation == Commands.FIELD) {
+            CircleField field = CircleField.OF_STEPS.get(commands.records()[at + Commands.FIRST]);
+            writeField(field, id, commands.records()[at + Commands.SECOND]);
+            return;
+        }
+        if (operation == Commands.DEPART || operation == Commands.ARRIVE) {
+            return; // a replay makes them, too
+        }
+        int values = Commands.values(operation);
+        log.begin(operation, 1 + values);
+        log.word(id);
+        for (int k = 0; k < values; k++) {
+            log.word(commands.records()[at + Commands.FIRST + k]);
+        }
+        log.end();
+    }
+
+    private void writeField(CircleField field, int id, long value) {
+        log.begin(LoggedCall.FIELD.number, LoggedCall.FIELD.words);
+        log.word(field.number());
+        log.word(id);
+        log.word((int) value);
+        log.word((int) (value >> Integer.SIZE));
+        log.end();
+    }
+
+    /** A field that steps do not read, and which is no command, is to change. */
+    void field(CircleField field, int id, long value) {
+        if (log != null) {
+            writeCommands();
+            writeField(field, id, value);
+        }
+    }
+
+    /** A static circle is to travel. */
+    void travel(int id, float x, float y) {
+        call(LoggedCall.TRAVEL, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
+    /** A call of two words is to change the world. */
+    void call(LoggedCall call, int a, int b) {
+        call(call, a, b, 0, 0);
+    }
+
+    /** A call of up to four words is to change the world. */
+    void call(LoggedCall call, int a, int b, int c, int d) {
+        if (log != null) {
+            writeCommands();
+            if (stepping) {
+                log.fail(new IllegalStateException("a step in it could not be made"));
+            }
+            log.begin(call.number, call.words);
+            for (int k = 0; k < call.words; k++) {
+                log.word(k == 0 ? a : k == 1 ? b : k == 2 ? c : d);
+            }
+            log.end();
+        }
+    }
+
+    /** A call of floats is to change the world. */
+    void call(LoggedCall call, float a, float b, float c, float d) {
+        call(
+                call,
+                Float.floatToRawIntBits(a),
+                Float.floatToRawIntBits(b),
+                Float.floatToRawIntBits(c),
+                Float.floatToRawIntBits(d));
+    }
+
+    /** A saved state is to take the place of all that is, and of the commands that wait. */
+    void restore(SavedState state) {
+        if (log != null) {
+            write(state, log);
+        }
+    }
+
+    private void write(SavedState state, LogWriter to) {
+        int length = SnapshotCodec.bytes(state);
+        if (snapshot.capacity() < length) {
+            snapshot = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
+        }
+        SnapshotCodec.writeAtStart(state, snapshot.clear());
+        to.snapshot(snapshot.array(), length);
+    }
+
+    /** Steps are to be made. If they cannot be made, the log ends. */
+    void step(float timeStep, int count) {
+        if (log != null) {
+            call(LoggedCall.STEP, Float.floatToRawIntBits(timeStep), count);
+            stepping = true;
+        }
+    }
+
+    /** Steps have been made. */
+    void stepped(int count) {
+        if (log != null) {
+            stepping = false;
+            steps += count;
+            sinceHash += count;
+            if (sinceHash >= hashEvery) {
+                writeHash();
+            }
+        }
+    }
+
+    /** Writes the hash of now. A read that lacks memory ends the log, and not the step that it follows. */
+    private void writeHash() {
+        sinceHash = 0;
+        try {
+            long hash = simulation.currentHash();
+            call(LoggedCall.HASH, (int) hash, (int) (hash >> Integer.SIZE));
+        } catch (RuntimeException | Error e) {
+            if (guard.changing || simulation.pipeline.isLostBy(e)) {
+                throw e;
+            }
+            log.fail(e);
+        }
+    }
+}

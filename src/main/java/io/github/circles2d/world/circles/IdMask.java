@@ -1,0 +1,144 @@
+package io.github.circles2d.world.circles;
+
+import java.nio.FloatBuffer;
+import java.util.Arrays;
+
+/**
+ * A set of ids, and what it says of values that lie by id: which of them are those of a circle. It has a bit for each id: id k is
+ * bit k % 64 of word k / 64.
+ */
+public final class IdMask {
+    private static final int WORD_SHIFT = 6;
+    private static final int IDS_IN_WORD = 1 << WORD_SHIFT;
+
+    /** Values from which on a bulk copy is faster than one by one. */
+    private static final int LONG_RUN = 64;
+
+    private long[] words = new long[0];
+    private int end;
+
+    /** No ids. */
+    public IdMask() {}
+
+    /**
+     * The elements of an array with a bit for each id.
+     *
+     * @param end one more than the greatest id
+     * @return a number of words
+     */
+    public static int words(int end) {
+        return (end + IDS_IN_WORD - 1) >>> WORD_SHIFT;
+    }
+
+    /**
+     * Takes the ids that belong to circles.
+     *
+     * @param handles knows them; not kept
+     */
+    public void copy(HandleTable handles) {
+        words = handles.copyLiving(words);
+        end = handles.end();
+    }
+
+    /**
+     * The ids that may be in the set are less.
+     *
+     * @return one more than the greatest id there was
+     */
+    public int end() {
+        return end;
+    }
+
+    /** Whether an id is in the set. */
+    public boolean has(int id) {
+        return id < end && (words[id >>> WORD_SHIFT] >>> id & 1) != 0;
+    }
+
+    /** Takes an id out, if it is in the set. */
+    void remove(int id) {
+        if (id < end) {
+            words[id >>> WORD_SHIFT] &= ~(1L << id);
+        }
+    }
+
+    /**
+     * Copies the bits.
+     *
+     * @param to takes them; its further elements become 0
+     */
+    public void copyTo(long[] to) {
+        int used = words(end);
+        System.arraycopy(words, 0, to, 0, used);
+        Arrays.fill(to, used, to.length, 0);
+    }
+
+    /**
+     * Moves the values of the ids in the set together, in place.
+     *
+     * @param values values by id
+     * @param each values of an id
+     */
+    public void closeGaps(FloatBuffer values, int each) {
+        int written = 0;
+        for (int id = 0; id < end; ) {
+            if (!has(id)) {
+                id++;
+                continue;
+            }
+            int first = id;
+            while (has(id)) {
+                id++;
+            }
+            int length = (id - first) * each;
+            move(values, first * each, written, length);
+            written += length;
+        }
+    }
+
+    private static void move(FloatBuffer values, int from, int to, int length) {
+        if (length >= LONG_RUN) {
+            values.put(to, values, from, length);
+        } else if (from != to) {
+            for (int k = 0; k < length; k++) {
+                values.put(to + k, values.get(from + k));
+            }
+        }
+    }
+
+    /**
+     * Makes the values of the ids that are not in the set NaN.
+     *
+     * @param values values by id
+     * @param each values of an id
+     */
+    public void markGaps(FloatBuffer values, int each) {
+        for (int word = 0; word < words(end); word++) {
+            for (long free = ~words[word]; free != 0; free &= free - 1) {
+                int id = (word << WORD_SHIFT) + Long.numberOfTrailingZeros(free);
+                for (int k = each * id; k < each * (id + 1) && id < end; k++) {
+                    values.put(k, Float.NaN);
+                }
+            }
+        }
+    }
+
+    /**
+     * Moves values that lie together, in the order of the ids, to where they lie by id, in place. All else becomes NaN.
+     *
+     * @param values first the values of the least id in the set
+     * @param each values of an id
+     * @param count number of ids in the set
+     */
+    public void spread(float[] values, int each, int count) {
+        Arrays.fill(values, each * end, values.length, Float.NaN);
+        int k = each * count;
+        for (int id = end - 1; k < each * (id + 1); id--) {
+            if (has(id)) {
+                k -= each;
+                System.arraycopy(values, k, values, each * id, each);
+            } else {
+                Arrays.fill(values, each * id, each * (id + 1), Float.NaN);
+            }
+        }
+    }
+}

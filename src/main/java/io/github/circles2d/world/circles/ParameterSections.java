@@ -1,0 +1,80 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.Limits;
+import java.nio.ByteBuffer;
+
+/**
+ * The parameters of a world in a snapshot that have no place in its header: a section for each that is not what most worlds have. They
+ * come behind those of fields ({@link FieldSections}), whose numbers are lower.
+ *
+ * <pre>
+ * section    int number, number of floats; the floats
+ *            1,000: where walls that the next step moves start: min x, min y, max x, max y
+ *            1,001: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
+ * </pre>
+ */
+final class ParameterSections {
+    /** The number of the first section; fields have lower ones. */
+    static final int FIRST = 1_000;
+
+    private static final int WALL_START = FIRST;
+    private static final int CONTACTS = FIRST + 1;
+
+    private static final int FLOATS = 4;
+    private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
+
+    private ParameterSections() {}
+
+    /** The number of sections of a state. */
+    static int count(SavedState s) {
+        return (s.parameters().wallsMove() ? 1 : 0) + (hasContacts(s) ? 1 : 0);
+    }
+
+    private static boolean hasContacts(SavedState s) {
+        return !s.parameters().contacts().isDefault();
+    }
+
+    /** The length of all sections. */
+    static int bytes(SavedState s) {
+        return count(s) * BYTES;
+    }
+
+    static void write(SavedState s, ByteBuffer out) {
+        if (s.parameters().wallsMove()) {
+            Bounds b = s.parameters().wallStart();
+            write(out, WALL_START, b.minX(), b.minY(), b.maxX(), b.maxY());
+        }
+        if (hasContacts(s)) {
+            ContactSettings c = s.parameters().contacts();
+            write(out, CONTACTS, c.restitutionThreshold(), c.frequency(), c.damping(), c.pushOutSpeed());
+        }
+    }
+
+    private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
+        out.putInt(number).putInt(FLOATS).putFloat(a).putFloat(b).putFloat(c).putFloat(d);
+    }
+
+    /** Reads a section behind its number, and checks it. */
+    static void read(ByteBuffer in, SavedState s, int number) {
+        SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
+        SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
+        WorldParameters p = s.parameters();
+        if (number == WALL_START && p.wallsMove() || number == CONTACTS && hasContacts(s)) {
+            in.position(
+                    in.position() + FLOATS * Float.BYTES); // they were known before, and new objects would be garbage
+        } else if (number == WALL_START) {
+            s.setParameters(p.startingAt(new Bounds(wall(in), wall(in), wall(in), wall(in))));
+            SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
+        } else {
+            SnapshotCodec.require(number == CONTACTS, "no section has the number " + number);
+            s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
+            SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
+        }
+    }
+
+    private static float wall(ByteBuffer in) {
+        return Limits.within("the start of a wall", in.getFloat(), -Limits.COORDINATE, Limits.COORDINATE);
+    }
+}

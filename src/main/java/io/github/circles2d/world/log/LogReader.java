@@ -1,0 +1,127 @@
+package io.github.circles2d.world.log;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.function.IntUnaryOperator;
+import java.util.zip.CRC32C;
+
+/**
+ * Reads a log from a stream, block by block, and checks its form. The stream may be anything: it takes as much memory as it has bytes,
+ * whatever it says of its length.
+ */
+public final class LogReader {
+    /** What comes next. */
+    public enum Next {
+        /** A call. */
+        CALL,
+        /** A snapshot. */
+        SNAPSHOT,
+        /** Nothing more. */
+        END
+    }
+
+    private final InputStream in;
+    private final IntUnaryOperator wordsOf;
+    private final int hashEvery;
+    private ByteBuffer content = ByteBuffer.allocate(0);
+    private int type = LogFormat.CALLS;
+
+    /**
+     * Reads the header.
+     *
+     * @param in the log; is not closed
+     * @param wordsOf the number of ints of a call of a number; negative if there is no such call
+     */
+    public LogReader(InputStream in, IntUnaryOperator wordsOf) throws IOException {
+        this.in = in;
+        this.wordsOf = wordsOf;
+        ByteBuffer header = read(LogFormat.HEADER);
+        require(header.getInt() == LogFormat.MAGIC, "it does not begin as one");
+        int version = header.getInt();
+        if (version != LogFormat.VERSION) {
+            throw refused("its version is " + version + ", not " + LogFormat.VERSION);
+        }
+        hashEvery = header.getInt();
+        require(hashEvery > 0, "its hashes have no distance");
+    }
+
+    /** Steps between two hashes. */
+    public int hashEvery() {
+        return hashEvery;
+    }
+
+    /** What comes next; reads a block if the last one is at its end. */
+    public Next next() throws IOException {
+        while (type == LogFormat.CALLS && !content.hasRemaining()) {
+            readBlock();
+        }
+        return type == LogFormat.CALLS ? Next.CALL : type == LogFormat.SNAPSHOT ? Next.SNAPSHOT : Next.END;
+    }
+
+    private void readBlock() throws IOException {
+        ByteBuffer head = read(LogFormat.BLOCK_HEAD);
+        type = head.get();
+        int length = head.getInt();
+        require(type >= LogFormat.CALLS && type <= LogFormat.END, "it has a block of no known type");
+        require(
+                length >= 0
+                        && (type == LogFormat.SNAPSHOT
+                                || length <= (type == LogFormat.CALLS ? LogFormat.CALLS_BYTES : 0)),
+                "a block is too long");
+        content = read(length);
+        CRC32C check = new CRC32C();
+        check.update(content.duplicate());
+        require((int) check.getValue() == head.getInt(), "it is damaged: a check does not fit");
+    }
+
+    /** The number of the next call. */
+    public int number() {
+        return Byte.toUnsignedInt(content.get(content.position()));
+    }
+
+    /**
+     * Reads the next call.
+     *
+     * @param words takes its ints
+     * @return its number
+     */
+    public int call(int[] words) {
+        int number = Byte.toUnsignedInt(content.get());
+        int count = wordsOf.applyAsInt(number);
+        if (count < 0) {
+            throw refused("no call has the number " + number);
+        }
+        require(content.remaining() >= Integer.BYTES * count, "a call is cut");
+        for (int k = 0; k < count; k++) {
+            words[k] = content.getInt();
+        }
+        return number;
+    }
+
+    /** Reads the next snapshot. */
+    public ByteBuffer snapshot() {
+        type = LogFormat.CALLS;
+        ByteBuffer snapshot = content;
+        content = ByteBuffer.allocate(0);
+        return snapshot;
+    }
+
+    private ByteBuffer read(int length) throws IOException {
+        byte[] bytes = in.readNBytes(length); // takes memory as bytes come
+        require(bytes.length == length, "it is cut");
+        return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    }
+
+    private static void require(boolean holds, String message) {
+        if (!holds) {
+            throw refused(message);
+        }
+    }
+
+    /** What is thrown for bytes that are no log. */
+    public static IllegalArgumentException refused(String message) {
+        return new IllegalArgumentException("this is no log of a world: " + message);
+    }
+}

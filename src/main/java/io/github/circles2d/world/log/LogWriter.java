@@ -1,0 +1,127 @@
+package io.github.circles2d.world.log;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.zip.CRC32C;
+
+/**
+ * Writes a log to a stream, block by block, without garbage. It throws nothing if the stream fails: it remembers the failure and writes
+ * no more, so the game goes on.
+ */
+public final class LogWriter {
+    private final OutputStream out;
+    private final ByteBuffer calls = ByteBuffer.allocate(LogFormat.CALLS_BYTES).order(ByteOrder.LITTLE_ENDIAN);
+    private final ByteBuffer head = ByteBuffer.allocate(LogFormat.BLOCK_HEAD).order(ByteOrder.LITTLE_ENDIAN);
+    private final CRC32C check = new CRC32C();
+    private long bytes;
+    private Throwable failure;
+
+    /** Whether a call is being written. If it stays true, writing has ended half-way, and the log is not to be trusted. */
+    private boolean writing;
+
+    /**
+     * Writes the header.
+     *
+     * @param out where to; is not closed
+     * @param hashEvery steps between two hashes
+     */
+    public LogWriter(OutputStream out, int hashEvery) throws IOException {
+        this.out = out;
+        ByteBuffer header = ByteBuffer.allocate(LogFormat.HEADER).order(ByteOrder.LITTLE_ENDIAN);
+        header.putInt(LogFormat.MAGIC).putInt(LogFormat.VERSION).putInt(hashEvery);
+        out.write(header.array());
+        bytes = LogFormat.HEADER;
+    }
+
+    /** Why no more is written; null if nothing has failed. */
+    public Throwable failure() {
+        return failure;
+    }
+
+    /** Takes note of a failure, after which no more is written. */
+    public void fail(Throwable cause) {
+        if (failure == null) {
+            failure = cause;
+        }
+    }
+
+    /** Bytes written, those that wait included. */
+    public long bytes() {
+        return bytes + calls.position();
+    }
+
+    /**
+     * Begins a call. As many {@link #word} follow, and then {@link #end}.
+     *
+     * @param number its number, 0 to 255
+     * @param words its ints
+     */
+    public void begin(int number, int words) {
+        if (writing) {
+            fail(new IllegalStateException("a call could not be written to its end"));
+        }
+        writing = true;
+        if (words < 0) {
+            fail(new IllegalStateException("the log knows no call with the number " + number));
+        } else if (calls.remaining() < 1 + Integer.BYTES * words) {
+            flushCalls();
+        }
+        if (failure == null) {
+            calls.put((byte) number);
+        }
+    }
+
+    /** An int of a call. */
+    public void word(int value) {
+        if (failure == null) {
+            calls.putInt(value);
+        }
+    }
+
+    /** Ends a call. */
+    public void end() {
+        writing = false;
+    }
+
+    /** Writes a snapshot, which takes the place of the state. */
+    public void snapshot(byte[] snapshot, int length) {
+        flushCalls();
+        block(LogFormat.SNAPSHOT, snapshot, length);
+    }
+
+    private void flushCalls() {
+        if (calls.position() > 0) {
+            block(LogFormat.CALLS, calls.array(), calls.position());
+            calls.clear();
+        }
+    }
+
+    private void block(int type, byte[] content, int length) {
+        if (failure != null) {
+            return;
+        }
+        check.reset();
+        check.update(content, 0, length);
+        head.clear().put((byte) type).putInt(length).putInt((int) check.getValue());
+        try {
+            out.write(head.array());
+            out.write(content, 0, length);
+            bytes += LogFormat.BLOCK_HEAD + (long) length;
+        } catch (IOException | RuntimeException | Error e) {
+            fail(e);
+        }
+    }
+
+    /** Writes what waits, and the end of the log. */
+    public void close() throws IOException {
+        flushCalls();
+        block(LogFormat.END, new byte[0], 0);
+        if (failure == null) {
+            out.flush();
+        } else {
+            throw new IOException("the log ends early: " + failure.getMessage(), failure);
+        }
+    }
+}

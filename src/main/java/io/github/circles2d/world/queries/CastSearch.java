@@ -1,0 +1,188 @@
+package io.github.circles2d.world.queries;
+
+/**
+ * Finds the circles that a moving disc meets. A ray is the path of a disc of radius 0.
+ */
+public final class CastSearch {
+    // a hit: how far the disc has moved; where its centre is then; the unit vector from the circle's centre to there
+    public static final int HIT_STRIDE = 5;
+    public static final int DISTANCE = 0;
+    public static final int X = 1;
+    public static final int Y = 2;
+    public static final int NORMAL_X = 3;
+    public static final int NORMAL_Y = 4;
+
+    /** More than the rounding of the exact test, by its share of the greatest length in it. */
+    private static final double MARGIN = 0x1p-44;
+
+    private final CircleTree tree;
+    private final Frontier frontier = new Frontier();
+    private final Found found = new Found();
+
+    // the cast
+    private double startX;
+    private double startY;
+    private double reach;
+    private double endX;
+    private double endY;
+    private double unitX;
+    private double unitY;
+    private double length;
+
+    /** How far the cast goes at most for what is still looked for. */
+    private double limit;
+
+    /** Searches in a tree. */
+    public CastSearch(CircleTree tree) {
+        this.tree = tree;
+    }
+
+    /**
+     * Describes the cast that the next searches make. All numbers are finite.
+     *
+     * @param x x of the centre of the disc at the start
+     * @param y y of the centre of the disc at the start
+     * @param radius radius of the disc, at least 0
+     * @param dx how far it moves along x
+     * @param dy how far it moves along y
+     */
+    public void aim(float x, float y, float radius, float dx, float dy) {
+        startX = x;
+        startY = y;
+        reach = radius;
+        endX = startX + dx;
+        endY = startY + dy;
+        length = Math.sqrt((double) dx * dx + (double) dy * dy);
+        unitX = length == 0 ? 0 : dx / length;
+        unitY = length == 0 ? 0 : dy / length;
+    }
+
+    /**
+     * Finds the first circle that the disc touches, and of several at the same distance that of the lowest id.
+     *
+     * @param filter which circles count; null for all
+     * @return whether there is one, which {@link #id} and {@link #writeHit} give as number 0
+     */
+    public boolean first(IdFilter filter) {
+        search(1, filter);
+        return found.count() > 0;
+    }
+
+    /**
+     * Finds all circles that the disc touches, in the order of the distances that it has moved by then, then of the ids.
+     *
+     * @param filter which circles count; null for all
+     * @return the number of circles found, which {@link #id} and {@link #writeHit} give
+     */
+    public int all(IdFilter filter) {
+        search(Integer.MAX_VALUE, filter);
+        found.sort();
+        return found.count();
+    }
+
+    private void search(int most, IdFilter filter) {
+        found.clear();
+        if (tree.size == 0) {
+            return;
+        }
+        double margin = reach + (tree.span(startX, startY) + reach) * MARGIN;
+        limit = length;
+        frontier.start(tree);
+        while (frontier.pop()) {
+            if (frontier.distance() > limit) {
+                continue;
+            }
+            if (frontier.level() == Frontier.CIRCLES) {
+                look(frontier.group(), most, filter);
+                limit = Math.min(limit, found.last(most));
+            } else {
+                open(frontier.level(), frontier.group(), margin);
+            }
+        }
+    }
+
+    private void look(int box, int most, IdFilter filter) {
+        int end = Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
+        for (int k = CircleTree.CIRCLES_A_BOX * box; k < end; k++) {
+            double d = CircleTests.castDistance(
+                    startX, startY, reach, unitX, unitY, length, tree.x[k], tree.y[k], tree.radius[k]);
+            if (d != CircleTests.NONE && (filter == null || filter.admits(tree.id[k]))) {
+                if (most == Integer.MAX_VALUE) {
+                    found.add(d, tree.id[k], k);
+                } else {
+                    found.offer(d, tree.id[k], k, most);
+                }
+            }
+        }
+    }
+
+    /**
+     * Adds the boxes of a group that the path may meet. A component of the unit vector that is 0 makes an infinite inverse, with
+     * which the path is in the box's range along that axis for ever, or never.
+     */
+    private void open(int level, int group, double margin) {
+        frontier.beginGroup();
+        double inverseX = 1 / unitX;
+        double inverseY = 1 / unitY;
+        float[] box = tree.box;
+        int first = CircleTree.BOXES_A_BOX * group;
+        int end = Math.min(first + CircleTree.BOXES_A_BOX, tree.boxes[level]);
+        for (int b = first; b < end; b++) {
+            int at = tree.levelStart[level] + CircleTree.BOX_STRIDE * b;
+            double lowX = (box[at + CircleTree.MIN_X] - margin - startX) * inverseX;
+            double highX = (box[at + CircleTree.MAX_X] + margin - startX) * inverseX;
+            double lowY = (box[at + CircleTree.MIN_Y] - margin - startY) * inverseY;
+            double highY = (box[at + CircleTree.MAX_Y] + margin - startY) * inverseY;
+            double enter = Math.max(Math.max(Math.min(lowX, highX), Math.min(lowY, highY)), 0);
+            double leave = Math.min(Math.min(Math.max(lowX, highX), Math.max(lowY, highY)), limit);
+            if (!(enter > leave)) {
+                frontier.push(level - 1, b, enter);
+            }
+        }
+    }
+
+    /**
+     * One of the circles found.
+     *
+     * @param k from 0 to the number of circles found, the nearest first
+     * @return its id
+     */
+    public int id(int k) {
+        return found.id(k);
+    }
+
+    /**
+     * Writes where one of the circles was hit. If the disc's centre is the circle's, the normal points against the path, and up
+     * if there is no path.
+     *
+     * @param k from 0 to the number of circles found
+     * @param to takes {@link #HIT_STRIDE} elements
+     * @param at where the first of them goes
+     */
+    public void writeHit(int k, float[] to, int at) {
+        double x = startX + unitX * found.distance(k);
+        double y = startY + unitY * found.distance(k);
+        double nx = x - tree.x[found.place(k)];
+        double ny = y - tree.y[found.place(k)];
+        double norm = Math.sqrt(nx * nx + ny * ny);
+        if (norm == 0) {
+            nx = 0 - unitX;
+            ny = length == 0 ? 1 : 0 - unitY;
+            norm = 1;
+        }
+        write(to, at, found.distance(k), x, y, nx / norm, ny / norm);
+    }
+
+    /** Writes where the disc ends if it hits nothing: the length of its path, its end, and a normal of 0. */
+    public void writeMiss(float[] to, int at) {
+        write(to, at, length, endX, endY, 0, 0);
+    }
+
+    private static void write(float[] to, int at, double distance, double x, double y, double nx, double ny) {
+        to[at + DISTANCE] = (float) distance;
+        to[at + X] = (float) x;
+        to[at + Y] = (float) y;
+        to[at + NORMAL_X] = (float) nx;
+        to[at + NORMAL_Y] = (float) ny;
+    }
+}

@@ -1,0 +1,111 @@
+package io.github.circles2d.world.queries;
+
+/** Finds the circles whose edges are nearest to a point. */
+public final class NearestSearch {
+    /** More than the rounding of a distance, by its share of it. */
+    private static final double MARGIN = 0x1p-40;
+
+    private final CircleTree tree;
+    private final Frontier frontier = new Frontier();
+    private final Found found = new Found();
+
+    /** More than the distances that count. */
+    private double farthest;
+
+    /** The distance of the last that is kept, if there are enough; else {@link #farthest}. */
+    private double limit;
+
+    /** Searches in a tree. */
+    public NearestSearch(CircleTree tree) {
+        this.tree = tree;
+    }
+
+    /**
+     * Finds the nearest circles, in the order of the distances from the point to their edges (negative inside a circle), then of
+     * their ids.
+     *
+     * @param x x of the point, finite
+     * @param y y of the point, finite
+     * @param within what the distance may be at most: those count that a disc of this radius overlaps or touches; at least 0, may
+     *     be infinite
+     * @param most how many to find, at least 1
+     * @param filter which circles count; null for all
+     * @return the number of circles found, which {@link #id} and {@link #distance} give
+     */
+    public int find(float x, float y, float within, int most, IdFilter filter) {
+        found.clear();
+        if (tree.size == 0) {
+            return 0;
+        }
+        farthest = within + within * MARGIN;
+        limit = farthest;
+        frontier.start(tree);
+        while (frontier.pop()) {
+            if (frontier.distance() > limit) {
+                continue;
+            }
+            if (frontier.level() == Frontier.CIRCLES) {
+                look(frontier.group(), x, y, within, most, filter);
+                limit = Math.min(farthest, found.last(most));
+            } else {
+                open(frontier.level(), frontier.group(), x, y);
+            }
+        }
+        found.sort();
+        return found.count();
+    }
+
+    private void look(int box, float x, float y, float within, int most, IdFilter filter) {
+        int end = Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
+        for (int k = CircleTree.CIRCLES_A_BOX * box; k < end; k++) {
+            if (CircleTests.overlapsDisc(x, y, within, tree.x[k], tree.y[k], tree.radius[k])
+                    && (filter == null || filter.admits(tree.id[k]))) {
+                double d = CircleTests.edgeDistance(x, y, tree.x[k], tree.y[k], tree.radius[k]);
+                found.offer(d, tree.id[k], k, most);
+            }
+        }
+    }
+
+    private void open(int level, int group, double x, double y) {
+        frontier.beginGroup();
+        int first = CircleTree.BOXES_A_BOX * group;
+        int end = Math.min(first + CircleTree.BOXES_A_BOX, tree.boxes[level]);
+        for (int b = first; b < end; b++) {
+            double d = distance(tree.levelStart[level] + CircleTree.BOX_STRIDE * b, x, y);
+            double least = d - Math.abs(d) * MARGIN;
+            if (least <= limit) {
+                frontier.push(level - 1, b, least);
+            }
+        }
+    }
+
+    /** The distance from a point to the sides of a box; negative inside. No circle in the box has its edge nearer. */
+    private double distance(int at, double x, double y) {
+        double dx = Math.max(tree.box[at + CircleTree.MIN_X] - x, x - tree.box[at + CircleTree.MAX_X]);
+        double dy = Math.max(tree.box[at + CircleTree.MIN_Y] - y, y - tree.box[at + CircleTree.MAX_Y]);
+        if (dx <= 0 || dy <= 0) {
+            return Math.max(dx, dy);
+        }
+        return Math.sqrt(dx * dx + dy * dy);
+    }
+
+    /**
+     * One of the circles found.
+     *
+     * @param k from 0 to the number of circles found, the nearest first
+     * @return its id
+     */
+    public int id(int k) {
+        return found.id(k);
+    }
+
+    /**
+     * The distance of one of the circles found.
+     *
+     * @param k from 0 to the number of circles found
+     * @return from the point to its edge; negative if the point lies in it
+     */
+    public double distance(int k) {
+        return found.distance(k);
+    }
+}

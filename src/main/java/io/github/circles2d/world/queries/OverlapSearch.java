@@ -1,0 +1,168 @@
+package io.github.circles2d.world.queries;
+
+import java.util.Arrays;
+
+/** Finds the circles that a disc or a box overlaps or touches, and the circle at a point. */
+public final class OverlapSearch {
+    /** What the sides of a searched area are moved outwards by, so that rounding them to floats leaves nothing out. */
+    private static final double MARGIN = 0x1p-21;
+
+    private final CircleTree tree;
+    private final FoundIds found = new FoundIds();
+    private int[] near = new int[Capacity.atLeast(0, 0)];
+    private final int[] waitingLevel = new int[CircleTree.BOXES_A_BOX * CircleTree.LEVELS];
+    private final int[] waitingGroup = new int[waitingLevel.length];
+
+    /** Searches in a tree. */
+    public OverlapSearch(CircleTree tree) {
+        this.tree = tree;
+    }
+
+    /**
+     * Finds what a disc overlaps or touches.
+     *
+     * @param x x of its centre, finite, as are all numbers
+     * @param y y of its centre
+     * @param radius its radius, at least 0
+     * @param filter which circles count; null for all
+     * @return the number of circles found, whose ids {@link #id} gives
+     */
+    public int disc(float x, float y, float radius, IdFilter filter) {
+        found.clear();
+        int boxes = nearDisc(x, y, radius);
+        for (int b = 0; b < boxes; b++) {
+            int end = end(near[b]);
+            for (int k = first(near[b]); k < end; k++) {
+                if (CircleTests.overlapsDisc(x, y, radius, tree.x[k], tree.y[k], tree.radius[k])) {
+                    addIfAdmitted(k, filter);
+                }
+            }
+        }
+        found.sort(tree.idLimit);
+        return found.count();
+    }
+
+    /**
+     * Finds what a box overlaps or touches.
+     *
+     * @param minX left side, finite, as are all numbers
+     * @param minY lower side
+     * @param maxX right side, not less than the left one
+     * @param maxY upper side, not less than the lower one
+     * @param filter which circles count; null for all
+     * @return the number of circles found, whose ids {@link #id} gives
+     */
+    public int box(float minX, float minY, float maxX, float maxY, IdFilter filter) {
+        found.clear();
+        int boxes = near(minX, minY, maxX, maxY);
+        for (int b = 0; b < boxes; b++) {
+            int end = end(near[b]);
+            for (int k = first(near[b]); k < end; k++) {
+                if (CircleTests.overlapsBox(minX, minY, maxX, maxY, tree.x[k], tree.y[k], tree.radius[k])) {
+                    addIfAdmitted(k, filter);
+                }
+            }
+        }
+        found.sort(tree.idLimit);
+        return found.count();
+    }
+
+    /**
+     * One of the circles found.
+     *
+     * @param k from 0 to the number of circles found
+     * @return its id; they ascend
+     */
+    public int id(int k) {
+        return found.id(k);
+    }
+
+    /**
+     * Finds the circle at a point: of those that it lies in, or on the edge of, the one whose centre is nearest, and of several
+     * such ones that of the lowest id.
+     *
+     * @param x x of the point, finite
+     * @param y y of the point, finite
+     * @param filter which circles count; null for all
+     * @return its id, or -1 if there is none
+     */
+    public int pick(float x, float y, IdFilter filter) {
+        int boxes = nearDisc(x, y, 0);
+        int best = -1;
+        double least = Double.POSITIVE_INFINITY;
+        for (int b = 0; b < boxes; b++) {
+            int end = end(near[b]);
+            for (int k = first(near[b]); k < end; k++) {
+                double square = CircleTests.squaredDistance(x, y, tree.x[k], tree.y[k]);
+                boolean better = square < least || square == least && tree.id[k] < best;
+                if (better
+                        && CircleTests.overlapsDisc(x, y, 0, tree.x[k], tree.y[k], tree.radius[k])
+                        && (filter == null || filter.admits(tree.id[k]))) {
+                    best = tree.id[k];
+                    least = square;
+                }
+            }
+        }
+        return best;
+    }
+
+    /** How many circles a search for what a disc overlaps looks at. */
+    int circlesNear(float x, float y, float radius) {
+        return CircleTree.CIRCLES_A_BOX * nearDisc(x, y, radius);
+    }
+
+    private void addIfAdmitted(int k, IdFilter filter) {
+        if (filter == null || filter.admits(tree.id[k])) {
+            found.add(tree.id[k]);
+        }
+    }
+
+    private static int first(int box) {
+        return CircleTree.CIRCLES_A_BOX * box;
+    }
+
+    private int end(int box) {
+        return Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
+    }
+
+    private int nearDisc(double x, double y, double radius) {
+        double marginX = (Math.abs(x) + radius) * MARGIN + radius;
+        double marginY = (Math.abs(y) + radius) * MARGIN + radius;
+        return near((float) (x - marginX), (float) (y - marginY), (float) (x + marginX), (float) (y + marginY));
+    }
+
+    /** Lists the boxes of level 0 that an area overlaps in {@link #near}, and returns their number. */
+    private int near(float minX, float minY, float maxX, float maxY) {
+        int count = 0;
+        if (tree.size == 0) {
+            return count;
+        }
+        float[] box = tree.box;
+        waitingLevel[0] = tree.top;
+        waitingGroup[0] = 0;
+        int waiting = 1;
+        while (waiting > 0) {
+            int level = waitingLevel[--waiting];
+            int first = CircleTree.BOXES_A_BOX * waitingGroup[waiting];
+            int end = Math.min(first + CircleTree.BOXES_A_BOX, tree.boxes[level]);
+            for (int b = first; b < end; b++) {
+                int at = tree.levelStart[level] + CircleTree.BOX_STRIDE * b;
+                if (box[at + CircleTree.MIN_X] <= maxX
+                        && box[at + CircleTree.MAX_X] >= minX
+                        && box[at + CircleTree.MIN_Y] <= maxY
+                        && box[at + CircleTree.MAX_Y] >= minY) {
+                    if (level > 0) {
+                        waitingLevel[waiting] = level - 1;
+                        waitingGroup[waiting++] = b;
+                    } else {
+                        if (count == near.length) {
+                            near = Arrays.copyOf(near, Capacity.atLeast(count + 1, near.length));
+                        }
+                        near[count++] = b;
+                    }
+                }
+            }
+        }
+        return count;
+    }
+}

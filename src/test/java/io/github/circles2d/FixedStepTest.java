@@ -1,0 +1,373 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.util.SplittableRandom;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The loop of a game: when it steps, and what it shows in between. */
+class FixedStepTest {
+    private static final String BACKENDS = "io.github.circles2d.WorldByIdTest#backends";
+
+    /** A power of two, so that sums of steps are exact. */
+    private static final float STEP = 1 / 64f;
+
+    private static final Offset<Float> ROUNDING = within(1e-5f);
+
+    private static World world(Backend backend) {
+        return World.builder().bounds(0, 0, 10, 10).threads(1).backend(backend).build();
+    }
+
+    private static World world() {
+        return world(Backend.JVM);
+    }
+
+    private static float x(FixedStep loop, long handle) {
+        return loop.positions(null).get(2 * World.id(handle));
+    }
+
+    // ---- steps
+    // -----------------------------------------------------------------------------------------------------
+
+    @Test
+    void timeIsSavedUpUntilItIsEnoughForAStep() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            int[] before = new int[1];
+            Runnable count = () -> before[0]++;
+            assertThat(loop.advance(0.5f * STEP, count)).isZero();
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            assertThat(loop.advance(0.75f * STEP, count)).isOne();
+            assertThat(loop.alpha()).isEqualTo(0.25f);
+            assertThat(loop.advance(2.75f * STEP, count)).isEqualTo(3);
+            assertThat(loop.alpha()).isZero();
+            assertThat(loop.advance(0, count)).isZero();
+            assertThat(before[0]).isEqualTo(4);
+            assertThat(loop.droppedSteps()).isZero();
+        }
+    }
+
+    @Test
+    void aLongFrameMakesNoMoreStepsThanAreAllowedAndDropsTheRest() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.advance(12.5f * STEP, null)).isEqualTo(5);
+            assertThat(loop.droppedSteps()).isEqualTo(7);
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            loop.setMaxSteps(1);
+            assertThat(loop.advance(3600, null)).isOne();
+            assertThat(loop.droppedSteps()).isEqualTo(7 + 3600 * 64 - 1);
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            assertThat(loop.advance(Float.MAX_VALUE, null)).isOne();
+            assertThat(loop.alpha()).isBetween(0f, 1f);
+        }
+    }
+
+    @Test
+    void slowMotionMakesFewerStepsOfTheSameLength() {
+        try (World world = world();
+                World same = world()) {
+            long a = world.add(1, 5, 0.5f, 1, 16, 0);
+            same.add(1, 5, 0.5f, 1, 16, 0);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.setSpeed(0.25f);
+            for (int frame = 0; frame < 8; frame++) {
+                assertThat(loop.advance(STEP, null)).isEqualTo(frame % 4 == 3 ? 1 : 0);
+            }
+            same.step(STEP, 2);
+            assertThat(world.hash()).isEqualTo(same.hash());
+            assertThat(x(loop, a)).isCloseTo(1.25f, ROUNDING); // where it was before the last step
+            loop.advance(2 * STEP, null);
+            assertThat(x(loop, a)).isCloseTo(1.375f, ROUNDING);
+            loop.setSpeed(0);
+            assertThat(loop.advance(100, null)).isZero();
+            assertThat(x(loop, a)).isCloseTo(1.375f, ROUNDING);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(floats = {30, 60, 75, 144, 1000})
+    void theStateDependsOnTheStepsAloneAndNotOnTheRateOfFrames(float framesPerSecond) {
+        Scene scene = Scenes.thesis(200, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene));
+                World same = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            int[] steps = new int[2];
+            FixedStep loop = new FixedStep(world, 1 / 60f);
+            while (steps[0] < 60) {
+                loop.advance(1 / framesPerSecond, () -> steer(world, steps[0]++));
+                loop.positions(null);
+            }
+            while (steps[1] < steps[0]) {
+                steer(same, steps[1]++);
+                same.step(1 / 60f);
+            }
+            assertThat(world.hash()).isEqualTo(same.hash());
+        }
+    }
+
+    private static void steer(World world, int step) {
+        world.applyImpulse(world.handle(step), 0.01f * step, 1e-3f);
+        if (step % 10 == 9) {
+            world.remove(world.handle(100 + step));
+            world.explode(0.5f, 0.5f, 0.2f, 1e-3f, 0.2f);
+        }
+    }
+
+    @Test
+    void stepsWithoutAnythingBeforeThemAreTheSameSteps() {
+        try (World world = world();
+                World same = world()) {
+            for (World each : new World[] {world, same}) {
+                each.setGravity(0, -9);
+                each.add(5, 5, 0.5f, 1, 3, 0);
+            }
+            assertThat(new FixedStep(world, STEP).advance(4 * STEP, null)).isEqualTo(4);
+            assertThat(new FixedStep(same, STEP).advance(4 * STEP, () -> {})).isEqualTo(4);
+            assertThat(world.hash()).isEqualTo(same.hash());
+        }
+    }
+
+    // ---- positions
+    // -------------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aCircleMovesEvenlyAtAnyRateOfFrames(Backend backend) {
+        try (World world = world(backend)) {
+            long a = world.add(1, 5, 0.1f, 1, 4, 0);
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(x(loop, a)).isEqualTo(1);
+            loop.advance(STEP, null);
+            SplittableRandom random = new SplittableRandom(3);
+            float time = 0;
+            for (int frame = 0; frame < 60; frame++) {
+                float seconds = random.nextInt(1, 30) * STEP / 16;
+                loop.advance(seconds, null);
+                time += seconds;
+                assertThat(x(loop, a)).isCloseTo(1 + 4 * time, ROUNDING);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void circlesThatAreMovedOrNewAppearWhereTheyAre(Backend backend) {
+        try (World world = world(backend)) {
+            long a = world.add(1, 5, 0.1f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            long[] added = new long[1];
+            int[] steps = new int[1];
+            loop.advance(2.5f * STEP, () -> {
+                if (steps[0]++ == 1) { // before the last step
+                    world.setPosition(a, 8, 5);
+                    added[0] = world.add(6, 5, 0.1f, 1, 1, 0);
+                }
+            });
+            assertThat(x(loop, a)).isEqualTo(8);
+            assertThat(x(loop, added[0])).isCloseTo(6 + 0.5f * STEP, ROUNDING);
+            world.setPosition(a, 2, 5); // between two frames
+            long late = world.add(3, 5, 0.1f, 1);
+            FloatBuffer positions = loop.positions(null);
+            assertThat(positions.get(0)).isEqualTo(8);
+            assertThat(positions.limit()).isEqualTo(2 * World.id(late));
+            loop.advance(STEP, null);
+            assertThat(x(loop, a)).isEqualTo(2);
+            assertThat(x(loop, late)).isEqualTo(3);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aRemovedCircleIsGoneAtOnceAndItsIdShowsNoOtherInItsPlace(Backend backend) {
+        try (World world = world(backend)) {
+            long a = world.add(1, 5, 0.1f, 1);
+            long b = world.add(2, 5, 0.1f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.advance(1.5f * STEP, null);
+            world.remove(a); // before the positions are taken
+            long[] living = {0, -1};
+            assertThat(loop.positions(living).get(0)).isNaN();
+            assertThat(living).containsExactly(2, 0);
+            world.remove(b); // after that
+            world.add(7, 5, 0.1f, 1);
+            world.add(8, 5, 0.1f, 1);
+            FloatBuffer positions = loop.positions(living);
+            assertThat(positions.get(0)).isNaN();
+            assertThat(positions.get(2)).isNaN();
+            assertThat(living).containsExactly(0, 0);
+            loop.advance(STEP, null);
+            positions = loop.positions(living);
+            assertThat(positions.get(0)).isEqualTo(7);
+            assertThat(positions.get(2)).isEqualTo(8);
+            assertThat(living).containsExactly(3, 0);
+        }
+    }
+
+    @Test
+    void beforeTheFirstStepThePositionsAreThoseOfNow() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.positions(new long[0]).remaining()).isZero();
+            long a = world.add(1, 5, 0.1f, 1);
+            assertThat(x(loop, a)).isEqualTo(1);
+            world.setPosition(a, 2, 5);
+            loop.advance(0.5f * STEP, null);
+            assertThat(x(loop, a)).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void aResetShowsTheWorldAsItIsAndForgetsTheTimeSavedUp() {
+        try (World world = world()) {
+            long a = world.add(1, 5, 0.1f, 1, 2, 0);
+            ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+            world.snapshot(snapshot);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.advance(2.5f * STEP, null);
+            world.restore(snapshot.flip());
+            loop.reset();
+            assertThat(loop.alpha()).isZero();
+            assertThat(x(loop, a)).isEqualTo(1);
+            loop.advance(1.5f * STEP, null);
+            assertThat(x(loop, a)).isCloseTo(1 + STEP, ROUNDING);
+        }
+    }
+
+    @Test
+    void frameAfterFrameOfACrowdThatComesAndGoesShowsEveryCircleOnItsWay() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            SplittableRandom random = new SplittableRandom(11);
+            float[] before = new float[800];
+            float[] after = new float[800];
+            long[] living = new long[4];
+            for (int frame = 0; frame < 300; frame++) {
+                for (int k = 0; k < 3; k++) {
+                    world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1, 2, 1);
+                    if (random.nextInt(3) > 0 || world.size() > 150) {
+                        long handle = world.handle(random.nextInt(world.idLimit()));
+                        if (handle != 0) {
+                            world.remove(handle);
+                        }
+                    }
+                }
+                world.readById(before, null);
+                int made = loop.advance(STEP, null);
+                assertThat(made).isOne();
+                loop.advance(STEP / 4 * (frame % 4 == 0 ? 1 : 0), null);
+                world.readById(after, null);
+                FloatBuffer positions = loop.positions(living);
+                float alpha = loop.alpha();
+                for (int id = 0; id < world.idLimit(); id++) {
+                    boolean lives = world.handle(id) != 0;
+                    assertThat((living[id / 64] >>> id & 1) != 0).isEqualTo(lives);
+                    if (lives && alpha < 0.9f) {
+                        float way = before[4 * id] + (after[4 * id] - before[4 * id]) * alpha;
+                        assertThat(positions.get(2 * id)).isCloseTo(way, ROUNDING);
+                    }
+                }
+                if (frame % 4 == 3) {
+                    loop.reset();
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void everyBackEndShowsTheSame(Backend backend) {
+        Scene scene = Scenes.packed(500, Scenes.SEED);
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));
+                World jvm = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            FixedStep loop = new FixedStep(world, 1 / 60f);
+            FixedStep expected = new FixedStep(jvm, 1 / 60f);
+            for (int frame = 0; frame < 40; frame++) {
+                float seconds = (1 + frame % 5) / 120f;
+                loop.advance(seconds, null);
+                expected.advance(seconds, null);
+                if (frame % 3 > 0) {
+                    assertThat(loop.positions(null)).isEqualTo(expected.positions(null));
+                }
+                world.remove(world.handle(frame));
+                jvm.remove(jvm.handle(frame));
+            }
+        }
+    }
+
+    // ---- misuse
+    // ----------------------------------------------------------------------------------------------------
+
+    @Test
+    void valuesOutOfRangeAreRefused() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThatThrownBy(() -> new FixedStep(null, STEP)).isInstanceOf(NullPointerException.class);
+            for (float bad : new float[] {Float.NaN, -1, Float.POSITIVE_INFINITY}) {
+                assertThatIllegalArgumentException().isThrownBy(() -> new FixedStep(world, bad));
+                assertThatIllegalArgumentException().isThrownBy(() -> loop.advance(bad, null));
+                assertThatIllegalArgumentException().isThrownBy(() -> loop.setSpeed(bad));
+            }
+            assertThatIllegalArgumentException().isThrownBy(() -> new FixedStep(world, 0));
+            assertThatIllegalArgumentException().isThrownBy(() -> loop.setSpeed(1001));
+            assertThatIllegalArgumentException().isThrownBy(() -> loop.setMaxSteps(0));
+            assertThatIllegalArgumentException().isThrownBy(() -> loop.setMaxSteps(1001));
+            world.add(5, 5, 1, 1);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> loop.positions(new long[0]))
+                    .withMessageContaining("living");
+            assertThat(loop.positions(new long[1]).remaining()).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void aRequestOfTheGamesOwnIsReportedAndTheNextStepGoesOn() {
+        try (World world = world()) {
+            long a = world.add(5, 5, 1, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            for (boolean taken : new boolean[] {false, true}) {
+                loop.advance(STEP, null);
+                if (taken) {
+                    loop.positions(null);
+                }
+                world.requestPositions();
+                assertThatIllegalStateException()
+                        .isThrownBy(() -> loop.positions(null))
+                        .withMessageContaining("requestPositions");
+                assertThat(world.takePositions().get(0)).isEqualTo(5);
+                assertThatIllegalStateException().isThrownBy(() -> loop.positions(null));
+                loop.advance(STEP, null);
+                assertThat(x(loop, a)).isEqualTo(5);
+            }
+        }
+    }
+
+    @Test
+    void whatAGameThrowsBeforeAStepEndsTheFrameAndTheNextOneGoesOn() {
+        try (World world = world()) {
+            long a = world.add(5, 5, 1, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.advance(0.5f * STEP, null);
+            Runnable fails = () -> {
+                throw new IllegalStateException("the game's own");
+            };
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> loop.advance(STEP, fails))
+                    .withMessage("the game's own");
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            assertThat(loop.advance(STEP, null)).isOne();
+            assertThat(x(loop, a)).isEqualTo(5);
+        }
+    }
+}

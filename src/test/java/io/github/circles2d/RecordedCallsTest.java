@@ -1,0 +1,212 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.nio.ByteBuffer;
+import java.util.Arrays;
+import java.util.LinkedHashSet;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** A log knows every call that changes a world: a new public method fails here until it is listed below. */
+class RecordedCallsTest {
+    /** A call that changes a world with two circles. */
+    interface Change {
+        void make(World world, long a, long b);
+    }
+
+    /** Behind a signature: the call is made for a static circle, where it does something else. */
+    private static final String STATIC = " of a static circle";
+
+    private static final float[] TWO = {0.3f, 0.4f, 0.7f, 0.6f};
+
+    /** Every method that changes what the next step does, or what a snapshot has, with a call of it that does. */
+    private static final Map<String, Change> CHANGES = new TreeMap<>(Map.ofEntries(
+            change("add(float, float, float, float)", (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2)),
+            change("add(float, float, float, float, float, float)", (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2, 1, -1)),
+            change("addAll(float[], long[])", (w, a, b) -> w.addAll(new float[] {0.5f, 0.8f, 0.1f, 2}, null)),
+            change(
+                    "addAll(float[], float[], long[])",
+                    (w, a, b) -> w.addAll(new float[] {0.5f, 0.8f, 0.1f, 2}, new float[] {1, -1}, new long[1])),
+            change("remove(long)", (w, a, b) -> w.remove(a)),
+            change(
+                    "removeAll(long[], int, StaleHandles)",
+                    (w, a, b) -> w.removeAll(new long[] {b, 7, a}, 2, StaleHandles.SKIP)),
+            change("setPosition(long, float, float)", (w, a, b) -> w.setPosition(a, 0.8f, 0.8f)),
+            change("setPosition(long, float, float)" + STATIC, (w, a, b) -> {
+                w.setMass(a, Float.POSITIVE_INFINITY);
+                w.setPosition(a, 0.8f, 0.8f);
+            }),
+            change("teleport(long, float, float)", (w, a, b) -> w.teleport(a, 0.8f, 0.8f)),
+            change("setVelocity(long, float, float)", (w, a, b) -> w.setVelocity(a, 0.8f, 0.8f)),
+            change("setRadius(long, float)", (w, a, b) -> w.setRadius(a, 0.15f)),
+            change("setMass(long, float)", (w, a, b) -> w.setMass(a, Float.POSITIVE_INFINITY)),
+            change("setRestitution(long, float)", (w, a, b) -> w.setRestitution(b, 0.9f)),
+            change("setTag(long, long)", (w, a, b) -> w.setTag(b, -1L << 40)),
+            change("applyImpulse(long, float, float)", (w, a, b) -> w.applyImpulse(a, 1, 2)),
+            change(
+                    "setPositions(long[], int, float[], StaleHandles)",
+                    (w, a, b) -> w.setPositions(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE)),
+            change("setPositions(long[], int, float[], StaleHandles)" + STATIC, (w, a, b) -> {
+                w.setMass(a, Float.POSITIVE_INFINITY);
+                w.setPositions(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE);
+            }),
+            change(
+                    "setVelocities(long[], int, float[], StaleHandles)",
+                    (w, a, b) -> w.setVelocities(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE)),
+            change(
+                    "applyImpulses(long[], int, float[], StaleHandles)",
+                    (w, a, b) -> w.applyImpulses(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE)),
+            change("explode(float, float, float, float, float)", (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0)),
+            change("setGravity(float, float)", (w, a, b) -> w.setGravity(1, -2)),
+            change("setBounds(float, float, float, float)", (w, a, b) -> w.setBounds(0.25f, 0.25f, 0.9f, 0.8f)),
+            change("step(float)", (w, a, b) -> w.step(0.01f)),
+            change("step(float, int)", (w, a, b) -> w.step(0.01f, 3)),
+            change("restore(ByteBuffer)", (w, a, b) -> w.restore(snapshotOfAnother()))));
+
+    /** Methods that leave a world as it is, by name; those of events change what it tells. */
+    private static final Set<String> READS = Set.of(
+            "close",
+            "contactDamping",
+            "contactFrequency",
+            "contains",
+            "defaultRestitution",
+            "events",
+            "finish",
+            "gravityX",
+            "gravityY",
+            "handle",
+            "greatestPushOutSpeed",
+            "hash",
+            "idLimit",
+            "mass",
+            "maxX",
+            "maxY",
+            "minX",
+            "minY",
+            "positions",
+            "positionsById",
+            "queries",
+            "radius",
+            "read",
+            "readById",
+            "readHandles",
+            "readVelocities",
+            "readVelocitiesById",
+            "report",
+            "requestPositions",
+            "restitution",
+            "restitutionThreshold",
+            "setHitSpeed",
+            "size",
+            "snapshot",
+            "snapshotBytes",
+            "stats",
+            "subSteps",
+            "tag",
+            "takePositions",
+            "takePositionsById",
+            "vx",
+            "vy",
+            "x",
+            "y");
+
+    private static Map.Entry<String, Change> change(String signature, Change call) {
+        return Map.entry(signature, call);
+    }
+
+    /** The methods of World, and of classes of the same package whose objects it gives out, other than plain values. */
+    @Test
+    void everyMethodIsARecordedChangeOrARead() {
+        Set<String> known = CHANGES.keySet().stream()
+                .map(name -> name.replace(STATIC, ""))
+                .collect(Collectors.toCollection(TreeSet::new));
+        Set<String> reads = new TreeSet<>(READS);
+        Set<Class<?>> types = new LinkedHashSet<>(Set.of(World.class));
+        for (Method method : World.class.getDeclaredMethods()) {
+            Class<?> given = method.getReturnType();
+            if (given.getPackage() == World.class.getPackage() && !given.isRecord() && !given.isEnum()) {
+                types.add(given);
+            }
+        }
+        types.remove(World.Builder.class); // a snapshot has what it sets
+        types.remove(Queries.class); // it reads
+        types.remove(Events.class);
+        for (Class<?> type : types) {
+            for (Method method : type.getDeclaredMethods()) {
+                if (Modifier.isPublic(method.getModifiers()) && !Modifier.isStatic(method.getModifiers())) {
+                    String name = (type == World.class ? "" : type.getSimpleName() + ".") + method.getName();
+                    if (!reads.contains(name)) {
+                        String signature = name
+                                + Arrays.stream(method.getParameterTypes())
+                                        .map(Class::getSimpleName)
+                                        .collect(Collectors.joining(", ", "(", ")"));
+                        assertThat(CHANGES)
+                                .as("%s must be listed here: docs/how-to-extend.md says how", signature)
+                                .containsKey(signature);
+                        known.remove(signature);
+                    }
+                }
+            }
+        }
+        assertThat(known).as("listed, but gone").isEmpty();
+    }
+
+    static Set<String> changes() {
+        return CHANGES.keySet();
+    }
+
+    /** With two circles that rest on each other, and a step behind the call. */
+    @ParameterizedTest
+    @MethodSource("changes")
+    void aChangeIsMadeAgain(String signature) throws IOException {
+        try (World world = newWorld();
+                World player = WorldScenes.jvm().threads(1).build()) {
+            long a = world.add(0.4f, 0.31f, 0.1f, 1);
+            long b = world.add(0.4f, 0.1f, 0.1f, 1);
+            world.step(1 / 60f, 20);
+            ByteBuffer before = snapshot(world);
+            ByteArrayOutputStream log = new ByteArrayOutputStream();
+            try (Recording recording = new Recording(world, log, 100)) {
+                CHANGES.get(signature).make(world, a, b);
+                assertThat(snapshot(world)).as("what %s has changed", signature).isNotEqualTo(before);
+                assertThat(recording.bytes()).isPositive();
+            }
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player);
+            assertThat(snapshot(player)).isEqualTo(before);
+            assertThat(replay.run().differs()).as(replay.difference()).isFalse();
+            assertThat(snapshot(player)).isEqualTo(snapshot(world));
+            world.step(1 / 60f, 5);
+            player.step(1 / 60f, 5);
+            assertThat(player.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    private static World newWorld() {
+        return WorldScenes.jvm().gravity(0, -9).threads(1).build();
+    }
+
+    private static ByteBuffer snapshotOfAnother() {
+        try (World other = newWorld()) {
+            other.add(0.5f, 0.5f, 0.1f, 3);
+            return snapshot(other);
+        }
+    }
+
+    static ByteBuffer snapshot(World world) {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
+    }
+}

@@ -1,0 +1,324 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
+import java.util.Random;
+import java.util.zip.CRC32C;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** What a replay repeats, how it says that it differs, and what it refuses. */
+class RecordingTest {
+    private static final int STEPS = 60;
+
+    // The form of a log: a header, then blocks with a type, a length and a check before their bytes.
+    private static final int HEADER = 12;
+    private static final int BLOCK_HEAD = 9;
+    private static final int CALLS = 1;
+
+    /** In the log: the call of a step. */
+    private static final byte STEP = 64;
+
+    static Backend[] backends() {
+        return RewindTest.backends();
+    }
+
+    @ParameterizedTest
+    @MethodSource("backends")
+    void aLogOfAnyBackEndReplaysOnAnyOther(Backend backend) throws IOException {
+        Scene scene = Scenes.packed(300, 4);
+        byte[] log;
+        ByteBuffer end;
+        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
+            log = record(world, 7);
+            end = RecordedCallsTest.snapshot(world);
+        }
+        for (Backend other : backends()) {
+            try (World player = World.builder().backend(other).build()) {
+                Replay replay = replay(log, player).run();
+                assertThat(replay.difference()).isEqualTo("no difference in " + replay.steps() + " steps");
+                assertThat(replay.equalUpTo()).isEqualTo(replay.steps()).isEqualTo(STEPS);
+                assertThat(RecordedCallsTest.snapshot(player)).isEqualTo(end);
+            }
+        }
+    }
+
+    /** Sixty steps, in calls of one to three, with a change before each, a rewind and a restore. */
+    private static byte[] record(World world, int hashEvery) throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        Rewind rewind = new Rewind(world, 8);
+        Random random = new Random(5);
+        long[] handles = new long[world.size()];
+        world.readHandles(handles);
+        world.setTag(handles[3], 9); // before the recording, and not yet made
+        world.setVelocity(handles[4], 0.01f, 0);
+        try (Recording recording = new Recording(world, log, hashEvery)) {
+            for (int call = 0; recording.steps() < STEPS; call++) {
+                rewind.save(call);
+                long some = handles[random.nextInt(handles.length)];
+                world.setTag(some, call);
+                world.applyImpulse(some, 0.001f * random.nextFloat(), 0.001f);
+                world.step(1 / 60f, (int) Math.min(1 + call % 3, STEPS - recording.steps()));
+                if (call % 10 == 9) {
+                    rewind.restore(call - 5);
+                }
+            }
+            assertThat(recording.hasFailed()).isFalse();
+            assertThat(recording.bytes()).isGreaterThanOrEqualTo(log.size());
+        }
+        return log.toByteArray();
+    }
+
+    private static Replay replay(byte[] log, World player) throws IOException {
+        return new Replay(new ByteArrayInputStream(log), player);
+    }
+
+    private static World world() {
+        World world = WorldScenes.jvm().gravity(0, -9).threads(1).build();
+        for (int i = 0; i < 20; i++) {
+            world.add(0.2f + 0.15f * (i % 5), 0.1f + 0.15f * (i / 5), 0.07f, 1 + i);
+        }
+        return world;
+    }
+
+    @Test
+    void theFirstStepThatDiffersIsNamed() throws IOException {
+        try (World world = world();
+                World player = world()) {
+            for (int hashEvery : new int[] {1, 10}) {
+                byte[] log = recordFalls(world, hashEvery);
+                change(log, 37);
+                Replay replay = replay(log, player);
+                int first = hashEvery == 1 ? 37 : 40;
+                while (replay.step()) {
+                    assertThat(replay.differs()).isEqualTo(replay.steps() >= first);
+                }
+                assertThat(replay.steps()).isEqualTo(STEPS);
+                assertThat(replay.firstDifference()).isEqualTo(first);
+                assertThat(replay.equalUpTo()).isEqualTo(hashEvery == 1 ? 36 : 30);
+                assertThat(replay.difference())
+                        .startsWith("step " + first + " differs: the hash is ")
+                        .endsWith("the last equal hash is of step " + replay.equalUpTo());
+            }
+        }
+    }
+
+    private static byte[] recordFalls(World world, int hashEvery) throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (Recording recording = new Recording(world, log, hashEvery)) {
+            while (recording.steps() < STEPS) {
+                world.step(1 / 60f);
+            }
+        }
+        return log.toByteArray();
+    }
+
+    /** Makes a step of a log a little longer. */
+    private static void change(byte[] log, int step) {
+        ByteBuffer bytes = ByteBuffer.wrap(log).order(ByteOrder.LITTLE_ENDIAN);
+        int block = HEADER;
+        while (bytes.get(block) != CALLS) {
+            block += BLOCK_HEAD + bytes.getInt(block + 1);
+        }
+        int at = block + BLOCK_HEAD;
+        for (int before = bytes.get(at) == STEP ? 1 : 0; before < step; before += bytes.get(at) == STEP ? 1 : 0) {
+            at += 9; // steps and hashes, the only calls, have two words
+        }
+        bytes.putFloat(at + 1, 1 / 59f);
+        fitChecks(bytes);
+    }
+
+    private static void fitChecks(ByteBuffer bytes) {
+        int block = HEADER;
+        while (block + BLOCK_HEAD <= bytes.limit()) {
+            int length = bytes.getInt(block + 1);
+            if (length < 0 || length > bytes.limit() - block - BLOCK_HEAD) {
+                return;
+            }
+            CRC32C check = new CRC32C();
+            check.update(bytes.array(), block + BLOCK_HEAD, length);
+            bytes.putInt(block + 5, (int) check.getValue());
+            block += BLOCK_HEAD + length;
+        }
+    }
+
+    @Test
+    void aLogThatIsCutAnywhereSaysSoAndLeavesTheStateOfTheStepThatItNames() throws IOException {
+        try (World world = world();
+                World player = world()) {
+            byte[] log = recordFalls(world, 5);
+            assertThat(replay(log, player).run().differs()).isFalse();
+            for (int length = 0; length < log.length; length += length < 100 || length > log.length - 100 ? 1 : 7) {
+                byte[] cut = Arrays.copyOf(log, length);
+                assertThatIllegalArgumentException()
+                        .isThrownBy(() -> replay(cut, player).run())
+                        .withMessageStartingWith("this is no log of a world: it is cut");
+            }
+            byte[] withoutEnd = Arrays.copyOf(log, log.length - 1);
+            Replay replay = replay(withoutEnd, player);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(replay::run)
+                    .withMessageEndingWith("it is cut, after step " + STEPS);
+            assertThat(player.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
+    void damagedBytesAreFoundBeforeTheyAreUsed() throws IOException {
+        try (World world = world();
+                World player = world()) {
+            byte[] log = recordFalls(world, 5);
+            for (int at = 0; at < log.length; at++) {
+                byte[] damaged = log.clone();
+                damaged[at] ^= 8;
+                if (at >= 8 && at < HEADER) {
+                    continue; // the distance of hashes, which nothing depends on
+                }
+                assertThatIllegalArgumentException()
+                        .isThrownBy(() -> replay(damaged, player).run())
+                        .withMessageStartingWith("this is no log of a world: ");
+            }
+        }
+    }
+
+    /** With checks that fit, a forged log is refused, or leads to a state as sound as any other. */
+    @Test
+    void forgedLogsAreRefusedOrDifferOrLeadToSoundStates() throws IOException {
+        Random random = new Random(6);
+        int refused = 0;
+        try (World world = world();
+                World player = world()) {
+            byte[] log = record(world, 5);
+            for (int k = 0; k < 3000; k++) {
+                byte[] forged = log.clone();
+                ByteBuffer bytes = ByteBuffer.wrap(forged).order(ByteOrder.LITTLE_ENDIAN);
+                for (int changes = 1 + random.nextInt(3); changes > 0; changes--) {
+                    int at = random.nextInt(forged.length - 3);
+                    switch (random.nextInt(3)) {
+                        case 0 -> bytes.put(at, (byte) random.nextInt());
+                        case 1 -> bytes.putInt(at, random.nextInt(3) - 1 ^ random.nextInt(2) << 31);
+                        default -> bytes.putFloat(at, random.nextBoolean() ? Float.NaN : 1e30f * random.nextFloat());
+                    }
+                }
+                fitChecks(bytes);
+                try {
+                    Replay replay = replay(forged, player);
+                    while (replay.step() && replay.steps() < 2 * STEPS) {
+                        assertThat(replay.steps()).isPositive();
+                    }
+                } catch (IllegalArgumentException e) {
+                    refused++;
+                    assertThat(e.getMessage()).isNotBlank();
+                }
+                float[] circles = new float[4 * player.size()];
+                player.read(circles);
+                for (int i = 0; i < circles.length; i++) {
+                    assertThat(i % 4 == 3 || Float.isFinite(circles[i])).isTrue();
+                }
+            }
+        }
+        assertThat(refused).isBetween(300, 3000);
+    }
+
+    @Test
+    void aForgedLengthTakesNoMemory() {
+        ByteBuffer head = ByteBuffer.allocate(HEADER + BLOCK_HEAD).order(ByteOrder.LITTLE_ENDIAN);
+        head.putInt(0x4C324443).putInt(1).putInt(60).put((byte) 2).putInt(Integer.MAX_VALUE);
+        try (World player = world()) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Replay(slow(head.array()), player))
+                    .withMessage("this is no log of a world: it is cut");
+            head.putInt(4, 2);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Replay(slow(head.array()), player))
+                    .withMessage("this is no log of a world: its version is 2, not 1");
+        }
+    }
+
+    /** A stream that does not know its length. */
+    private static InputStream slow(byte[] bytes) {
+        ByteArrayInputStream in = new ByteArrayInputStream(bytes);
+        return new InputStream() {
+            @Override
+            public int read() {
+                return in.read();
+            }
+        };
+    }
+
+    @Test
+    void theGameGoesOnIfTheStreamFails() throws IOException {
+        try (World world = world();
+                World same = world()) {
+            OutputStream full = new OutputStream() {
+                private int room = 4000;
+
+                @Override
+                public void write(int b) throws IOException {
+                    if (room-- <= 0) {
+                        throw new IOException("the disk is full");
+                    }
+                }
+            };
+            Recording recording = new Recording(world, full, 1);
+            for (int k = 0; k < 8000; k++) {
+                world.step(1 / 60f);
+            }
+            same.step(1 / 60f, 8000);
+            assertThat(recording.hasFailed()).isTrue();
+            assertThat(world.hash()).isEqualTo(same.hash());
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 1))
+                    .withMessage("this World is being recorded already");
+            assertThatExceptionOfType(IOException.class)
+                    .isThrownBy(recording::close)
+                    .withMessage("the log ends early: the disk is full");
+            recording.close();
+            new Recording(world, OutputStream.nullOutputStream(), 1).close();
+        }
+    }
+
+    @Test
+    void aStreamThatFailsAtOnceLeavesAWorldThatCanBeRecorded() throws IOException {
+        try (World world = world()) {
+            OutputStream closed = OutputStream.nullOutputStream();
+            closed.close();
+            assertThatExceptionOfType(IOException.class).isThrownBy(() -> new Recording(world, closed, 1));
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 0))
+                    .withMessageContaining("the number of steps between two hashes");
+            assertThat(recordFalls(world, 1)).isNotEmpty();
+        }
+    }
+
+    @Test
+    void aRecordingMayBeClosedAfterItsWorld() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        World world = world();
+        Recording recording = new Recording(world, log, 5);
+        world.step(1 / 60f, 12);
+        long hash = world.hash();
+        world.close();
+        recording.close();
+        try (World player = world()) {
+            Replay replay = replay(log.toByteArray(), player).run();
+            assertThat(replay.steps()).isEqualTo(12);
+            assertThat(replay.equalUpTo()).isEqualTo(12);
+            assertThat(player.hash()).isEqualTo(hash);
+        }
+    }
+}
