@@ -58,14 +58,14 @@ INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
     return hits;
 }
 
-// Puts the pairs that were hit among those gathered, in order of their ids.
-INLINE void gatherHits(const World *w, Search *f, int hits) {
+// Puts the pairs that were hit among those gathered, in order of their ids. filtering: see mayMeetIf.
+INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering) {
     int from = f->gathered;
     int count = from;
     for (int k = 0; k < hits; k++) {
         int slot = (int) (f->hit[k] >> 32);
         int other = (int) f->hit[k];
-        if (!mayMeet(w, slot, w->traits[slot].x, other, w->traits[other].x)) continue;
+        if (!mayMeetIf(w, filtering, slot, w->traits[slot].x, other, w->traits[other].x)) continue;
         int id = w->id[slot];
         int otherId = w->id[other];
         // Exchanged where the other has the lower id; no branch, which would be taken as if by chance.
@@ -162,7 +162,12 @@ void findRow(const World *shared, Search *f, int row) {
     int columns = cells.from < cells.to ? w->levels->columnCount[w->levels->used[0]] : 0;
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
-            gatherHits(w, f, findGroup(w, f, row, column));
+            int hits = findGroup(w, f, row, column);
+            if (w->k.filtering) {
+                gatherHits(w, f, hits, true);
+            } else {
+                gatherHits(w, f, hits, false);
+            }
             bool full = f->groups == DEALT_TOGETHER || f->gathered > GATHERED - HITS;
             if (full || column + 2 >= columns) deal(w, f);
         }

@@ -13,11 +13,8 @@ Cells cellsOf(const World *w, int row) {
     return c;
 }
 
-// Gravity, the impulses of the sub-step before, and the biased pass over the walls.
-void integrateVelocitiesOfRow(const World *shared, int row) {
-    World own = *shared;
-    const World *w = &own;
-    Cells cells = cellsOf(w, row);
+// Gravity, the impulses of the sub-step before, and the biased pass over the walls. driving: see integrateOffWalls.
+INLINE void integrateVelocitiesOf(const World *shared, const World *w, Cells cells, bool driving) {
     for (int slot = cells.from; slot < cells.to; slot++) {
         float4 c = w->circle[slot];
         float4 m = w->motion[slot];
@@ -26,17 +23,28 @@ void integrateVelocitiesOfRow(const World *shared, int row) {
         float2 before, v;
         float2 bounce = (float2)(0.0f);
         bool loaded = l.w > 0.0f;
-        bool clear = integrateOffWalls(&w->k, c, m, t.x, (float2)(l.x, l.y), &before, &v);
+        bool clear = integrateOffWalls(w, slot, c, m, t.x, (float2)(l.x, l.y), driving, &before, &v);
         if (clear & (t.z == 0.0f) & (t.w == 0.0f)) {
             m.zw = v;
             t.zw = noWalls(&w->k, c);
         } else {
-            integrateVelocities(shared, c, &m, &t, l, &before, &bounce, &loaded);
+            integrateVelocities(shared, slot, c, &m, &t, l, &before, &bounce, &loaded);
         }
         w->motion[slot] = m;
         w->traits[slot] = t;
         w->wallBounce[slot] = bounce;
         w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    }
+}
+
+// The same for a row. One loop for each case: a step in which gravity alone acts pays nothing for the other.
+void integrateVelocitiesOfRow(const World *shared, int row) {
+    World own = *shared;
+    Cells cells = cellsOf(&own, row);
+    if (own.k.driving) {
+        integrateVelocitiesOf(shared, &own, cells, true);
+    } else {
+        integrateVelocitiesOf(shared, &own, cells, false);
     }
 }
 

@@ -34,6 +34,15 @@ INLINE Found4 foundWide(const World *w, int wide, int4 loaded) {
     return f;
 }
 
+// What is added along the normals in a sub-step to the speeds of those circles of pairs that are not static.
+float4 fallsOfPairs(const World *w, uint4 i, uint4 j, float4 invMassA, float4 invMassB, float4 nx, float4 ny) {
+    float2 x = gainOfPair(w, i.x, invMassA.x, j.x, invMassB.x);
+    float2 y = gainOfPair(w, i.y, invMassA.y, j.y, invMassB.y);
+    float2 z = gainOfPair(w, i.z, invMassA.z, j.z, invMassB.z);
+    float2 u = gainOfPair(w, i.w, invMassA.w, j.w, invMassB.w);
+    return nx * (float4)(x.x, y.x, z.x, u.x) + ny * (float4)(x.y, y.y, z.y, u.y);
+}
+
 // visit4, with a short way for a wide contact of which no lane flies free, as hardly any does: what only free flight needs is
 // not even computed there.
 INLINE void visitWide(Ready4 *ready, float4 vn, bool relaxing, Visited4 *visited) {
@@ -45,8 +54,8 @@ INLINE void visitWide(Ready4 *ready, float4 vn, bool relaxing, Visited4 *visited
     }
 }
 
-// The biased pass over a wide contact.
-INLINE void solveWide(const World *w, int wide) {
+// The biased pass over a wide contact. driving: whether that of the step is not 0, so that a loop decides it once.
+INLINE void solveWide(const World *w, int wide, bool driving) {
     uint4 i = slotsOf(w, wide, 0);
     uint4 j = slotsOf(w, wide, 1);
     global float4 *masses = massesOf(w, wide);
@@ -64,7 +73,9 @@ INLINE void solveWide(const World *w, int wide) {
     found.pushSpeed = pushSpeed4(&w->k, baseOf(w, wide)[2]);
     found.before = along4(nx, ny, beforeX, beforeY);
     found.squaredSpeed = beforeX * beforeX + beforeY * beforeY;
-    found.halfFall = halfFall4(nx * w->k.gravityStepX + ny * w->k.gravityStepY, masses[0], masses[1]);
+    float4 fall = nx * w->k.gravityStepX + ny * w->k.gravityStepY;
+    if (driving) fall = fallsOfPairs(w, i, j, masses[0], masses[1], nx, ny);
+    found.halfFall = halfFall4(fall, masses[0], masses[1]);
     Ready4 ready;
     makeReadyToSolve4(&w->k, contactSoftness(&w->k), &found, &ready);
     Visited4 visited;
@@ -142,7 +153,12 @@ INLINE void relaxWide(const World *w, int wide, bool last) {
 void solveRow(const World *shared, int row) {
     World w = *shared;
     int end = w.groupStart[2 * row + 1];
-    for (int wide = w.groupStart[2 * row]; wide < end; wide++) solveWide(&w, wide);
+    int from = w.groupStart[2 * row];
+    if (w.k.driving) {
+        for (int wide = from; wide < end; wide++) solveWide(&w, wide, true);
+    } else {
+        for (int wide = from; wide < end; wide++) solveWide(&w, wide, false);
+    }
 }
 
 #define MEASURED_AHEAD 32 // wide contacts

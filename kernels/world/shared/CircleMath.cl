@@ -17,6 +17,17 @@ float limitSpeed(float v) { return bounded(v, -GREATEST_SPEED, GREATEST_SPEED); 
 
 float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * impulse); }
 
+float beforeImpulse(float v, float gain, float dampingFactor) { return (v + gain) * dampingFactor; }
+
+float shareWithin(float x, float y, float most) {
+    float length = norm(x, y);
+    return length > most ? most / length : 1.0f;
+}
+
+float gain(float gravityGain, float force, float w, float h) {
+    return force == 0.0f ? gravityGain : limitSpeed(gravityGain + force * w * h);
+}
+
 // ---- broad phase ----------------------------------------------------------------------------------------------------
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }

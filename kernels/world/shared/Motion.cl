@@ -1,16 +1,17 @@
-// uses: world/shared/Wall.cl
+// uses: world/shared/Wall.cl world/shared/Drive.cl
 // The motion of a circle through a sub-step, walls included: velocities, then, after the biased pass over the contacts,
 // positions; and its state at the end of the step.
 
-// The velocity before any impulse. m: motion.
-float2 beforeImpulses(const StepConstants *k, float4 m) {
-    return (float2)(m.z + k->gravityStepX, m.w + k->gravityStepY);
+// The velocity before any impulse. m: motion; driving: whether that of the step is not 0.
+INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m, bool driving) {
+    if (driving) return drivenVelocity(w, w->id[slot], invMass, m);
+    return (float2)(m.z + w->k.gravityStepX, m.w + w->k.gravityStepY);
 }
 
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls, for one circle: changes motion m and
 // the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
 // before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
-void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
+void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
                          bool *loaded) {
     const StepConstants *k = &w->k;
     if (t->x == 0.0f) {
@@ -19,7 +20,7 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
         *loaded = false;
         return;
     }
-    *before = beforeImpulses(k, *m);
+    *before = beforeImpulses(w, slot, t->x, *m, k->driving != 0);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
     // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
     // fewer work-groups at once, although few circles are at walls.
@@ -44,10 +45,12 @@ void integrateVelocities(const World *w, float4 c, float4 *m, float4 *t, float4 
 }
 
 // integrateVelocities for a circle that no wall pushes, as long as none begins to: gives the velocities, and returns false if a
-// wall may have to be visited. m: its motion; impulses: their sum.
-INLINE bool integrateOffWalls(const StepConstants *k, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
-                              float2 *v) {
-    *before = beforeImpulses(k, m);
+// wall may have to be visited. m: its motion; impulses: their sum; driving: whether that of the step is not 0, so that a loop over
+// circles can decide that once.
+INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, bool driving,
+                              float2 *before, float2 *v) {
+    const StepConstants *k = &w->k;
+    *before = beforeImpulses(w, slot, invMass, m, driving);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
     // Adding zeros, as the visits would: the signs of zeros are part of the state.
     *v = next + noWalls(k, c);

@@ -1,4 +1,4 @@
-// uses: world/shared/PairRule.cl world/stages/Carrying.cl world/stages/Grid.cl world/stages/PairFilter.cl
+// uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl world/stages/PairFilter.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
@@ -263,8 +263,9 @@ void setMotionClamp(const World *w, int slot) {
     }
     if (stops) {
         w->sight[slot].z = speculativeDistance(r, 0.0f);
-        w->motion[slot].z -= (1.0f - own) * (k->gravityStepX * k->subSteps);
-        w->motion[slot].w -= (1.0f - own) * (k->gravityStepY * k->subSteps);
+        float2 gain = gainOf(w, w->id[slot], sight.w);
+        w->motion[slot].z -= (1.0f - own) * (gain.x * k->subSteps);
+        w->motion[slot].w -= (1.0f - own) * (gain.y * k->subSteps);
     }
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }

@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Wall.cl
+// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
 // sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
 // order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
@@ -90,6 +90,11 @@ bool gatherCircle(const World *w, int i) {
     bool isStatic = t.x == 0.0f;
     float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
+    if (w->k.driving && !isStatic) {
+        float2 driven = drivenPath(w, listed.x, t.x, m);
+        px = driven.x;
+        py = driven.y;
+    }
     float path = norm(px, py);
     if (isStatic) {
         // It stops at the bounds.

@@ -2,7 +2,22 @@
 // The rule that decides, of two circles that are near, whether they may meet: whether they become a contact, and whether
 // continuous collision looks at them. All that finds pairs asks it. The Java class PairFilter is the same.
 
-// Whether the circles of two working slots may meet: of two static ones neither moves. The caller has their inverse masses.
+// What two circles do to each other: those of one group nothing, others what their kinds say.
+int responseOf(const World *w, int id, int otherId) {
+    CircleFields a = w->fields[id];
+    CircleFields b = w->fields[otherId];
+    if (a.group != 0 && a.group == b.group) return PAIR_IGNORE;
+    return (w->responses[a.kind << 4 | b.kind >> 4] >> 2 * (b.kind & 15)) & 3;
+}
+
+// Whether the circles of two working slots may meet: of two static ones neither moves, and kinds and groups may keep others apart.
+// The caller has their inverse masses. filtering: whether that of the step is not 0, so that a loop can decide that once.
+INLINE bool mayMeetIf(const World *w, bool filtering, int slot, float invMassA, int other, float invMassB) {
+    if (invMassA == 0.0f && invMassB == 0.0f) return false;
+    // Pairs that are only sensed end here, too: a stage that records them would ask for their response.
+    return !filtering || responseOf(w, w->id[slot], w->id[other]) == PAIR_SOLID;
+}
+
 bool mayMeet(const World *w, int slot, float invMassA, int other, float invMassB) {
-    return invMassA != 0.0f || invMassB != 0.0f;
+    return mayMeetIf(w, w->k.filtering != 0, slot, invMassA, other, invMassB);
 }

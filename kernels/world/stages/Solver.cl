@@ -13,7 +13,7 @@ kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
     float4 l = load[slot];
     float2 before, bounce;
     bool loaded;
-    integrateVelocities(&w, circle[slot], &m, &t, l, &before, &bounce, &loaded);
+    integrateVelocities(&w, slot, circle[slot], &m, &t, l, &before, &bounce, &loaded);
     motion[slot] = m;
     traits[slot] = t;
     wallBounce[slot] = bounce;
@@ -62,7 +62,8 @@ float solveContact(const World *w, int c) {
     found.pushSpeed = q.z;
     found.before = along(n.x, n.y, before.x, before.y);
     found.squaredSpeed = before.x * before.x + before.y * before.y;
-    found.halfFall = halfFall(along(n.x, n.y, w->k.gravityStepX, w->k.gravityStepY), q.x, q.y);
+    float2 fall = gainOfPair(w, pr.x, q.x, pr.y, q.y);
+    found.halfFall = halfFall(along(n.x, n.y, fall.x, fall.y), q.x, q.y);
     Ready ready;
     makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, &ready);
     Visited visited;

@@ -97,7 +97,7 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global fl
     float4 old = m;
     float2 before, bounce;
     bool loaded;
-    integrateVelocities(&w, c, &m, &t, l, &before, &bounce, &loaded);
+    integrateVelocities(&w, slot, c, &m, &t, l, &before, &bounce, &loaded);
     motion[slot] = m;
     traits[slot] = t;
     wallBounce[slot] = bounce;
@@ -240,7 +240,7 @@ void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, 
 
 // Records the pairs that are in touch after the step, and the walls if they are reported. Index space: any number of work-items,
 // which take contacts and slots in turn.
-kernel void touches_end(WORLD_PARAMETERS, int walls, global const float4 *touch, global const float4 *wallTouch,
+kernel void touches_end(WORLD_PARAMETERS, int withWalls, global const float4 *touch, global const float4 *wallTouch,
                         global int4 *records, int recordRoom) {
     World w = WORLD;
     if (refused(&w)) return;
@@ -248,7 +248,7 @@ kernel void touches_end(WORLD_PARAMETERS, int walls, global const float4 *touch,
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {
         recordTouch(&w, touch, records, recordRoom, c);
     }
-    if (walls == 0) return;
+    if (withWalls == 0) return;
     for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
         if (homeTraits[slot].x == 0.0f) continue;
         recordWall(&w, wallTouch[2 * slot], records, recordRoom, slot, 0, homeCircle[slot], homeMotion[slot]);

@@ -135,7 +135,12 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
         f.pushSpeed = pushSpeed(&w->k, r->shape.x);
         f.before = along(r->normal.x, r->normal.y, before.x, before.y);
         f.squaredSpeed = before.x * before.x + before.y * before.y;
-        f.halfFall = halfFall(along(r->normal.x, r->normal.y, w->k.gravityStepX, w->k.gravityStepY), v->invMassA, v->invMassB);
+        float2 fall = (float2)(w->k.gravityStepX, w->k.gravityStepY);
+        if (w->k.driving && isContact(r->contact) && (wi == 0.0f || wj == 0.0f)) {
+            uint2 pair = w->ordered[r->contact.x & ~NOT_OWN];
+            fall = gainOfPair(w, pair.x, v->invMassA, pair.y, v->invMassB);
+        }
+        f.halfFall = halfFall(along(r->normal.x, r->normal.y, fall.x, fall.y), v->invMassA, v->invMassB);
         makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);
     }
 }

@@ -12,6 +12,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -59,6 +60,9 @@ import java.util.Objects;
  * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
  * by 0.4 radii. From about ten thousand times its mass on, it sinks through.
  *
+ * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
+ * {@link Kind}.
+ *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
  * repeats what a {@link Recording} has written.
@@ -97,7 +101,11 @@ import java.util.Objects;
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
+    /** By the settings of the matrix of kinds. */
+    private static final Response[] RESPONSES = Response.values();
+
     private final Simulation simulation;
+    private final Kind[] kinds = new Kind[PairTable.KINDS];
     private final Queries queries;
     private final Backend backend;
     private final String reason;
@@ -157,6 +165,23 @@ public final class World implements AutoCloseable {
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
         return simulation.circles().add(x, y, radius, mass, vx, vy);
+    }
+
+    /**
+     * Adds a circle of a kind, with the kind's restitution, else the world's.
+     *
+     * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
+     * @param y y of the centre, within the bounds
+     * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
+     * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
+     * @param vy velocity along y, likewise
+     * @param kind the number of its kind, 0 to 255
+     * @return its handle
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
+        return simulation.circles().add(x, y, radius, mass, vx, vy, kind);
     }
 
     /**
@@ -354,6 +379,28 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Gives a circle another kind, and the kind's restitution if it has one. {@link Kind} says what kinds are for.
+     *
+     * @param handle the circle
+     * @param kind the number of the kind, 0 to 255
+     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     */
+    public void setKind(long handle, int kind) {
+        simulation.circles().setKind(handle, kind);
+    }
+
+    /**
+     * Puts a circle into an exclusion group: circles of one group never meet, whatever their kinds. Others meet as their kinds say.
+     *
+     * @param handle the circle
+     * @param group any number; 0 for no group, as at first
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public void setGroup(long handle, int group) {
+        simulation.circles().set(CircleField.GROUP, handle, group);
+    }
+
+    /**
      * Pushes a circle: its velocity changes by the impulse over its mass. That of a static circle stays.
      *
      * @param handle the circle
@@ -363,6 +410,34 @@ public final class World implements AutoCloseable {
      */
     public void applyImpulse(long handle, float x, float y) {
         simulation.circles().set(Commands.IMPULSE, handle, x, y);
+    }
+
+    /**
+     * Sets a force on a circle, which acts in every step until it is changed: thrust, steering, wind. It adds the force over the mass to
+     * the velocity, each second; static circles do not feel it. Forces do not wipe out what collisions do, as
+     * {@link #setVelocity} would.
+     *
+     * @param handle the circle
+     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude; in a sub-step it changes a velocity by at
+     *     most 1e9
+     * @param y force along y, likewise
+     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     */
+    public void setForce(long handle, float x, float y) {
+        simulation.circles().setForce(handle, x, y);
+    }
+
+    /**
+     * Applies a force to a circle in the next step alone (the first of several that are made by one call), besides the one that is set
+     * for it. Several that are applied before a step add up. For a push that is over at once there is {@link #applyImpulse}.
+     *
+     * @param handle the circle
+     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude, as is their sum
+     * @param y force along y, likewise
+     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     */
+    public void applyForce(long handle, float x, float y) {
+        simulation.circles().applyForce(handle, x, y);
     }
 
     /**
@@ -432,6 +507,44 @@ public final class World implements AutoCloseable {
 
     // ---- the world
     // ---------------------------------------------------------------------------------------------------
+
+    /**
+     * A kind of circles, to change or to ask. Kind 0 is what circles are that nobody gives a kind.
+     *
+     * @param number 0 to 255
+     * @return the kind; the same object for the same number
+     * @throws IllegalArgumentException where there is no such kind
+     */
+    public Kind kind(int number) {
+        if (kinds[simulation.kinds().check(number)] == null) {
+            kinds[number] = new Kind(simulation.kinds(), number);
+        }
+        return kinds[number];
+    }
+
+    /**
+     * Says what the circles of two kinds do to each other, whatever their masks and sensors say; or leaves it to these.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same
+     * @param response what they do; {@link Response#BY_MASK} to leave it to masks and sensors, as at first
+     * @throws IllegalArgumentException where there is no such kind
+     */
+    public void setResponse(int kindA, int kindB, Response response) {
+        simulation.kinds().setSetting(kindA, kindB, response.ordinal());
+    }
+
+    /**
+     * What {@link #setResponse} has said of two kinds.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same
+     * @return what was set last; {@link Response#BY_MASK} at first
+     * @throws IllegalArgumentException where there is no such kind
+     */
+    public Response response(int kindA, int kindB) {
+        return RESPONSES[simulation.kinds().setting(kindA, kindB)];
+    }
 
     /**
      * Changes gravity.
@@ -846,6 +959,28 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * The force that is set for a circle, along x. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the force; 0 at first
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float forceX(long handle) {
+        return simulation.circles().force(CircleField.FORCE_X, handle);
+    }
+
+    /**
+     * The force that is set for a circle, along y. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the force; 0 at first
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public float forceY(long handle) {
+        return simulation.circles().force(CircleField.FORCE_Y, handle);
+    }
+
+    /**
      * The number that the caller has given a circle. It is known without a read-back.
      *
      * @param handle the circle
@@ -854,6 +989,28 @@ public final class World implements AutoCloseable {
      */
     public long tag(long handle) {
         return simulation.circles().get(CircleField.TAG, handle);
+    }
+
+    /**
+     * The kind of a circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the number of its kind, 0 to 255
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public int kind(long handle) {
+        return (int) simulation.circles().get(CircleField.KIND, handle);
+    }
+
+    /**
+     * The exclusion group of a circle. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the number of the group; 0 for none
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public int group(long handle) {
+        return (int) simulation.circles().get(CircleField.GROUP, handle);
     }
 
     /**
@@ -866,10 +1023,10 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * A hash of the state: of every circle, its tag too, and of the impulses that the next step starts from. Equal states have equal
-     * hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how contacts are
-     * if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity, sub-steps,
-     * restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, and of the kinds. Equal states
+     * have equal hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how
+     * contacts are if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity,
+     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
      *
      * @return 64 bits
      */

@@ -128,6 +128,29 @@ interface GoldenChange {
         }
     }
 
+    /** Circles get kinds, groups and forces, and what kinds do to each other changes while they touch. */
+    static void kinds(GoldenScene.Run run) {
+        WorldCalls world = run.calls();
+        SplittableRandom random = run.random();
+        int n = world.size();
+        long[] handles = run.readHandles();
+        for (int k = 0; k < n / 16; k++) {
+            world.setKind(handles[random.nextInt(n)], random.nextInt(4));
+            world.setGroup(handles[random.nextInt(n)], random.nextInt(3));
+        }
+        for (int k = 0; k < 8; k++) {
+            world.setForce(handles[random.nextInt(n)], 20 * unit(random) - 10, 10 * unit(random));
+            world.applyForce(handles[random.nextInt(n)], 200 * unit(random) - 100, 0);
+        }
+        switch (random.nextInt(5)) {
+            case 4 -> world.setMotion(random.nextInt(4), 2 * unit(random), unit(random), 1 + unit(random));
+            case 0 -> world.setResponse(random.nextInt(4), random.nextInt(4), Response.values()[random.nextInt(4)]);
+            case 1 -> world.setPairs(1, 1 << random.nextInt(2), -1 - random.nextInt(3), false);
+            case 2 -> world.setPairs(2, 2, 3, random.nextInt(8) == 0);
+            default -> world.setKindRestitution(3, unit(random));
+        }
+    }
+
     /** Every wall goes to a place beside its own: some way in, farther than some circles are large. */
     static void walls(GoldenScene.Run run) {
         Scene scene = run.scene();

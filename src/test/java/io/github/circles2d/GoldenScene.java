@@ -33,6 +33,7 @@ record GoldenScene(String name, Scene scene, GoldenChange change) {
                 new GoldenScene("pile-growth", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::growth),
                 new GoldenScene("fence", HardScenes.fence(24, Scenes.SEED), GoldenChange.NONE),
                 new GoldenScene("paddles", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::paddles),
+                new GoldenScene("pile-kinds", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::kinds),
                 new GoldenScene("crowd", HardScenes.crowd(40, Scenes.SEED), GoldenChange::turn),
                 new GoldenScene("dragged", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::drag),
                 new GoldenScene("pile-walls", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::walls));

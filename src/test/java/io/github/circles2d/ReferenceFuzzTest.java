@@ -96,7 +96,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(23)) {
+            switch (random.nextInt(29)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -108,10 +108,17 @@ class ReferenceFuzzTest {
                 case 8 -> setGravity();
                 case 9 -> setBounds();
                 case 10 -> saveOrRestore();
-                case 11 -> changeSome();
-                case 12 -> explode();
-                case 13 -> moveWalls();
-                case 14 -> report();
+                case 11 -> withSome(this::setKind);
+                case 12 -> withSome(this::setGroup);
+                case 13 -> setPairs();
+                case 14 -> setResponse();
+                case 15 -> setMotion();
+                case 16 -> withSome(this::setForce);
+                case 17 -> withSome(this::applyForce);
+                case 18 -> changeSome();
+                case 19 -> explode();
+                case 20 -> moveWalls();
+                case 21 -> report();
                 default -> step();
             }
         }
@@ -175,7 +182,12 @@ class ReferenceFuzzTest {
                 float mass = mass();
                 float vx = speed();
                 float vy = speed();
-                both("add", c -> c.add(x, y, radius, mass, vx, vy));
+                if (random.nextInt(4) == 0) {
+                    int kind = kind();
+                    both("add", c -> c.add(x, y, radius, mass, vx, vy, kind));
+                } else {
+                    both("add", c -> c.add(x, y, radius, mass, vx, vy));
+                }
             }
         }
 
@@ -228,6 +240,62 @@ class ReferenceFuzzTest {
             if (Math.abs(impulseX) < 1e18f) {
                 both("applyImpulse", c -> c.applyImpulse(handle, impulseX, impulseY));
             }
+        }
+
+        private void setKind(long handle) {
+            int kind = kind();
+            both("setKind", c -> c.setKind(handle, kind));
+        }
+
+        private void setGroup(long handle) {
+            int group = random.nextInt(4) - 1;
+            both("setGroup", c -> c.setGroup(handle, group));
+        }
+
+        private void setPairs() {
+            int kind = kind();
+            int category = 1 << random.nextInt(2);
+            int mask = random.nextInt(5) - 1;
+            boolean sensor = random.nextInt(4) == 0;
+            both("setPairs", c -> c.setPairs(kind, category, mask, sensor));
+            float e = random.nextInt(3) == 0 ? Float.NaN : value(0f, 1f);
+            both("setKindRestitution", c -> c.setKindRestitution(kind, e));
+        }
+
+        private void setForce(long handle) {
+            float x = force();
+            float y = force();
+            both("setForce", c -> c.setForce(handle, x, y));
+        }
+
+        private void applyForce(long handle) {
+            float x = force();
+            float y = force();
+            both("applyForce", c -> c.applyForce(handle, x, y));
+        }
+
+        private float force() {
+            return random.nextInt(4) == 0 ? -0f : 10f * mass(2f) * value(-size, size);
+        }
+
+        private void setMotion() {
+            int kind = kind();
+            float scale = random.nextInt(3) == 0 ? random.nextInt(3) - 1 : value(-2f, 3f);
+            float damping = random.nextInt(2) == 0 ? 0f : value(0f, random.nextInt(8) == 0 ? 1e4f : 5f);
+            float most =
+                    random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : random.nextInt(9) == 0 ? 0f : value(0f, size);
+            both("setMotion", c -> c.setMotion(kind, scale, damping, most));
+        }
+
+        private void setResponse() {
+            int kind = kind();
+            int other = kind();
+            Response response = Response.values()[random.nextInt(4)];
+            both("setResponse", c -> c.setResponse(kind, other, response));
+        }
+
+        private int kind() {
+            return random.nextInt(3) == 0 ? 255 - random.nextInt(2) : random.nextInt(3);
         }
 
         /** Changes some circles at once, among them some that are gone or occur twice. */
@@ -351,9 +419,11 @@ class ReferenceFuzzTest {
         }
 
         private float mass() {
-            return random.nextInt(8) == 0
-                    ? Float.POSITIVE_INFINITY
-                    : (float) StrictMath.pow(10, random.nextInt(5) - 2) * value(1f, 2f);
+            return random.nextInt(8) == 0 ? Float.POSITIVE_INFINITY : mass(2f);
+        }
+
+        private float mass(float most) {
+            return (float) StrictMath.pow(10, random.nextInt(5) - 2) * value(1f, most);
         }
 
         private float speed() {

@@ -41,6 +41,12 @@ class WorldAllocationTest {
                 world.setVelocity(handles[7], 0.01f, 0);
                 world.applyImpulse(handles[8], 0.01f, 0);
                 world.setTag(handles[9], world.tag(handles[9]) + 1);
+                world.setKind(handles[10], 1 + (world.kind(handles[10]) & 1));
+                world.kind(2).setDamping(world.kind(2).damping() + 0.01f).setMask(~1);
+                world.setResponse(1, 2, world.response(1, 1) == Response.IGNORE ? Response.SOLID : Response.IGNORE);
+                world.setGroup(handles[11], world.group(handles[11]) + 1);
+                world.setForce(handles[12], world.forceX(handles[12]) + 0.01f, 0);
+                world.applyForce(handles[13], 0.01f, 0);
                 world.step(scene.timeStep());
                 world.step(scene.timeStep(), 2);
                 world.read(circles);

@@ -1,11 +1,14 @@
 package io.github.circles2d;
 
+import java.lang.reflect.InvocationHandler;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
 
 /** Calls of a test's program, which a World answers, or what a World is compared with. They are those of {@link World}. */
 public interface WorldCalls {
     long add(float x, float y, float radius, float mass, float vx, float vy);
+
+    long add(float x, float y, float radius, float mass, float vx, float vy, int kind);
 
     void remove(long handle);
 
@@ -29,7 +32,34 @@ public interface WorldCalls {
 
     void setRestitution(long handle, float restitution);
 
+    void setKind(long handle, int kind);
+
+    void setGroup(long handle, int group);
+
+    void setResponse(int kindA, int kindB, Response response);
+
+    Kind kind(int number);
+
+    /** Sets what decides which circles of a kind meet. */
+    default void setPairs(int kind, int category, int mask, boolean sensor) {
+        kind(kind).setCategory(category).setMask(mask).setSensor(sensor);
+    }
+
+    /** Sets how circles of a kind move. */
+    default void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
+        kind(kind).setGravityScale(gravityScale).setDamping(damping).setGreatestSpeed(greatestSpeed);
+    }
+
+    /** Sets the restitution that circles get with a kind. */
+    default void setKindRestitution(int kind, float restitution) {
+        kind(kind).setRestitution(restitution);
+    }
+
     void applyImpulse(long handle, float x, float y);
+
+    void setForce(long handle, float x, float y);
+
+    void applyForce(long handle, float x, float y);
 
     void report(int types);
 
@@ -58,6 +88,9 @@ public interface WorldCalls {
         ClassLoader loader = WorldCalls.class.getClassLoader();
         return (WorldCalls)
                 Proxy.newProxyInstance(loader, new Class<?>[] {WorldCalls.class}, (proxy, method, arguments) -> {
+                    if (method.isDefault()) {
+                        return InvocationHandler.invokeDefault(proxy, method, arguments);
+                    }
                     try {
                         return World.class
                                 .getMethod(method.getName(), method.getParameterTypes())

@@ -239,7 +239,7 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            switch (random.nextInt(25)) {
+            switch (random.nextInt(30)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -253,11 +253,16 @@ class WorldFuzzTest {
                 case 13 -> saveOrRestore();
                 case 18 -> requestOrTakePositions();
                 case 19 -> setTag();
-                case 20 -> changeSome();
-                case 21 -> removeSome();
-                case 22 -> explode();
-                case 23 -> query();
-                case 24 -> report();
+                case 20 -> setKind();
+                case 21 -> setGroup();
+                case 22 -> setPairs();
+                case 23 -> setMotion();
+                case 24 -> setForce();
+                case 25 -> changeSome();
+                case 26 -> removeSome();
+                case 27 -> explode();
+                case 28 -> query();
+                case 29 -> report();
                 default -> step();
             }
         }
@@ -266,8 +271,13 @@ class WorldFuzzTest {
             float[] c = circle();
             float vx = value(-speed(), speed());
             float vy = value(-speed(), speed());
-            last = "add " + Arrays.toString(c) + " " + vx + " " + vy;
-            ask(bad(c) || bad(vx) || bad(vy), () -> entered(world.add(c[0], c[1], c[2], c[3], vx, vy), c[2], c[3]));
+            int kind = kind();
+            last = "add " + Arrays.toString(c) + " " + vx + " " + vy + " " + kind;
+            ask(bad(c) || bad(vx) || bad(vy) || !isKind(kind), () -> {
+                long handle = world.add(c[0], c[1], c[2], c[3], vx, vy, kind);
+                entered(handle, c[2], c[3]);
+                assertThat(world.kind(handle)).isEqualTo(kind);
+            });
         }
 
         private void addAll() {
@@ -389,6 +399,89 @@ class WorldFuzzTest {
                         && (events.side(i) == null) == (events.b(i) != 0);
                 assertThat(sound).as("event %d", i).isTrue();
             }
+        }
+
+        private int kind() {
+            return random.nextInt(20) == 0 ? random.nextInt() : random.nextInt(3) == 0 ? 255 : random.nextInt(3);
+        }
+
+        private static boolean isKind(int kind) {
+            return kind >= 0 && kind <= 255;
+        }
+
+        private void setKind() {
+            long handle = handle();
+            int kind = kind();
+            last = "setKind " + kind;
+            ask(unknown(handle) || !isKind(kind), () -> {
+                world.setKind(handle, kind);
+                assertThat(world.kind(handle)).isEqualTo(kind);
+            });
+        }
+
+        private void setMotion() {
+            int kind = kind();
+            float scale = value(-1000, 1000);
+            float damping = value(0, 10);
+            float most = value(0, speed());
+            last = "setMotion " + kind + " " + scale + " " + damping + " " + most;
+            ask(!isKind(kind) || bad(scale), () -> {
+                world.kind(kind).setGravityScale(scale);
+                assertThat(world.kind(kind).gravityScale()).isEqualTo(scale);
+            });
+            ask(!isKind(kind) || bad(damping) || damping < 0, () -> {
+                world.kind(kind).setDamping(damping);
+                assertThat(world.kind(kind).damping()).isEqualTo(damping);
+            });
+            ask(!isKind(kind) || Float.isNaN(most) || most < 0, () -> {
+                world.kind(kind).setGreatestSpeed(most);
+                assertThat(world.kind(kind).greatestSpeed()).isEqualTo(most);
+            });
+        }
+
+        private void setForce() {
+            long handle = handle();
+            float x = value(-1e18f, 1e18f);
+            float y = value(-1, 1);
+            last = "setForce " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> {
+                world.setForce(handle, x, y);
+                assertThat(world.forceX(handle)).isEqualTo(x + 0f);
+                assertThat(world.forceY(handle)).isEqualTo(y + 0f);
+            });
+            last = "applyForce " + x + " " + y;
+            ask(unknown(handle) || bad(x) || bad(y), () -> world.applyForce(handle, x, y));
+        }
+
+        private void setGroup() {
+            long handle = handle();
+            int group = random.nextInt() >> random.nextInt(32);
+            last = "setGroup " + group;
+            ask(unknown(handle), () -> {
+                world.setGroup(handle, group);
+                assertThat(world.group(handle)).isEqualTo(group);
+            });
+        }
+
+        private void setPairs() {
+            int kind = kind();
+            int other = kind();
+            float e = value(0, 1);
+            Response response = Response.values()[random.nextInt(4)];
+            last = "setPairs " + kind + " " + other + " " + e + " " + response;
+            ask(!isKind(kind) || !isKind(other), () -> {
+                world.setResponse(kind, other, response);
+                assertThat(world.response(other, kind)).isEqualTo(response);
+            });
+            int mask = random.nextInt() >> random.nextInt(32);
+            ask(!isKind(kind), () -> {
+                world.kind(kind).setMask(mask).setCategory(random.nextInt(4)).setSensor(random.nextInt(3) == 0);
+                assertThat(world.kind(kind).mask()).isEqualTo(mask);
+            });
+            ask(!isKind(kind) || !Float.isNaN(e) && !(e >= 0 && e <= 1), () -> {
+                world.kind(kind).setRestitution(e);
+                assertThat(Float.compare(world.kind(kind).restitution(), e)).isZero();
+            });
         }
 
         /** Queries with what may be hostile are refused or answered; those that are answered find what a look at all finds. */

@@ -3,6 +3,7 @@ package io.github.circles2d.world;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
 import java.util.Objects;
@@ -26,18 +27,31 @@ public final class Circles {
         last = simulation.last;
     }
 
-    /** Adds a circle, with the world's restitution, and returns its handle. */
+    /** Adds a circle of kind 0 and returns its handle. */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        return add(x, y, radius, mass, vx, vy, 0);
+    }
+
+    /** Adds a circle, with the restitution of its kind, else the world's, and returns its handle. */
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         guard.enter();
         try {
             checkRoom(1);
             check(x, y, radius, mass, vx, vy);
-            simulation.expect(1);
+            KindTable.check(kind);
+            simulation.expect(2);
             handles.ensure(1);
-            commands.prepare(0, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+            if (kind != 0) {
+                handles.fields().ensure(CircleField.KIND, handles.end() + 1);
+            }
+            float restitution = newRestitution(kind);
+            commands.prepare(0, x, y, radius, mass, restitution, vx, vy);
             simulation.changed();
             guard.changing = true;
-            long handle = admit();
+            long handle = admit(restitution);
+            if (kind != 0) {
+                enter(CircleField.KIND, (int) handle, kind);
+            }
             guard.changing = false;
             return handle;
         } catch (RuntimeException | Error e) {
@@ -62,8 +76,9 @@ public final class Circles {
             }
             simulation.changed();
             guard.changing = true;
+            float restitution = newRestitution(0);
             for (int i = 0; i < n; i++) {
-                long handle = admit();
+                long handle = admit(restitution);
                 if (to != null) {
                     to[i] = handle;
                 }
@@ -104,7 +119,7 @@ public final class Circles {
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, simulation.defaultRestitution, vx, vy);
+        commands.prepare(i, x, y, radius, mass, newRestitution(0), vx, vy);
     }
 
     private void checkRoom(int more) {
@@ -121,10 +136,15 @@ public final class Circles {
         Limits.velocity(vx, vy);
     }
 
+    /** The restitution of a new circle of a kind. */
+    private float newRestitution(int kind) {
+        return simulation.kinds().restitution(kind, simulation.defaultRestitution);
+    }
+
     /** Gives the first circle that is prepared its id, and returns its handle. */
-    private long admit() {
+    private long admit(float restitution) {
         int id = handles.add(commands.preparedRadius());
-        handles.setRestitution(id, simulation.defaultRestitution);
+        handles.setRestitution(id, restitution);
         handles.setMass(id, commands.preparedMass());
         commands.admit(id);
         return handles.handle(id);
@@ -280,15 +300,91 @@ public final class Circles {
                 simulation.journal.field(field, id, value);
             }
             guard.changing = true;
-            handles.fields().set(field, id, value);
-            if (field.isOfSteps()) {
-                commands.setField(field, id, (int) value);
+            enter(field, id, value);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Gives a circle another kind, and the restitution of the kind if it has one. */
+    public void setKind(long handle, int kind) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            KindTable.check(kind);
+            simulation.expect(2);
+            handles.fields().ensure(CircleField.KIND, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            enter(CircleField.KIND, id, kind);
+            float restitution = simulation.kinds().restitution(kind, Float.NaN);
+            if (!Float.isNaN(restitution)) {
+                commands.set(Commands.RESTITUTION, id, restitution, 0);
+                handles.setRestitution(id, restitution);
             }
             guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
+        }
+    }
+
+    /** Sets the force on a circle. */
+    public void setForce(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.force(x, y);
+            simulation.expect(2);
+            handles.fields().ensure(CircleField.FORCE_X, id + 1);
+            handles.fields().ensure(CircleField.FORCE_Y, id + 1);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            enter(CircleField.FORCE_X, id, Forces.bits(x));
+            enter(CircleField.FORCE_Y, id, Forces.bits(y));
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Applies a force to a circle in the next step. */
+    public void applyForce(long handle, float x, float y) {
+        guard.enter();
+        try {
+            int id = find(handle);
+            Limits.force(x, y);
+            simulation.forces.ensure();
+            handles.fields().ensure(CircleField.APPLIED_X, id + 1);
+            handles.fields().ensure(CircleField.APPLIED_Y, id + 1);
+            simulation.journal.force(id, x, y);
+            simulation.snapshots().forget();
+            guard.changing = true;
+            simulation.forces.apply(id, x, y);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** A component of the force that is set for a circle: {@link CircleField#FORCE_X} or {@code FORCE_Y}. */
+    public float force(CircleField component, long handle) {
+        return Float.intBitsToFloat((int) get(component, handle));
+    }
+
+    /** Takes down the value of a field, for which there is room. */
+    private void enter(CircleField field, int id, long value) {
+        handles.fields().set(field, id, value);
+        if (field.isOfSteps()) {
+            commands.setField(field, id, (int) value);
         }
     }
 

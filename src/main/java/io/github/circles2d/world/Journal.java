@@ -130,9 +130,6 @@ public final class Journal {
             writeField(field, id, commands.records()[at + Commands.SECOND]);
             return;
         }
-        if (operation == Commands.DEPART || operation == Commands.ARRIVE) {
-            return; // a replay makes them, too
-        }
         int values = Commands.values(operation);
         log.begin(operation, 1 + values);
         log.word(id);
@@ -162,6 +159,16 @@ public final class Journal {
     /** A static circle is to travel. */
     void travel(int id, float x, float y) {
         call(LoggedCall.TRAVEL, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
+    /** A force is to act in the next step. */
+    void force(int id, float x, float y) {
+        call(LoggedCall.FORCE, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
+    /** The commands that wait are not to be in the log: a replay makes them, too. */
+    void skipCommands() {
+        logged = commands.count();
     }
 
     /** A call of two words is to change the world. */

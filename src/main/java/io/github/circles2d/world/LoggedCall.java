@@ -3,6 +3,8 @@ package io.github.circles2d.world;
 import static java.lang.Float.intBitsToFloat;
 
 import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.log.LogReader;
 
 /**
@@ -30,7 +32,17 @@ enum LoggedCall {
     FIELD(68, 4, (s, w) -> s.circles().set(field(w[0]), LogPlayer.handle(s, w[1]), value(w[2], w[3]))),
 
     /** A static circle is to travel: the circle's id, x, y. */
-    TRAVEL(69, 3, (s, w) -> s.circles().move(LogPlayer.handle(s, w[0]), intBitsToFloat(w[1]), intBitsToFloat(w[2])));
+    TRAVEL(69, 3, (s, w) -> s.circles().move(LogPlayer.handle(s, w[0]), intBitsToFloat(w[1]), intBitsToFloat(w[2]))),
+
+    /** A force acts in the next step: the circle's id, x, y. */
+    FORCE(70, 3, (s, w) -> s.circles()
+            .applyForce(LogPlayer.handle(s, w[0]), intBitsToFloat(w[1]), intBitsToFloat(w[2]))),
+
+    /** A field of a kind: the kind, the field's number, the value. */
+    KIND(71, 3, (s, w) -> s.kinds().set(kindField(w[1]), s.kinds().check(w[0]), w[2])),
+
+    /** What the matrix of kinds has of two of them: both, and that. */
+    PAIR_OF_KINDS(72, 3, (s, w) -> s.kinds().setSetting(w[0], w[1], setting(w[2])));
 
     /** Makes a call again. */
     interface Repetition {
@@ -79,6 +91,21 @@ enum LoggedCall {
             throw LogReader.refused("calls set no field with the number " + number);
         }
         return field;
+    }
+
+    private static KindField kindField(int number) {
+        KindField field = KindField.ofNumber(number);
+        if (field == null) {
+            throw LogReader.refused("no field of a kind has the number " + number);
+        }
+        return field;
+    }
+
+    private static int setting(int number) {
+        if (!KindTable.isSetting(number)) {
+            throw LogReader.refused("kinds cannot have the response " + number);
+        }
+        return number;
     }
 
     static long value(int low, int high) {

@@ -2,6 +2,7 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
@@ -15,7 +16,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Readings}, {@link Reports}, {@link Searches}, {@link Snapshots}.
+ * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Reports}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -25,7 +26,10 @@ public final class Simulation implements AutoCloseable {
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
     final ContactEvents events = new ContactEvents();
+    final KindTable kindTable = new KindTable();
+    final Forces forces = new Forces(handles, commands);
     final LastReading last;
+    private final Kinds kinds;
     final Travels travels = new Travels(handles, commands);
     private final Circles circles;
     private final BulkChanges bulk;
@@ -65,6 +69,7 @@ public final class Simulation implements AutoCloseable {
         this.pipeline = pipeline;
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
+        kinds = new Kinds(this);
         circles = new Circles(this);
         bulk = new BulkChanges(this);
         readings = new Readings(this);
@@ -84,6 +89,11 @@ public final class Simulation implements AutoCloseable {
     /** The calls on circles. */
     public Circles circles() {
         return circles;
+    }
+
+    /** The calls on kinds of circles. */
+    public Kinds kinds() {
+        return kinds;
     }
 
     /** The calls that change many circles at once. */
@@ -224,12 +234,12 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             journal.step(timeStep, steps);
-            int travelling = travels.isEmpty() ? 0 : 1;
-            if (travelling > 0) {
-                travel(timeStep);
+            int first = hasFirstStep() ? 1 : 0;
+            if (first > 0) {
+                makeFirstStep(timeStep);
             }
-            if (steps > travelling) {
-                makeSteps(timeStep, steps - travelling);
+            if (steps > first) {
+                makeSteps(timeStep, steps - first);
             }
             journal.stepped(steps);
         } catch (RuntimeException | Error e) {
@@ -239,11 +249,18 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Makes a step in which static circles travel. */
-    private void travel(float timeStep) {
+    /** Whether the next step is another than those behind it: some static circle travels, a wall moves, or a force is applied. */
+    private boolean hasFirstStep() {
+        return !travels.isEmpty() || !forces.isEmpty() || !wallStart.equals(bounds);
+    }
+
+    /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
+    private void makeFirstStep(float timeStep) {
+        forces.begin();
         travels.makeRoom();
         guard.changing = true;
         travels.depart(timeStep);
+        journal.skipCommands();
         guard.changing = false;
         try {
             makeSteps(timeStep, 1);
@@ -255,7 +272,10 @@ public final class Simulation implements AutoCloseable {
             throw e;
         }
         guard.changing = true;
+        wallStart = bounds;
         travels.arrive();
+        forces.end();
+        journal.skipCommands();
         guard.changing = false;
     }
 
@@ -265,30 +285,20 @@ public final class Simulation implements AutoCloseable {
         emptyStep = handles.size() == 0;
         if (!emptyStep) {
             changed();
+            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
+            constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+            constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
+            constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
-            enqueue(timeStep, steps);
+            pipeline.step(constants, levels, steps);
         } else if (events.isOn()) {
             finishSteps();
             guard.changing = true;
             events.emptySteps(steps);
         }
-        wallStart = bounds;
         snapshots.forget();
         previousTimeStep = timeStep;
         guard.changing = false;
-    }
-
-    /** Walls move in the first step alone. */
-    private void enqueue(float timeStep, int steps) {
-        float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-        constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
-        if (!constants.walls.any() || steps == 1) {
-            pipeline.step(constants, levels, steps);
-            return;
-        }
-        pipeline.step(constants, levels, 1);
-        constants.set(timeStep, subSteps, gravityX, gravityY, bounds, bounds, timeStep, contacts);
-        pipeline.step(constants, levels, steps - 1);
     }
 
     /** Waits until all steps that were asked for have been made. */
@@ -318,7 +328,10 @@ public final class Simulation implements AutoCloseable {
     /** The hash of the state, for callers that are inside already. */
     long currentHash() {
         settle();
-        return pipeline.hash() + handles.fields().hash() + WorldParameters.hash(bounds, wallStart, contacts);
+        return pipeline.hash()
+                + handles.fields().hash()
+                + kindTable.hash()
+                + WorldParameters.hash(bounds, wallStart, contacts);
     }
 
     /** The figures as of now. */

@@ -107,6 +107,7 @@ public final class Snapshots {
     private void makeRoom() {
         simulation.finishSteps();
         handles.makeRoom(saved);
+        simulation.forces.makeRoom(saved);
         simulation.travels.makeRoom(saved);
         pipeline.makeRoom(saved);
         pipeline.prepare(saved.parameters().contacts());
@@ -119,6 +120,8 @@ public final class Snapshots {
     private void load() {
         guard.changing = true;
         handles.load(saved);
+        simulation.kindTable.copy(saved.kinds);
+        simulation.forces.restored(saved);
         simulation.commands.clear();
         simulation.journal.logged = 0;
         simulation.travels.restored();
@@ -146,6 +149,7 @@ public final class Snapshots {
             pipeline.save(saved);
             simulation.events.save(saved.touches);
             saved.setParameters(simulation.parameters());
+            saved.kinds.copy(simulation.kindTable);
             savedCurrent = true;
         }
     }

@@ -20,8 +20,20 @@ final class Circle {
     float radius;
     float mass;
     float restitution;
+    int kind;
+    int group;
+    final float[] force = new float[2];
+
+    /** What acts in the next step alone. */
+    final float[] appliedForce = new float[2];
 
     // within a step
+    /** The whole force in this step. */
+    final float[] actingForce = new float[2];
+
+    /** What is added to the velocity in a sub-step. */
+    final float[] gain = new float[2];
+
     final float[] path = new float[2];
     final float[] freePath = new float[2];
     final float[] impulses = new float[2];

@@ -98,7 +98,7 @@ final class Contact extends Constraint {
     /** Not 0 only if one circle is static, since circles that both fall gain no speed against each other. */
     @Override
     float halfFall() {
-        float half = 0.5f * Numbers.dot(normal, new float[] {step.gravityStep(0), step.gravityStep(1)});
+        float half = 0.5f * Numbers.dot(normal, lower.isStatic() ? higher.gain : lower.gain);
         return lower.inverseMass() == 0f ? half : higher.inverseMass() == 0f ? -half : 0f;
     }
 

@@ -21,8 +21,10 @@ final class ContinuousCollision {
     private final List<Circle> circles;
     private final Grid grid;
     private final StepParameters k;
+    private final Kinds kinds;
 
-    ContinuousCollision(List<Circle> circles, Grid grid, StepParameters k) {
+    ContinuousCollision(List<Circle> circles, Grid grid, StepParameters k, Kinds kinds) {
+        this.kinds = kinds;
         this.circles = circles;
         this.grid = grid;
         this.k = k;
@@ -84,10 +86,11 @@ final class ContinuousCollision {
     }
 
     /** Whether one circle is static and moves, and the faster one of both looks for the other. */
-    private static boolean isCarrier(Circle carrier, Circle c) {
+    private boolean isCarrier(Circle carrier, Circle c) {
         float[] u = minus(c.path, carrier.path);
         return carrier.isStatic()
                 && carrier.pathLength > 0f
+                && kinds.mayMeet(carrier, c)
                 && (isFast(carrier) && c.pathLength <= carrier.pathLength + Circle.CAP * c.radius
                         || isFast(c) && length2(u) > c.leastPath * c.leastPath);
     }
@@ -116,7 +119,9 @@ final class ContinuousCollision {
         float[] u = minus(c.path, other.path);
         float[] d = minus(other.base, c.base);
         boolean atStatic = other.isStatic();
-        if (!(length2(u) > c.leastPath * c.leastPath) || !atStatic && !(other.radius * SWEEP_RATIO >= c.radius)) {
+        if (!kinds.mayMeet(c, other)
+                || !(length2(u) > c.leastPath * c.leastPath)
+                || !atStatic && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;
         }
         float reachToStatic = (c.radius + c.pathLength) + other.radius;
@@ -198,7 +203,7 @@ final class ContinuousCollision {
         }
         if (stops) {
             for (int a = 0; a < 2; a++) {
-                c.velocity[a] -= (1f - own) * (k.gravityStep(a) * k.subSteps());
+                c.velocity[a] -= (1f - own) * (c.gain[a] * k.subSteps());
             }
             c.speculativeDistance = c.radius + Circle.MARGIN * c.radius;
         }

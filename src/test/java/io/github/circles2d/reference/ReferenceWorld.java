@@ -1,5 +1,7 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Kind;
+import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
@@ -15,13 +17,18 @@ import java.util.function.IntConsumer;
  */
 public final class ReferenceWorld implements WorldCalls {
     private static final float GREATEST_WARM_SCALE = 4f;
+    private static final float GREATEST_FORCE = 1e18f;
 
     private static final long CIRCLE = 0x636972636C653264L;
-    private static final long FIELD = 0x666965E5C2D1F01DL;
     private static final int TARGET = 9;
     private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
+    private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int KIND_FIELD = 2;
+    private static final int GROUP_FIELD = 3;
+    private static final int FORCE_FIELDS = 4;
+    private static final int APPLIED_FORCE_FIELDS = 6;
 
     private final float restitution;
     private final int subSteps;
@@ -36,6 +43,7 @@ public final class ReferenceWorld implements WorldCalls {
     /** The impulses greater than 0 with which contacts ended the last step. */
     private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
 
+    private final Kinds kinds = new Kinds();
     private final TouchEvents events = new TouchEvents();
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
@@ -78,8 +86,15 @@ public final class ReferenceWorld implements WorldCalls {
             float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
+            for (Circle c : circles()) {
+                c.actingForce[0] = c.force[0];
+                c.actingForce[1] = c.force[1];
+                addForce(c.actingForce, c.appliedForce[0], c.appliedForce[1]);
+                c.appliedForce[0] = 0f;
+                c.appliedForce[1] = 0f;
+            }
             if (size() > 0) {
-                Step step = new Step(circles(), parameters(dt));
+                Step step = new Step(circles(), parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
@@ -95,6 +110,11 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
+        return add(x, y, radius, mass, vx, vy, 0);
+    }
+
+    @Override
+    public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         if (!byId.contains(null)) {
             byId.add(null);
         }
@@ -107,6 +127,7 @@ public final class ReferenceWorld implements WorldCalls {
         c.mass = mass;
         teleport(c.handle, x, y);
         setVelocity(c.handle, vx, vy);
+        setKind(c.handle, kind);
         return c.handle;
     }
 
@@ -197,10 +218,67 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setKind(long handle, int kind) {
+        find(handle).kind = kind;
+        find(handle).restitution = kinds.restitution(kind, find(handle).restitution);
+    }
+
+    @Override
+    public void setGroup(long handle, int group) {
+        find(handle).group = group;
+    }
+
+    @Override
+    public void setResponse(int kindA, int kindB, Response response) {
+        kinds.setResponse(kindA, kindB, response);
+    }
+
+    @Override
+    public Kind kind(int number) {
+        throw new UnsupportedOperationException("kinds belong to a World");
+    }
+
+    @Override
+    public void setPairs(int kind, int category, int mask, boolean sensor) {
+        kinds.set(kind, Kinds.CATEGORY, category);
+        kinds.set(kind, Kinds.MASK, mask);
+        kinds.set(kind, Kinds.SENSOR, sensor ? 1 : 0);
+    }
+
+    @Override
+    public void setMotion(int kind, float gravityScale, float damping, float greatestSpeed) {
+        kinds.set(kind, Kinds.GRAVITY_SCALE, Float.floatToIntBits(gravityScale));
+        kinds.set(kind, Kinds.DAMPING, Float.floatToIntBits(damping));
+        kinds.set(kind, Kinds.GREATEST_SPEED, Float.floatToIntBits(greatestSpeed));
+    }
+
+    @Override
+    public void setKindRestitution(int kind, float e) {
+        kinds.set(kind, Kinds.RESTITUTION, Float.floatToIntBits(e));
+    }
+
+    @Override
     public void applyImpulse(long handle, float impulseX, float impulseY) {
         Circle c = find(handle);
         c.velocity[0] = Numbers.limitSpeed(c.velocity[0] + c.inverseMass() * impulseX);
         c.velocity[1] = Numbers.limitSpeed(c.velocity[1] + c.inverseMass() * impulseY);
+    }
+
+    @Override
+    public void setForce(long handle, float x, float y) {
+        // A zero is always +0.
+        find(handle).force[0] = x + 0f;
+        find(handle).force[1] = y + 0f;
+    }
+
+    @Override
+    public void applyForce(long handle, float x, float y) {
+        addForce(find(handle).appliedForce, x, y);
+    }
+
+    private static void addForce(float[] to, float x, float y) {
+        to[0] = Numbers.clamp(to[0] + x, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+        to[1] = Numbers.clamp(to[1] + y, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
     }
 
     @Override
@@ -321,7 +399,13 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
+        sum += kinds.hash();
         for (Circle c : circles()) {
+            sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
+            for (int a = 0; a < 2; a++) {
+                sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));
+                sum += hashOfField(APPLIED_FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.appliedForce[a]));
+            }
             long h = absorb(absorb(CIRCLE, c.id), c.base);
             h = absorb(absorb(h, c.radius, c.mass), c.displacement);
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
@@ -336,7 +420,12 @@ public final class ReferenceWorld implements WorldCalls {
         return sum;
     }
 
-    private static long absorb(long hash, int word) {
+    private static long hashOfField(int field, int id, long value) {
+        long h = absorb(absorb(FIELD, field), id);
+        return value == 0 ? 0 : absorb(absorb(h, (int) value), (int) (value >> 32));
+    }
+
+    static long absorb(long hash, int word) {
         long h = (hash ^ (word & 0xFFFFFFFFL)) * 0x9E3779B97F4A7C15L;
         return h ^ (h >>> 32);
     }

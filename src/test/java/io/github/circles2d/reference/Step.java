@@ -16,19 +16,22 @@ final class Step {
 
     private final List<Circle> circles;
     private final StepParameters k;
+    private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
 
     /** Circles are in the order of their ids. */
-    Step(List<Circle> circles, StepParameters k) {
+    Step(List<Circle> circles, StepParameters k, Kinds kinds) {
         this.circles = circles;
         this.k = k;
+        this.kinds = kinds;
     }
 
     /** Makes the step; cached impulses are multiplied by a scale, then replaced by those that the step ends with. */
     void make(Map<Contact.Pair, Float> impulseCache, float warmScale) {
         Grid grid = new Grid(circles, k);
+        circles.forEach(this::findGain);
         circles.forEach(this::planMotion);
-        new ContinuousCollision(circles, grid, k).clampMotion();
+        new ContinuousCollision(circles, grid, k, kinds).clampMotion();
         findContacts(grid);
         prepare(impulseCache, warmScale);
         for (int subStep = 0; subStep < k.subSteps(); subStep++) {
@@ -50,9 +53,46 @@ final class Step {
         return contacts;
     }
 
-    private void planMotion(Circle c) {
+    private void findGain(Circle c) {
+        float scale = kinds.getFloat(c.kind, Kinds.GRAVITY_SCALE);
         for (int a = 0; a < 2; a++) {
-            c.path[a] = c.velocity[a] * k.dt() + (c.isStatic() ? 0f : k.fall(a));
+            c.gain[a] = limitSpeed(k.gravity()[a] * scale) * k.h();
+            if (c.actingForce[a] != 0f) {
+                c.gain[a] = limitSpeed(c.gain[a] + c.actingForce[a] * c.inverseMass() * k.h());
+            }
+        }
+    }
+
+    /** What is left of a velocity after a sub-step's damping. */
+    private float dampingFactor(Circle c) {
+        return 1f / (1f + kinds.getFloat(c.kind, Kinds.DAMPING) * k.h());
+    }
+
+    /** Multiplies a vector so that it is not longer than a length. */
+    private static void cut(float[] vector, float most) {
+        float length = length(vector);
+        for (int a = 0; a < 2 && length > most; a++) {
+            vector[a] *= most / length;
+        }
+    }
+
+    private void planMotion(Circle c) {
+        float factor = dampingFactor(c);
+        float powers = 0f;
+        float falls = 0f;
+        float power = 1f;
+        for (int subStep = 0; subStep < k.subSteps(); subStep++) {
+            power *= factor;
+            powers += power;
+            falls += powers;
+        }
+        // The sums of powers of 1 are whole numbers, but their product with h need not be dt.
+        float time = factor == 1f || c.isStatic() ? k.dt() : k.h() * powers;
+        for (int a = 0; a < 2; a++) {
+            c.path[a] = c.velocity[a] * time + (c.isStatic() ? 0f : c.gain[a] * k.h() * falls);
+        }
+        if (!c.isStatic()) {
+            cut(c.path, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED) * k.dt());
         }
         c.pathLength = length(c.path);
         if (c.isStatic()) {
@@ -69,7 +109,7 @@ final class Step {
         for (int i = 0; i < circles.size(); i++) {
             Circle a = circles.get(i);
             for (Circle b : circles.subList(i + 1, circles.size())) {
-                if (a.isNear(b) && !(a.isStatic() && b.isStatic())) {
+                if (a.isNear(b) && kinds.mayMeet(a, b)) {
                     candidates.add(new Contact.Pair(a, b));
                     a.candidates += b.level <= a.level ? 1 : 0;
                     b.candidates += a.level <= b.level ? 1 : 0;
@@ -106,9 +146,13 @@ final class Step {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
         float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
-            c.velocityBeforeImpulses[a] = c.velocity[a];
+            c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
+        }
+        if (!c.isStatic()) {
+            cut(c.velocityBeforeImpulses, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED));
+        }
+        for (int a = 0; a < 2; a++) {
             if (!c.isStatic()) {
-                c.velocityBeforeImpulses[a] += k.gravityStep(a);
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
                 c.walls[a].measure(subStep);
                 before[a] = c.velocity[a];

@@ -25,15 +25,6 @@ record StepParameters(
         return subSteps / dt;
     }
 
-    float gravityStep(int axis) {
-        return gravity[axis] * h();
-    }
-
-    /** How far gravity moves a circle in a step. */
-    float fall(int axis) {
-        return gravityStep(axis) * h() * (0.5f * subSteps * (subSteps + 1));
-    }
-
     /** What a wall that comes in moves in a sub-step. */
     float sweep(float in) {
         return in > 0f ? in / subSteps : 0f;

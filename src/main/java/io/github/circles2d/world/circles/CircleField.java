@@ -1,5 +1,7 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
 import java.util.List;
 
@@ -13,6 +15,24 @@ import java.util.List;
 public enum CircleField {
     /** A number that the caller gives a circle. */
     TAG(1, "tag", 0, Long.MIN_VALUE, Long.MAX_VALUE, false),
+
+    /** The kind, which says what the circle meets: a row of {@link KindTable}. */
+    KIND(2, "kind", 0, 0, PairTable.KINDS - 1, true),
+
+    /** The exclusion group: circles of one group do not meet. 0 is no group. */
+    GROUP(3, "group", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, true),
+
+    /** The force that is set for the circle, along x. For steps, with what is applied in the one that is made. */
+    FORCE_X(4, "forceX", Limits.FORCE, true),
+
+    /** The same along y. */
+    FORCE_Y(5, "forceY", Limits.FORCE, true),
+
+    /** The force that is applied in the next step alone, along x. */
+    APPLIED_X(6, "applied force x", Limits.FORCE, false),
+
+    /** The same along y. */
+    APPLIED_Y(7, "applied force y", Limits.FORCE, false),
 
     /**
      * Where a static circle travels in the next step, as {@link #place} packs it; as it is at first, nowhere. Only
@@ -34,6 +54,9 @@ public enum CircleField {
     private final long greatest;
     private final boolean ofSteps;
 
+    /** Greatest magnitude of a float; 0 if the field is a whole number. */
+    private final float most;
+
     /**
      * A row.
      *
@@ -51,6 +74,30 @@ public enum CircleField {
         this.least = least;
         this.greatest = greatest;
         this.ofSteps = ofSteps;
+        most = 0;
+    }
+
+    /**
+     * A row of a float, by its bits, that is 0 at first.
+     *
+     * @param number as above
+     * @param label as above
+     * @param most greatest magnitude
+     * @param ofSteps as above
+     */
+    CircleField(int number, String label, float most, boolean ofSteps) {
+        this.number = number;
+        this.label = label;
+        initial = 0;
+        least = Integer.MIN_VALUE;
+        greatest = Integer.MAX_VALUE;
+        this.ofSteps = ofSteps;
+        this.most = most;
+    }
+
+    /** Whether a value is the bits of a float. */
+    public boolean isFloat() {
+        return most > 0;
     }
 
     /** The value of a field that is a place. */
@@ -123,6 +170,9 @@ public enum CircleField {
         if (value < least || value > greatest) {
             throw new IllegalArgumentException(
                     "the " + label + " is " + value + ", but must be from " + least + " to " + greatest);
+        }
+        if (isFloat()) {
+            Limits.within("the " + label, Float.intBitsToFloat((int) value), -most, most);
         }
     }
 }

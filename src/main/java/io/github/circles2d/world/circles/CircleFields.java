@@ -78,6 +78,20 @@ public final class CircleFields {
         return id < own.length ? own[id] : (int) field.initial();
     }
 
+    /** The value of a circle, of a field that is a float. */
+    public float getFloat(CircleField field, int id) {
+        return Float.intBitsToFloat(getInt(field, id));
+    }
+
+    /** How many circles have another value than the initial one. */
+    public int used(CircleField field) {
+        int count = 0;
+        for (int id = 0; id < end(field); id++) {
+            count += get(field, id) != field.initial() ? 1 : 0;
+        }
+        return count;
+    }
+
     /** Sets the value of a circle, for which there is room. */
     public void set(CircleField field, int id, long value) {
         put(words[field.ordinal()], field.words(), id, value);
@@ -115,6 +129,11 @@ public final class CircleFields {
             sum += (long) Integer.BYTES * words[field.ordinal()].length;
         }
         return sum;
+    }
+
+    /** Whether a circle has, or has had, another value than the initial one. */
+    public boolean isUsed(CircleField field) {
+        return end(field) > 0;
     }
 
     /** The ids from which on all circles have the initial value of a field. */

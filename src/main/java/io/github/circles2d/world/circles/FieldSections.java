@@ -23,15 +23,7 @@ final class FieldSections {
     static int count(SavedState s) {
         int count = 0;
         for (CircleField field : ALL) {
-            count += values(s.fields, field) > 0 ? 1 : 0;
-        }
-        return count;
-    }
-
-    private static int values(CircleFields fields, CircleField field) {
-        int count = 0;
-        for (int id = 0; id < fields.end(field); id++) {
-            count += fields.get(field, id) != field.initial() ? 1 : 0;
+            count += s.fields.used(field) > 0 ? 1 : 0;
         }
         return count;
     }
@@ -59,7 +51,7 @@ final class FieldSections {
 
     static void write(SavedState s, ByteBuffer out) {
         for (CircleField field : ALL) {
-            int values = values(s.fields, field);
+            int values = s.fields.used(field);
             if (values > 0) {
                 out.putInt(field.number()).putInt(values);
                 int previous = -1;
@@ -86,6 +78,7 @@ final class FieldSections {
     /** Reads sections behind the records of the ids, those of {@link ParameterSections} and {@link TouchSection} too, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.clearAll();
+        s.kinds.clear();
         s.touches.clear();
         SnapshotCodec.require(sections >= 0, "it cannot have fewer sections than 0");
         int before = 0;

@@ -10,9 +10,10 @@ import java.nio.ByteBuffer;
  * come behind those of fields ({@link FieldSections}), whose numbers are lower.
  *
  * <pre>
- * section    int number, number of floats; the floats
- *            1,000: where walls that the next step moves start: min x, min y, max x, max y
- *            1,001: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
+ * section    int number
+ *            1,000: int 4; floats: where walls that the next step moves start: min x, min y, max x, max y
+ *            1,001: int 4; floats: contacts that are not as by default: the numbers of {@link ContactSettings}, in order
+ *            1,002: kinds, as {@link KindSection} has them
  * </pre>
  */
 final class ParameterSections {
@@ -21,6 +22,7 @@ final class ParameterSections {
 
     private static final int WALL_START = FIRST;
     private static final int CONTACTS = FIRST + 1;
+    private static final int KINDS = FIRST + 2;
 
     private static final int FLOATS = 4;
     private static final int BYTES = (2 + FLOATS) * Integer.BYTES;
@@ -29,6 +31,10 @@ final class ParameterSections {
 
     /** The number of sections of a state. */
     static int count(SavedState s) {
+        return ofFloats(s) + (KindSection.isNeeded(s.kinds) ? 1 : 0);
+    }
+
+    private static int ofFloats(SavedState s) {
         return (s.parameters().wallsMove() ? 1 : 0) + (hasContacts(s) ? 1 : 0);
     }
 
@@ -38,7 +44,8 @@ final class ParameterSections {
 
     /** The length of all sections. */
     static int bytes(SavedState s) {
-        return count(s) * BYTES;
+        int kinds = KindSection.isNeeded(s.kinds) ? Integer.BYTES + KindSection.bytes(s.kinds) : 0;
+        return ofFloats(s) * BYTES + kinds;
     }
 
     static void write(SavedState s, ByteBuffer out) {
@@ -50,6 +57,10 @@ final class ParameterSections {
             ContactSettings c = s.parameters().contacts();
             write(out, CONTACTS, c.restitutionThreshold(), c.frequency(), c.damping(), c.pushOutSpeed());
         }
+        if (KindSection.isNeeded(s.kinds)) {
+            out.putInt(KINDS);
+            KindSection.write(s.kinds, out);
+        }
     }
 
     private static void write(ByteBuffer out, int number, float a, float b, float c, float d) {
@@ -58,6 +69,14 @@ final class ParameterSections {
 
     /** Reads a section behind its number, and checks it. */
     static void read(ByteBuffer in, SavedState s, int number) {
+        if (number == KINDS) {
+            KindSection.read(in, s.kinds);
+        } else {
+            readFloats(in, s, number);
+        }
+    }
+
+    private static void readFloats(ByteBuffer in, SavedState s, int number) {
         SnapshotCodec.require(in.remaining() >= BYTES - Integer.BYTES, "it ends early");
         SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
         WorldParameters p = s.parameters();

@@ -7,13 +7,16 @@ import java.util.Arrays;
  * A whole state in plain arrays, by id. Snapshots are written from it and read into it, and a pipeline saves and loads it. It has no
  * slots, so every pipeline saves the same state in the same way.
  *
- * <p>It has three parts, and the owner of each fills and reads it: the world's parameters; the ids in use, their generations and the
+ * <p>It has three parts, and the owner of each fills and reads it: the world's parameters and kinds; the ids in use, their generations and the
  * fields of {@link CircleField} ({@link HandleTable}); the circles and the impulse cache ({@code Pipeline}). Arrays are reused, and may be longer than their
  * contents.
  */
 public final class SavedState {
     /** What the world has besides circles. */
     private WorldParameters parameters;
+
+    /** The kinds of circles. */
+    public final KindTable kinds = new KindTable();
 
     /** Ids in use so far: all circles have lower ones. */
     public int ids;

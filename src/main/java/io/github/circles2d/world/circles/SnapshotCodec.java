@@ -8,9 +8,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
 /**
- * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, and the fields of
- * circles that are not the initial ones ({@link FieldSections}), rare parameters ({@link ParameterSections}), and the pairs that touch
- * if events are reported ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
+ * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, the fields of circles that are
+ * not the initial ones ({@link FieldSections}), what most worlds have not ({@link ParameterSections}), and the pairs that touch if events
+ * are reported ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;

@@ -4,19 +4,23 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 
 /**
- * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, and one per field of a
- * circle ({@link CircleField}) that has not its initial value; one for the walls if the next step moves them; and one for {@link ContactSettings} if they are not the default. A sum of integers does
- * not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
+ * The 64-bit hash of a state: the sum of one mixed number per circle, one per entry of the impulse cache, one per field of a
+ * circle ({@link CircleField}) or of a kind ({@link KindField}) that has not its initial value, one per pair of kinds whose response
+ * is set, one for the walls if the next step moves them, and one for {@link ContactSettings} if they are not the default. A sum of
+ * integers does not depend on its order, so every back end can form it in parallel. It depends on ids and not on slots.
  *
  * <p>A circle enters with its id, x, y, radius, mass, the remainders of x and y, vx, vy, restitution, and the wall impulses
  * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
- * and the lower and the upper half of its value; walls with where they start: min x, min y, max x, max y; settings with their numbers in order. All floats enter as their
- * bits.
+ * and the lower and the upper half of its value; a field of a kind with its number, the kind and its value; a pair of kinds with
+ * the lesser one, the greater one and 1 for solid, 2 for ignored, 3 for sensed; walls with where they start: min x, min y, max x,
+ * max y; settings with their numbers in order. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
     private static final long IMPULSE = 0x696D70756C736573L;
     private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final long KIND = 0x6B696E64A5C3D21FL;
+    private static final long RESPONSE = 0x726573706F6E7365L;
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
@@ -35,6 +39,16 @@ public final class StateHash {
     static long field(int number, int id, long value) {
         long h = absorb(absorb(FIELD, number), id);
         return absorb(absorb(h, (int) value), (int) (value >> Integer.SIZE));
+    }
+
+    /** The number of a field's value of a kind. */
+    static long kind(int number, int kind, int value) {
+        return absorb(absorb(absorb(KIND, number), kind), value);
+    }
+
+    /** The number of a pair of kinds. */
+    static long response(int a, int b, int setting) {
+        return absorb(absorb(absorb(RESPONSE, a), b), setting);
     }
 
     /** The number of walls that start somewhere else than they are. */

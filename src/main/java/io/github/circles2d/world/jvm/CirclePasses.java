@@ -26,6 +26,7 @@ import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
@@ -60,6 +61,7 @@ final class CirclePasses {
         float[] load = state.load;
         float[] circle = state.circle;
         float[] bounce = state.wallBounce;
+        float[] kinds = state.kindMotion;
         float h = k.h;
         float inverseH = k.inverseH;
         for (int slot = from; slot < to; slot++) {
@@ -75,6 +77,15 @@ final class CirclePasses {
             float wallY = traits[s + WALL_Y];
             float vx = m[s + VX] + k.gravityStepX;
             float vy = m[s + VY] + k.gravityStepY;
+            if (kinds != null) {
+                int row = state.motionRow(slot);
+                float factor = kinds[row + KindMotion.DAMPING_FACTOR];
+                vx = CircleMath.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
+                vy = CircleMath.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
+                float share = CircleMath.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
+                vx = share * vx;
+                vy = share * vy;
+            }
             float nextX = CircleMath.limitSpeed(vx + w * load[s + IMPULSE_X]);
             float nextY = CircleMath.limitSpeed(vy + w * load[s + IMPULSE_Y]);
             m[s + VX] = nextX;

@@ -27,6 +27,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
@@ -183,7 +184,9 @@ final class ContactPasses {
         float ny = q[o + NORMAL_Y];
         float vn = normalVelocity(state.motion, a, b, nx, ny);
         int meets = Constraints.meets(separation, vn, k.inverseH);
-        float fall = CircleMath.along(nx, ny, k.gravityStepX, k.gravityStepY);
+        // Of the circle that is not static; if neither is, halfFall is 0.
+        int falling = CircleRow.slot(q[o + INV_MASS_A] == 0f ? b : a);
+        float fall = CircleMath.along(nx, ny, state.gainX(falling, k), state.gainY(falling, k));
         q[o + BOUNCE_SPEED] = 0f;
         return fly(c, vn, lingers, meets, CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]));
     }

@@ -444,8 +444,8 @@ public final class ContinuousCollision {
             }
             if (stops) {
                 grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
-                state.motion[s + VX] -= (1f - own) * (k.gravityStepX * k.subSteps);
-                state.motion[s + VY] -= (1f - own) * (k.gravityStepY * k.subSteps);
+                state.motion[s + VX] -= (1f - own) * (state.gainX(slot, k) * k.subSteps);
+                state.motion[s + VY] -= (1f - own) * (state.gainY(slot, k) * k.subSteps);
             }
             clamp[s + PATH_X] = px;
             clamp[s + PATH_Y] = py;

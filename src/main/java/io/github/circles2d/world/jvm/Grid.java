@@ -12,6 +12,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.StepConstants;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
@@ -182,6 +183,7 @@ public final class Grid {
         float[] circle = state.circle;
         float[] motion = state.motion;
         float[] plan = state.plan;
+        float[] kinds = state.kindMotion;
         boolean some = false;
         boolean moving = false;
         float longest = 0f;
@@ -194,6 +196,17 @@ public final class Grid {
             float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
             float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
             float length = CircleMath.norm(px, py);
+            if (kinds != null && !isStatic) {
+                int row = state.motionRow(slot);
+                float falls = kinds[row + KindMotion.FALLS];
+                float time = kinds[row + KindMotion.TIME];
+                px = CircleMath.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
+                py = CircleMath.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
+                float most = CircleMath.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
+                px = most * px;
+                py = most * py;
+                length = CircleMath.norm(px, py);
+            }
             if (isStatic) {
                 // it stops at the bounds
                 px = CircleMath.within(circle[s + X], px, b.minX(), b.maxX());

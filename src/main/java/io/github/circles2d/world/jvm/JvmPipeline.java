@@ -90,6 +90,9 @@ public final class JvmPipeline implements Pipeline {
         levels.copy(shape);
         constants = stepConstants;
         steps = count;
+        state.filtering = constants.filtering;
+        state.responses = constants.responses;
+        state.kindMotion = constants.driving ? constants.kindMotion : null;
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
     }
 

@@ -1,5 +1,8 @@
 package io.github.circles2d.world.jvm;
 
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.model.PairTable;
+
 /**
  * The rule that decides, of two circles that are near, whether they may meet: whether they become a contact, and whether continuous
  * collision looks at them. All that finds pairs asks it. {@code PairFilter.cl} is the same.
@@ -7,8 +10,22 @@ package io.github.circles2d.world.jvm;
 final class PairFilter {
     private PairFilter() {}
 
-    /** Whether the circles of two slots may meet: of two static ones neither moves. */
+    /** Whether the circles of two slots may meet: of two static ones neither moves, and kinds and groups may keep others apart. */
     static boolean mayMeet(State state, int slot, int other) {
-        return !(state.isStatic(slot) && state.isStatic(other));
+        if (state.isStatic(slot) && state.isStatic(other)) {
+            return false;
+        }
+        // Pairs that are only sensed end here, too: a stage that records them would ask for their response.
+        return !state.filtering || response(state, state.id[slot], state.id[other]) == PairTable.SOLID;
+    }
+
+    /** What two circles do to each other, by {@link PairTable}: circles of one group nothing, others what their kinds say. */
+    private static int response(State state, int id, int otherId) {
+        int group = state.fields.getInt(CircleField.GROUP, id);
+        if (group != 0 && group == state.fields.getInt(CircleField.GROUP, otherId)) {
+            return PairTable.IGNORE;
+        }
+        int kind = state.fields.getInt(CircleField.KIND, id);
+        return PairTable.get(state.responses, kind, state.fields.getInt(CircleField.KIND, otherId));
     }
 }

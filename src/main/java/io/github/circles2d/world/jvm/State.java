@@ -21,6 +21,8 @@ import io.github.circles2d.world.circles.StateHash;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
@@ -75,6 +77,15 @@ public final class State {
 
     /** By id: the fields that steps read. */
     final CircleFields fields = new CircleFields(CircleField.OF_STEPS);
+
+    /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
+    float[] kindMotion;
+
+    /** Within a step: whether pairs have to be filtered. */
+    boolean filtering;
+
+    /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
+    int[] responses;
 
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
@@ -264,6 +275,30 @@ public final class State {
             fresh[slot] = fresh[last];
             slotOf[id[slot]] = slot;
         }
+    }
+
+    /** Where the row of a circle's kind begins in {@link #kindMotion}. */
+    int motionRow(int slot) {
+        return KindMotion.of(fields.getInt(CircleField.KIND, id[slot]));
+    }
+
+    /** What gravity and a force add to a circle's speed along x in a sub-step. */
+    float gainX(int slot, StepConstants k) {
+        return kindMotion == null
+                ? k.gravityStepX
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_X], CircleField.FORCE_X, k);
+    }
+
+    /** What gravity and a force add to a circle's speed along y in a sub-step. */
+    float gainY(int slot, StepConstants k) {
+        return kindMotion == null
+                ? k.gravityStepY
+                : gain(slot, kindMotion[motionRow(slot) + KindMotion.GAIN_Y], CircleField.FORCE_Y, k);
+    }
+
+    private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
+        float w = traits[CircleRow.of(slot) + INVERSE_MASS];
+        return CircleMath.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
     /** Whether a circle has an infinite mass. */

@@ -117,6 +117,44 @@ public final class CircleMath {
         return bounded(v, -Tuning.GREATEST_SPEED, Tuning.GREATEST_SPEED);
     }
 
+    /**
+     * A component of a velocity before impulses: after what acts in a sub-step, and the damping.
+     *
+     * @param v before
+     * @param gain what gravity and a force add in a sub-step
+     * @param dampingFactor 1 without damping, which changes no bit
+     * @return after
+     */
+    public static float beforeImpulse(float v, float gain, float dampingFactor) {
+        return (v + gain) * dampingFactor;
+    }
+
+    /**
+     * What a vector is multiplied by so that it is not longer than a length.
+     *
+     * @param x component
+     * @param y component
+     * @param most greatest length, may be infinite
+     * @return 1 if it is not longer
+     */
+    public static float shareWithin(float x, float y, float most) {
+        float length = norm(x, y);
+        return length > most ? most / length : 1f;
+    }
+
+    /**
+     * What gravity and a force add to a component of a velocity in a sub-step.
+     *
+     * @param gravityGain what gravity adds
+     * @param force component of the force; 0 for none, which changes no bit
+     * @param w inverse mass
+     * @param h length of a sub-step
+     * @return a speed
+     */
+    public static float gain(float gravityGain, float force, float w, float h) {
+        return force == 0f ? gravityGain : limitSpeed(gravityGain + force * w * h);
+    }
+
     // ---- broad phase
     // -------------------------------------------------------------------------------------------------
 

@@ -23,6 +23,15 @@ public final class Limits {
     /** Greatest magnitude of a component of a velocity or of gravity. */
     public static final float SPEED = Tuning.GREATEST_SPEED;
 
+    /** Greatest magnitude of what gravity is multiplied by for a kind. */
+    public static final float GRAVITY_SCALE = 1000f;
+
+    /** Greatest damping of velocities, 1/s. */
+    public static final float VELOCITY_DAMPING = 1e6f;
+
+    /** Greatest magnitude of a component of a force. */
+    public static final float FORCE = 1e18f;
+
     /** Greatest magnitude of a component of an impulse. */
     public static final float IMPULSE = 1e18f;
 
@@ -178,6 +187,17 @@ public final class Limits {
     public static void impulse(float x, float y) {
         within("impulse x", x, -IMPULSE, IMPULSE);
         within("impulse y", y, -IMPULSE, IMPULSE);
+    }
+
+    /**
+     * Checks a force.
+     *
+     * @param x x
+     * @param y y
+     */
+    public static void force(float x, float y) {
+        within("force x", x, -FORCE, FORCE);
+        within("force y", y, -FORCE, FORCE);
     }
 
     /**

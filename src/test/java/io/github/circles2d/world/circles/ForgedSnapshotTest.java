@@ -3,6 +3,7 @@ package io.github.circles2d.world.circles;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.Events;
+import io.github.circles2d.Response;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
@@ -48,6 +49,12 @@ class ForgedSnapshotTest {
             }
             world.setTag(world.add(70, 20, 1, 1), -5);
             world.setTag(world.add(75, 20, 1, 1), Long.MAX_VALUE);
+            world.setKind(world.add(80, 20, 1, 1), 3);
+            world.setGroup(world.add(80, 21, 1, 1), -7);
+            world.kind(3).setMask(5).setRestitution(0.25f).setSensor(true);
+            world.setResponse(0, 3, Response.SOLID);
+            world.kind(3).setDamping(2).setGravityScale(-1).setGreatestSpeed(7);
+            world.setForce(world.add(85, 21, 1, 1), -7, 3);
             world.remove(world.add(50, 20, 1, 1));
             long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
@@ -55,6 +62,7 @@ class ForgedSnapshotTest {
             world.add(21, 20, 1, 1);
             world.step(1 / 60f);
             world.remove(touching);
+            world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             world.setPosition(travelling, 25, 22);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);

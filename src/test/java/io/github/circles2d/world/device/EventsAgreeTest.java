@@ -10,6 +10,7 @@ import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.ContactSettings;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -79,6 +80,30 @@ class EventsAgreeTest {
                     twins.confine();
                 }
                 twins.assertSameEvents(scene.name());
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    /** Walls move, contacts get other settings, and kinds and forces are changed. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void wallsThatMoveAndContactsOfAnySettingsHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {Scenes.gas(300, 3), Scenes.mixed(300, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.report(ContactEvents.ALL);
+                SplittableRandom random = new SplittableRandom(7);
+                int events = 0;
+                for (int k = 0; k < 30; k++) {
+                    if (k == 15) {
+                        twins.restoreWith(new ContactSettings(0.05f, 30f, 5f, 1f));
+                    }
+                    twins.change(scene, random);
+                    twins.moveWalls(random, 1.5f * scene.radius(0));
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    events += twins.assertSameEvents(scene.name() + " after move " + k);
+                }
+                assertThat(events).as(scene.name()).isPositive();
                 twins.assertEqual(scene.name());
             }
         }

@@ -128,6 +128,26 @@ class PipelinesAgreeTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void circlesOfSeveralKindsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
+        Scene[] scenes = {Scenes.thesis(1250, 2), Scenes.mixed(600, 2), Scenes.onePoint(200, 2), Scenes.billiards(200)};
+        for (Scene scene : scenes) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.step(scene.timeStep(), 3);
+                twins.giveKinds();
+                for (int k = 0; k < 6; k++) {
+                    twins.step(k % 3 == 2 ? 0.5f : scene.timeStep(), 3);
+                    twins.assertEqual(scene.name() + " with kinds, round " + k);
+                    twins.assertSameFigures();
+                }
+                twins.exchange();
+                twins.step(scene.timeStep(), 3);
+                twins.assertEqual(scene.name() + " restored");
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void crowdsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
         compare(device, Scenes.onePoint(2000, 1), 3, 1, 1 / 60f);

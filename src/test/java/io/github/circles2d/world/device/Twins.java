@@ -9,12 +9,15 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -342,9 +345,38 @@ final class Twins implements AutoCloseable {
                 default -> set(operation, id, between(random, 0.1f, 1), 0);
             }
         }
+        if (random.nextInt(8) == 0) {
+            changeKinds(random);
+        }
         for (CircleField field : CircleField.values()) {
             for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+            }
+        }
+    }
+
+    /** Changes what a kind is, or what two kinds do to each other. */
+    private void changeKinds(SplittableRandom random) {
+        int kind = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int other = random.nextInt(4) == 0 ? 255 : random.nextInt(2);
+        int setting = random.nextInt(4);
+        int mask = random.nextInt(4) - 1;
+        int category = 1 << random.nextInt(2);
+        int sensor = random.nextInt(4) == 0 ? 1 : 0;
+        boolean byMatrix = random.nextBoolean();
+        float scale = between(random, -1, 2);
+        float damping = random.nextInt(2) == 0 ? 0 : between(random, 0, 5);
+        float most = random.nextInt(2) == 0 ? Float.POSITIVE_INFINITY : between(random, 0, 5);
+        for (Simulation simulation : simulations) {
+            simulation.kinds().set(KindField.GRAVITY_SCALE, kind, scale);
+            simulation.kinds().set(KindField.DAMPING, kind, damping);
+            simulation.kinds().set(KindField.GREATEST_SPEED, kind, most);
+            if (byMatrix) {
+                simulation.kinds().setSetting(kind, other, setting);
+            } else {
+                simulation.kinds().set(KindField.MASK, kind, mask);
+                simulation.kinds().set(KindField.CATEGORY, kind, category);
+                simulation.kinds().set(KindField.SENSOR, kind, sensor);
             }
         }
     }
@@ -370,11 +402,43 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Makes some circles ignore others, by kind and by group, and some move by their kind; some become static. */
+    void giveKinds() {
+        for (Simulation simulation : simulations) {
+            for (int id = 0; id < handles.length; id++) {
+                if (lives(id)) {
+                    simulation.circles().setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
+                    if (id % 11 == 0) {
+                        simulation.circles().set(Commands.MASS, handles[id], Float.POSITIVE_INFINITY, 0);
+                    }
+                    if (id % 7 == 0) {
+                        simulation.circles().setForce(handles[id], 0.5f, -1);
+                        simulation.circles().applyForce(handles[id], -3, 0.25f);
+                    }
+                    simulation.circles().set(CircleField.GROUP, handles[id], id % 5 == 0 ? -3 : 0);
+                }
+            }
+            simulation.kinds().setSetting(1, 200, KindTable.RESPONSE + PairTable.IGNORE);
+            simulation.kinds().set(KindField.MASK, 0, ~2);
+            simulation.kinds().set(KindField.CATEGORY, 200, 2);
+            simulation.kinds().set(KindField.GRAVITY_SCALE, 200, -0.5f);
+            simulation.kinds().set(KindField.DAMPING, 200, 0.5f);
+            simulation.kinds().set(KindField.DAMPING, 0, 0.25f);
+            simulation.kinds().set(KindField.GREATEST_SPEED, 1, 2f);
+        }
+    }
+
     /** Gives the circle that had an id last the allowed value that is nearest to a number. */
     private void setField(CircleField field, int id, long number) {
         if (lives(id)) {
-            long value = Math.max(field.least(), Math.min(number, field.greatest()));
+            long value = field.isFloat()
+                    ? Float.floatToIntBits((int) (number % 64) / 16f)
+                    : Math.max(field.least(), Math.min(number, field.greatest()));
             for (Simulation simulation : simulations) {
+                if (field == CircleField.APPLIED_X || field == CircleField.APPLIED_Y) {
+                    simulation.circles().applyForce(handles[id], Float.intBitsToFloat((int) value), 0.5f);
+                    continue;
+                }
                 simulation.circles().set(field, handles[id], value);
             }
         }

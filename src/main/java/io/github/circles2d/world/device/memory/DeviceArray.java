@@ -26,6 +26,13 @@ public enum DeviceArray {
             "first entry in impulseCache as the lower id; NONE; FRESH: its id's entries are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
     FIELDS(FieldsStruct.NAME, "fields", Index.ID, "the fields that only calls change"),
+    KIND_MOTION(
+            "float4",
+            "kindMotion",
+            Index.TABLE,
+            "two elements a kind: gain of speed by gravity in a sub-step x, y, damping factor, greatest speed; time in which a velocity"
+                    + " makes its part of a path, falls of a gain in a step, longest path"),
+    RESPONSES("int", "responses", Index.TABLE, "two bits a pair of kinds: PAIR_SOLID, PAIR_IGNORE or PAIR_SENSE"),
 
     // Stage Grid.
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
@@ -133,6 +140,7 @@ public enum DeviceArray {
     enum Index {
         STRUCT("once", false),
         STATUS("once", false),
+        TABLE("once", false),
         HOME_SLOT("by slot at home", true),
         ID("by id", true),
         SLOT("by slot", false),

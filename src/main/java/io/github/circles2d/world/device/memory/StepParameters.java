@@ -2,8 +2,11 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.WallMotion;
+import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 
@@ -45,6 +48,12 @@ public final class StepParameters {
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
+            .field(
+                    "int",
+                    "driving",
+                    (k, to) -> to.put(k.driving ? 1 : 0),
+                    "1 where circles may move by their kinds or by forces")
+            .field("int", "filtering", (k, to) -> to.put(k.filtering ? 1 : 0), "1 where pairs have to be filtered")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
             .apart("tiled", "1 where the step is made by tiles");
@@ -102,6 +111,16 @@ public final class StepParameters {
     private final int[] otherWalls = new int[WALLS.words()];
     private final int[] sentConstants = new int[CONSTANTS.words()];
     private final int[] sentLevels = new int[LEVELS.words()];
+    /** The table of {@link DeviceArray#RESPONSES}; all zeros at first, as on the device. */
+    private final int[] responses = new int[PairTable.WORDS];
+
+    private final float[] kindMotion = new float[KindMotion.of(PairTable.KINDS)];
+    private int motionVersion;
+    private boolean motionSent = true;
+    private final FloatBuffer motionView = FloatBuffer.wrap(kindMotion);
+    private int responsesVersion;
+    private boolean responsesSent = true;
+    private final IntBuffer responsesView = IntBuffer.wrap(responses);
     private final int[] sentWalls = new int[WALLS.words()];
     private final IntBuffer constantsView = IntBuffer.wrap(constants);
     private final IntBuffer levelsView = IntBuffer.wrap(levels);
@@ -118,6 +137,16 @@ public final class StepParameters {
         CONSTANTS.pack(k, constants);
         WALLS.pack(k.walls, walls);
         LEVELS.pack(shape, levels);
+        if (responsesVersion != k.kindsVersion) {
+            System.arraycopy(k.responses, 0, responses, 0, responses.length);
+            responsesVersion = k.kindsVersion;
+            responsesSent = false;
+        }
+        if (motionVersion != k.motionVersion) {
+            System.arraycopy(k.kindMotion, 0, kindMotion, 0, kindMotion.length);
+            motionVersion = k.motionVersion;
+            motionSent = false;
+        }
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
@@ -128,7 +157,9 @@ public final class StepParameters {
         WALLS.pack(k.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return Arrays.equals(constants, otherConstants)
+        return responsesVersion == k.kindsVersion
+                && motionVersion == k.motionVersion
+                && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels)
                 && Arrays.equals(walls, otherWalls);
     }
@@ -158,6 +189,14 @@ public final class StepParameters {
         send(constants, constantsView, sentConstants, arrays.get(DeviceArray.CONSTANTS));
         send(levels, levelsView, sentLevels, arrays.get(DeviceArray.LEVELS));
         send(walls, wallsView, sentWalls, arrays.get(DeviceArray.WALLS));
+        if (!responsesSent) {
+            arrays.get(DeviceArray.RESPONSES).write(0, responsesView);
+            responsesSent = true;
+        }
+        if (!motionSent) {
+            arrays.get(DeviceArray.KIND_MOTION).write(motionView);
+            motionSent = true;
+        }
     }
 
     private static void send(int[] words, IntBuffer view, int[] sent, DeviceBuffer to) {

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.model.PairTable;
 
 /**
  * The text that the tables of the host give to the kernels: status words, structs that the host fills, the argument list of the
@@ -28,6 +29,9 @@ final class WorldTables {
                 "CACHED_NEXT",
                 "s" + CachedImpulse.AT_NEXT,
                 "the next entry of the same circle of lower id, or NONE");
+        define(text, "PAIR_SOLID", PairTable.SOLID, "circles of two kinds push each other");
+        define(text, "PAIR_IGNORE", PairTable.IGNORE, "they do not see each other");
+        define(text, "PAIR_SENSE", PairTable.SENSE, "they are to be noticed, and do not push each other");
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());

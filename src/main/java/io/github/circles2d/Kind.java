@@ -1,0 +1,215 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.Kinds;
+import io.github.circles2d.world.circles.KindField;
+
+/**
+ * A kind of circles of a world, as players, bullets or grains: what its circles meet, and what they have in common. A world has 256
+ * kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. A kind that nobody has
+ * changed meets all others.
+ *
+ * <pre>{@code
+ * static final int ENEMY = 1, BULLET = 2;
+ *
+ * world.kind(ENEMY).setCategory(0b01);
+ * world.kind(BULLET).setCategory(0b10).setMask(~0b10); // bullets ignore bullets
+ * long bullet = world.add(x, y, 0.1f, 0.01f, vx, vy, BULLET);
+ * }</pre>
+ *
+ * <p><b>Which circles meet</b> is decided by the first of these that says something:
+ *
+ * <ol>
+ *   <li>A <b>group</b> ({@link World#setGroup}), for single circles that never meet, whatever their kinds: a player and what he
+ *       fires, the parts of one vehicle.
+ *   <li>The <b>matrix</b> ({@link World#setResponse}), for two kinds at a time: the exceptions, or all rules of a game with a handful
+ *       of kinds.
+ *   <li><b>Category and mask</b>, for rules of many kinds at once: what a kind is, and what it meets. Two circles meet only if each
+ *       one's mask has a bit of the other's category.
+ * </ol>
+ *
+ * <p>Circles that ignore each other are dropped where pairs are found, and cost nothing after that. A change acts from the next step
+ * on: circles that overlap and ignore each other from now on separate freely; if they are solid again they are pushed out slowly, as
+ * any overlap is. Kinds are in snapshots and in the hash.
+ *
+ * <p><b>How circles move:</b> a kind scales gravity, damps velocities and limits the speed of its circles, unless they are static.
+ * Numbers that are as at first change no bit.
+ *
+ * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
+ */
+public final class Kind {
+    private final Kinds kinds;
+    private final int number;
+
+    Kind(Kinds kinds, int number) {
+        this.kinds = kinds;
+        this.number = number;
+    }
+
+    /**
+     * The number of the kind.
+     *
+     * @return 0 to 255
+     */
+    public int number() {
+        return number;
+    }
+
+    /**
+     * Sets what the kind is, for the masks of others.
+     *
+     * @param category any bits; a kind without any is met by no mask
+     * @return this
+     */
+    public Kind setCategory(int category) {
+        return set(KindField.CATEGORY, category);
+    }
+
+    /**
+     * What the kind is, for the masks of others.
+     *
+     * @return bits; 1 at first
+     */
+    public int category() {
+        return kinds.get(KindField.CATEGORY, number);
+    }
+
+    /**
+     * Sets what circles of the kind meet.
+     *
+     * @param mask the bits of the categories; the others must accept this kind's category too
+     * @return this
+     */
+    public Kind setMask(int mask) {
+        return set(KindField.MASK, mask);
+    }
+
+    /**
+     * What circles of the kind meet.
+     *
+     * @return bits of categories; all at first
+     */
+    public int mask() {
+        return kinds.get(KindField.MASK, number);
+    }
+
+    /**
+     * Makes the kind a sensor, or solid. Circles of a sensor push nothing and are pushed by nothing, except walls and the kinds to which
+     * the matrix makes them solid. (What a sensor meets is not reported yet.)
+     *
+     * @param sensor true for a sensor
+     * @return this
+     */
+    public Kind setSensor(boolean sensor) {
+        return set(KindField.SENSOR, sensor ? 1 : 0);
+    }
+
+    /**
+     * Whether the kind is a sensor.
+     *
+     * @return false at first
+     */
+    public boolean isSensor() {
+        return kinds.get(KindField.SENSOR, number) != 0;
+    }
+
+    /**
+     * Sets the restitution that circles get with the kind: when they are added with it, or {@link World#setKind} gives it to them. A
+     * circle keeps it, whatever becomes of the kind, until {@link World#setRestitution} or another kind gives it another.
+     *
+     * @param restitution 0 (inelastic) to 1 (elastic), or {@link Float#NaN} for none: then new circles get the world's, and others
+     *     keep theirs
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setRestitution(float restitution) {
+        return set(KindField.RESTITUTION, restitution);
+    }
+
+    /**
+     * The restitution that circles get with the kind.
+     *
+     * @return 0 to 1, or NaN if it has none, as at first
+     */
+    public float restitution() {
+        return kinds.getFloat(KindField.RESTITUTION, number);
+    }
+
+    /**
+     * Sets what gravity is multiplied by for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
+     * whatever the kind.
+     *
+     * @param scale -1000 to 1000: 0 for circles that do not fall, less for some that rise. Gravity times this is at most 1e9 along each
+     *     axis
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setGravityScale(float scale) {
+        return set(KindField.GRAVITY_SCALE, scale);
+    }
+
+    /**
+     * What gravity is multiplied by for circles of the kind.
+     *
+     * @return a factor; 1 at first
+     */
+    public float gravityScale() {
+        return kinds.getFloat(KindField.GRAVITY_SCALE, number);
+    }
+
+    /**
+     * Sets how fast circles of the kind lose their velocity, as by the drag of air. In a time of t seconds about 1 - e^(-damping t) of
+     * it goes.
+     *
+     * @param damping per second, 0 to 1e6
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setDamping(float damping) {
+        return set(KindField.DAMPING, damping);
+    }
+
+    /**
+     * How fast circles of the kind lose their velocity.
+     *
+     * @return per second; 0 at first
+     */
+    public float damping() {
+        return kinds.getFloat(KindField.DAMPING, number);
+    }
+
+    /**
+     * Sets the greatest speed of circles of the kind. A collision may give a circle more for the rest of a sub-step; a velocity that is
+     * set, or an impulse, is cut down in the next step.
+     *
+     * @param speed lengths per second, at least 0; infinite for none
+     * @return this
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public Kind setGreatestSpeed(float speed) {
+        return set(KindField.GREATEST_SPEED, speed);
+    }
+
+    /**
+     * The greatest speed of circles of the kind.
+     *
+     * @return lengths per second; infinite at first
+     */
+    public float greatestSpeed() {
+        return kinds.getFloat(KindField.GREATEST_SPEED, number);
+    }
+
+    private Kind set(KindField field, int value) {
+        kinds.set(field, number, value);
+        return this;
+    }
+
+    private Kind set(KindField field, float value) {
+        kinds.set(field, number, value);
+        return this;
+    }
+
+    @Override
+    public String toString() {
+        return "kind " + number;
+    }
+}

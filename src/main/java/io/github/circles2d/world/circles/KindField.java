@@ -1,0 +1,110 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.Limits;
+import java.util.List;
+
+/** The table of what a kind of circles has, one row each. A value is an int; a float is meant by its bits. */
+public enum KindField {
+    /** The bits that others look for in their masks. */
+    CATEGORY(1, "category", 1, Check.ANY_INT),
+
+    /** The categories that circles of the kind meet. */
+    MASK(2, "mask", -1, Check.ANY_INT),
+
+    /** 1 if what its circles would meet is sensed instead. */
+    SENSOR(3, "sensor", 0, value -> Limits.within("sensor", value, 0, 1)),
+
+    /** The restitution that circles get with the kind, or NaN for none. */
+    RESTITUTION(4, "restitution", Float.floatToRawIntBits(Float.NaN), Check.RESTITUTION),
+
+    /** What gravity is multiplied by for the kind, a float. */
+    GRAVITY_SCALE(
+            5,
+            "gravity scale",
+            Float.floatToRawIntBits(1),
+            ofFloat("gravity scale", -Limits.GRAVITY_SCALE, Limits.GRAVITY_SCALE)),
+
+    /** Damping, 1/s, a float. */
+    DAMPING(6, "damping", 0, ofFloat("damping", 0, Limits.VELOCITY_DAMPING)),
+
+    /** Greatest speed, a float. */
+    GREATEST_SPEED(
+            7,
+            "greatest speed",
+            Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
+            ofFloat("greatest speed", 0, Float.POSITIVE_INFINITY));
+
+    /** All fields. */
+    static final List<KindField> ALL = List.of(values());
+
+    /** What is allowed of a field. */
+    private interface Check {
+        Check ANY_INT = value -> {};
+        Check RESTITUTION = value -> {
+            if (value != KindTable.NONE) {
+                Limits.restitution(Float.intBitsToFloat(value));
+            }
+        };
+
+        void of(int value);
+    }
+
+    private static Check ofFloat(String label, float least, float greatest) {
+        return value -> Limits.within(label, Float.intBitsToFloat(value), least, greatest);
+    }
+
+    private final int number;
+    private final String label;
+    private final int initial;
+    private final Check check;
+
+    /**
+     * A row.
+     *
+     * @param number what snapshots and the hash know the field by: greater than those of the rows before, and never changed
+     * @param label the name in messages
+     * @param initial the value of a kind at first
+     * @param check refuses values
+     */
+    KindField(int number, String label, int initial, Check check) {
+        this.number = number;
+        this.label = label;
+        this.initial = initial;
+        this.check = check;
+    }
+
+    /** What snapshots, logs and the hash know the field by. */
+    public int number() {
+        return number;
+    }
+
+    /** The field of a number; null if there is none. */
+    public static KindField ofNumber(int number) {
+        for (KindField field : ALL) {
+            if (field.number == number) {
+                return field;
+            }
+        }
+        return null;
+    }
+
+    /** The name in messages. */
+    String label() {
+        return label;
+    }
+
+    /** The value of a kind at first. */
+    int initial() {
+        return initial;
+    }
+
+    /**
+     * Checks a value.
+     *
+     * @param value what a call or a snapshot gives
+     * @throws IllegalArgumentException if it is out of range
+     */
+    public void check(int value) {
+        check.of(value);
+    }
+}

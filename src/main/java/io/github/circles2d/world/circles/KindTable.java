@@ -1,0 +1,210 @@
+package io.github.circles2d.world.circles;
+
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.StepConstants;
+import java.util.Arrays;
+
+/**
+ * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
+ * other. From both follow the responses, which steps read.
+ */
+public final class KindTable implements StepConstants.KindValues {
+    /** In the matrix: masks and sensors decide. */
+    public static final int BY_MASK = 0;
+
+    /** In the matrix: the number above this one is a response of {@link PairTable}. */
+    public static final int RESPONSE = 1;
+
+    /** The bits that stand for no value of a float. */
+    static final int NONE = Float.floatToRawIntBits(Float.NaN);
+
+    /** By kind and field. */
+    private final int[] values = new int[PairTable.KINDS * KindField.ALL.size()];
+
+    private final int[] matrix = new int[PairTable.WORDS];
+    private final int[] responses = new int[PairTable.WORDS];
+
+    /** Kinds that are paired with some kind in a way that is not solid, counted once for each such pair. */
+    private int notSolid;
+
+    /** Values that make circles of a kind move in another way than others. */
+    private int motions;
+
+    /** Pairs of which the matrix says something, counted likewise. */
+    private int settings;
+
+    private int version;
+
+    /** Kinds as they are at first: all pairs are solid. */
+    public KindTable() {
+        setInitialValues();
+    }
+
+    private void setInitialValues() {
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            for (KindField field : KindField.ALL) {
+                values[at(field, kind)] = field.initial();
+            }
+        }
+    }
+
+    private static int at(KindField field, int kind) {
+        return KindField.ALL.size() * kind + field.ordinal();
+    }
+
+    /**
+     * Checks the number of a kind.
+     *
+     * @return the number
+     * @throws IllegalArgumentException if there is no such kind
+     */
+    public static int check(int kind) {
+        return Limits.within("the kind", kind, 0, PairTable.KINDS - 1);
+    }
+
+    /** A field of a kind. */
+    public int get(KindField field, int kind) {
+        return values[at(field, kind)];
+    }
+
+    /** Sets a field of a kind, to a value that has been checked. */
+    public void set(KindField field, int kind, int value) {
+        if (value != get(field, kind)) {
+            if (field.ordinal() >= KindField.GRAVITY_SCALE.ordinal()) {
+                motions += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
+            }
+            values[at(field, kind)] = value;
+            for (int other = 0; other < PairTable.KINDS; other++) {
+                resolve(kind, other);
+            }
+            version++;
+        }
+    }
+
+    /** Whether a number may be in the matrix. */
+    public static boolean isSetting(int number) {
+        return number == BY_MASK || number >= RESPONSE && number <= RESPONSE + PairTable.SENSE;
+    }
+
+    /** What the matrix has of two kinds: {@link #BY_MASK}, or {@link #RESPONSE} and a response. */
+    public int setting(int a, int b) {
+        return PairTable.get(matrix, a, b);
+    }
+
+    /** Sets what the matrix has of two kinds. */
+    public void setSetting(int a, int b, int setting) {
+        if (setting != setting(a, b)) {
+            settings += (setting == BY_MASK ? 0 : 1) - (setting(a, b) == BY_MASK ? 0 : 1);
+            PairTable.set(matrix, a, b, setting);
+            resolve(a, b);
+            version++;
+        }
+    }
+
+    private void resolve(int a, int b) {
+        notSolid -= PairTable.get(responses, a, b) == PairTable.SOLID ? 0 : 1;
+        PairTable.set(responses, a, b, response(a, b));
+        notSolid += PairTable.get(responses, a, b) == PairTable.SOLID ? 0 : 1;
+    }
+
+    private int response(int a, int b) {
+        int setting = setting(a, b);
+        if (setting != BY_MASK) {
+            return setting - RESPONSE;
+        }
+        boolean accepts = (get(KindField.MASK, a) & get(KindField.CATEGORY, b)) != 0;
+        boolean isAccepted = (get(KindField.MASK, b) & get(KindField.CATEGORY, a)) != 0;
+        if (!accepts || !isAccepted) {
+            return PairTable.IGNORE;
+        }
+        return get(KindField.SENSOR, a) + get(KindField.SENSOR, b) > 0 ? PairTable.SENSE : PairTable.SOLID;
+    }
+
+    /** By pair of kinds: what their circles do to each other; valid until the next change. */
+    public int[] responses() {
+        return responses;
+    }
+
+    /** Whether some pair of kinds is not solid. */
+    public boolean filters() {
+        return notSolid > 0;
+    }
+
+    /** Whether circles of some kind move in another way than those of a kind as it is at first. */
+    public boolean moves() {
+        return motions > 0;
+    }
+
+    @Override
+    public float gravityScale(int kind) {
+        return Float.intBitsToFloat(get(KindField.GRAVITY_SCALE, kind));
+    }
+
+    @Override
+    public float damping(int kind) {
+        return Float.intBitsToFloat(get(KindField.DAMPING, kind));
+    }
+
+    @Override
+    public float greatestSpeed(int kind) {
+        return Float.intBitsToFloat(get(KindField.GREATEST_SPEED, kind));
+    }
+
+    /** Counts the changes. */
+    public int version() {
+        return version;
+    }
+
+    /** Takes over the kinds of another table. */
+    public void copy(KindTable from) {
+        System.arraycopy(from.values, 0, values, 0, values.length);
+        System.arraycopy(from.matrix, 0, matrix, 0, matrix.length);
+        System.arraycopy(from.responses, 0, responses, 0, responses.length);
+        notSolid = from.notSolid;
+        settings = from.settings;
+        motions = from.motions;
+        version++;
+    }
+
+    /** Makes all kinds what they are at first. */
+    void clear() {
+        setInitialValues();
+        Arrays.fill(matrix, 0);
+        Arrays.fill(responses, 0);
+        notSolid = 0;
+        settings = 0;
+        motions = 0;
+        version++;
+    }
+
+    /** The part of the kinds in the hash of the state: one number for each value that is not the initial one. */
+    public long hash() {
+        long sum = 0;
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            for (KindField field : KindField.ALL) {
+                if (get(field, kind) != field.initial()) {
+                    sum += StateHash.kind(field.number(), kind, get(field, kind));
+                }
+            }
+        }
+        for (int a = 0; hasSettings() && a < PairTable.KINDS; a++) {
+            for (int b = a; b < PairTable.KINDS; b++) {
+                if (setting(a, b) != BY_MASK) {
+                    sum += StateHash.response(a, b, setting(a, b));
+                }
+            }
+        }
+        return sum;
+    }
+
+    /** Whether the matrix says anything. */
+    private boolean hasSettings() {
+        return settings > 0;
+    }
+
+    /** Number of pairs of kinds of which the matrix says something. */
+    int settings() {
+        return settings;
+    }
+}
