@@ -62,12 +62,13 @@ final class KindSection {
         SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
         int values = in.getInt();
         int responses = in.getInt();
-        SnapshotCodec.require(
-                values >= 0
-                        && responses >= 0
-                        && (long) values + responses > 0
-                        && (long) VALUE * values + (long) RESPONSE * responses <= in.remaining(),
-                "its kinds have more values, or fewer, than it can hold");
+        boolean fit = values >= 0
+                && responses >= 0
+                && (long) values + responses > 0
+                && (long) VALUE * values + (long) RESPONSE * responses <= in.remaining();
+        if (!fit) {
+            throw refused("it cannot hold " + values + " values and " + responses + " responses of kinds");
+        }
         int before = -1;
         for (int k = 0; k < values; k++) {
             int kind = Byte.toUnsignedInt(in.get());
@@ -88,6 +89,11 @@ final class KindSection {
         }
     }
 
+    /** A message is put together only if it is needed: reading a snapshot leaves no garbage. */
+    private static IllegalArgumentException refused(String reason) {
+        return new IllegalArgumentException("this is no snapshot of a world: " + reason);
+    }
+
     private static int ascending(int before, int next) {
         SnapshotCodec.require(next > before, "its kinds are not in order");
         return next;
@@ -95,7 +101,9 @@ final class KindSection {
 
     private static KindField field(int number) {
         KindField field = KindField.ofNumber(number);
-        SnapshotCodec.require(field != null, "a field of a kind has a number that is none");
+        if (field == null) {
+            throw refused("no field of a kind has the number " + number);
+        }
         return field;
     }
 

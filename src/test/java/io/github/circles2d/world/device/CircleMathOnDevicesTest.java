@@ -65,8 +65,16 @@ class CircleMathOnDevicesTest {
     };
 
     /** Expressions in place of calls of a function of the same name; p0, p1 and so on: arguments. */
-    private static final Map<String, String> TWINS =
-            Map.of("difference", "p0 + (p2 - p1)", "freeBounce", "-(1.0f + p0) * p1 * p2");
+    private static final Map<String, String> TWINS = Map.of(
+            "difference", "p0 + (p2 - p1)",
+            "freeBounce", "-(1.0f + p0) * p1 * p2",
+            "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
+            "flightThreshold", "flightThreshold(&k, p0, p1)");
+
+    /** Statements before these expressions. */
+    private static final Map<String, String> SETUPS = Map.of(
+            "bounceThreshold", "StepConstants k; k.restRate = p3; k.fixedThreshold = p4;",
+            "flightThreshold", "StepConstants k; k.thresholdRate = p2; k.flightRestRate = p3; k.fixedThreshold = p4;");
 
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -91,7 +99,7 @@ class CircleMathOnDevicesTest {
     }
 
     private static void compare(Device device, int count) throws Throwable {
-        KernelSource source = formulas();
+        KernelSource source = formulas().define("TUNED", 1); // as for a world with a fixed threshold
         for (Method function : functions()) {
             source = source.and(probe(function));
         }
@@ -187,6 +195,7 @@ class CircleMathOnDevicesTest {
                 "kernel void " + name + "(global const int *in, global int *out, int count) {\n"
                         + "    int i = (int) get_global_id(0);\n"
                         + "    if (i < count) {\n" + parameters
+                        + "        " + SETUPS.getOrDefault(function.getName(), "") + "\n"
                         + "        out[i] = " + result + ";\n"
                         + "    }\n"
                         + "}\n");
