@@ -62,6 +62,39 @@ class WorldEventsTest {
         assertThatIllegalArgumentException().isThrownBy(() -> world.setHitSpeed(Float.NaN));
     }
 
+    /** A piston at speed 6 starts half a length away from a circle at rest, and stops after 20 steps. */
+    @Test
+    void aWallThatComesInHitsOnceWithItsOwnSpeed() {
+        for (float restitution : new float[] {0f, 0.5f, 1f}) {
+            try (World piston = WorldScenes.jvm()
+                    .bounds(-50, -50, 50, 50)
+                    .restitution(restitution)
+                    .build()) {
+                piston.report(ALL | Events.WALL);
+                long circle = piston.add(-48.5f, 0, 1, 3);
+                List<String> seen = new ArrayList<>();
+                for (int k = 1; k <= 30; k++) {
+                    piston.setBounds(-50 + 0.1f * Math.min(k, 20), -50, 50, 50);
+                    piston.step(DT);
+                    Events events = piston.events();
+                    for (int i = 0; i < events.size(); i++) {
+                        assertThat(events.side(i)).isEqualTo(Events.Side.LEFT);
+                        seen.add(
+                                events.type(i) == Events.BEGIN
+                                        ? "begin"
+                                        : events.type(i) == Events.HIT ? "hit" : "end");
+                        if (events.type(i) == Events.HIT) {
+                            assertThat(events.speed(i)).isCloseTo(6, within(0.06f));
+                            assertThat(events.impulse(i)).isCloseTo(3 * 6 * (1 + restitution), within(0.5f));
+                        }
+                    }
+                }
+                assertThat(seen).as("restitution " + restitution).containsExactly("begin", "hit", "end");
+                assertThat(piston.vx(circle)).isCloseTo(6 * (1 + restitution), within(0.2f));
+            }
+        }
+    }
+
     @Test
     void circlesThatAreAddedWhileTheyTouchBegin() {
         world.report(ALL);
