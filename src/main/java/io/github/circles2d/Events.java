@@ -22,10 +22,9 @@ import io.github.circles2d.world.events.EventRows;
  * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It goes on
  * touching until a step in which nothing of that happens ends with a gap of more than 0.5 % of the sum of the radii (at a wall:
  * of the diameter); then it {@link #END ends}. So a pile at rest is silent. Two static circles never touch, nor do circles whose kinds or
- * groups keep them apart; what a sensor meets is in no event. A circle that is added
- * where it touches another begins with the next step. A circle that is moved away, or removed, ends with the next step, a
- * removed one under its old handle. In a crowd, where a circle has more than some thirty neighbours, only the pairs that World solves
- * count.
+ * groups keep them apart; what a sensor meets is in no event. A circle that is added where it touches another begins with the next
+ * step. A circle that is moved away, or removed, ends with the next step, a removed one under its old handle. In a crowd, where a
+ * circle has more than some thirty neighbours, only the pairs that World solves count.
  *
  * <p><b>Hits:</b> a pair {@link #HIT hits} if an impulse acted and its approach speed is at least {@link World#setHitSpeed}, whether
  * or not it touched before. A hit that a step leaves half done is finished by the next step, and reported there, once: so it may
@@ -33,9 +32,9 @@ import io.github.circles2d.world.events.EventRows;
  *
  * <p><b>What is exact:</b> {@link #speed} is the greatest approach speed of the sub-steps in which the pair touched, along the normal,
  * from the velocities before any impulse of the sub-step. {@link #impulse} is the sum of all impulses of the steps of the hit, those
- * included that carry a load. Both are those against a wall that may move, and the speed is relative to it. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
+ * included that carry a load. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
  * and up to one part in 64 for a circle that sticks. An impulse that acts after a hit has been reported is in no event. A wall that is
- * hit has the same numbers. A circle that is fast stops where it touches, and bounces in the next step: it may begin, with speed
+ * hit has the same numbers; the speed is relative to a wall that moves. A circle that is fast stops where it touches, and bounces in the next step: it may begin, with speed
  * and impulse 0, a step before it hits. For damage, take hits.
  *
  * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those

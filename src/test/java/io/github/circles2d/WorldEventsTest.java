@@ -269,6 +269,25 @@ class WorldEventsTest {
     }
 
     @Test
+    void aWorldThatIsRewoundReportsTheSameAgain() {
+        Scene scene = Scenes.gas(100, 1);
+        try (World gas = WorldScenes.world(scene, WorldScenes.builder(scene))) {
+            Rewind rewind = new Rewind(gas, 8);
+            gas.report(ALL | Events.WALL);
+            gas.step(scene.timeStep(), 20);
+            gas.events();
+            rewind.save(0);
+            gas.step(scene.timeStep(), 20);
+            List<String> first = events(gas);
+            rewind.restore(0);
+            assertThat(events(gas)).isEmpty();
+            gas.step(scene.timeStep(), 20);
+            assertThat(first).isNotEmpty();
+            assertThat(events(gas)).isEqualTo(first);
+        }
+    }
+
+    @Test
     void aPileAtRestIsSilent() {
         assertSilent(300, 1500, 1000);
     }
