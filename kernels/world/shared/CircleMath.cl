@@ -66,9 +66,12 @@ float sightMargin(float r, float path, float top) {
 
 float carriedPath(float path, float longest, float top) { return least(path, longest) + CAP * top; }
 
+// A share of a path, from 0 to 1. Some compilers bring a number into that range by saturation, which makes 0 of NaN; bounded makes 1.
+float boundedShare(float share) { return isnan(share) ? 1.0f : bounded(share, 0.0f, 1.0f); }
+
 float leastBetween(float x, float px, float y, float py, float low, float high) {
-    float from = py == 0.0f ? 0.0f : bounded((low - y) / py, 0.0f, 1.0f);
-    float to = py == 0.0f ? 1.0f : bounded((high - y) / py, 0.0f, 1.0f);
+    float from = py == 0.0f ? 0.0f : boundedShare((low - y) / py);
+    float to = py == 0.0f ? 1.0f : boundedShare((high - y) / py);
     return x + least(from * px, to * px);
 }
 
@@ -126,9 +129,7 @@ float holdAllowance(float r, float path, float other, bool stands) {
 float nearest(float dx, float dy, float px, float py) {
     float square = px * px + py * py;
     if (!(square > 0.0f)) return 0.0f;
-    float share = (dx * px + dy * py) / square;
-    // Some compilers bring a number into 0 to 1 by saturation, which makes 0 of NaN; bounded makes 1.
-    return isnan(share) ? 1.0f : bounded(share, 0.0f, 1.0f);
+    return boundedShare((dx * px + dy * py) / square);
 }
 
 float alongPath(float dx, float dy, float px, float py) {

@@ -251,7 +251,7 @@ public final class Simulation implements AutoCloseable {
 
     /** Whether the next step is another than those behind it: some static circle travels, a wall moves, or a force is applied. */
     private boolean hasFirstStep() {
-        return !travels.isEmpty() || !forces.isEmpty() || !wallStart.equals(bounds);
+        return !travels.isEmpty() || !forces.isEmpty() || wallStart.differs(bounds);
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */

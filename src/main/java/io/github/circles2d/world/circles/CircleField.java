@@ -122,9 +122,9 @@ public enum CircleField {
 
     /** The field of a number; null if there is none. */
     public static CircleField ofNumber(int number) {
-        for (CircleField field : ALL) {
-            if (field.number == number) {
-                return field;
+        for (int k = 0; k < ALL.size(); k++) { // an iterator would be garbage whenever a snapshot is read
+            if (ALL.get(k).number == number) {
+                return ALL.get(k);
             }
         }
         return null;

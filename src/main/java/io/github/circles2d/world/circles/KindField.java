@@ -80,9 +80,9 @@ public enum KindField {
 
     /** The field of a number; null if there is none. */
     public static KindField ofNumber(int number) {
-        for (KindField field : ALL) {
-            if (field.number == number) {
-                return field;
+        for (int k = 0; k < ALL.size(); k++) { // an iterator would be garbage whenever a snapshot is read
+            if (ALL.get(k).number == number) {
+                return ALL.get(k);
             }
         }
         return null;

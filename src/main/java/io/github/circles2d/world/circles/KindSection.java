@@ -25,13 +25,7 @@ final class KindSection {
     }
 
     private static int values(KindTable kinds) {
-        int count = 0;
-        for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            for (KindField field : KindField.ALL) {
-                count += kinds.get(field, kind) != field.initial() ? 1 : 0;
-            }
-        }
-        return count;
+        return kinds.used();
     }
 
     /** The length of the section behind its number. */

@@ -42,15 +42,18 @@ public final class KindTable implements StepConstants.KindValues {
     }
 
     private void setInitialValues() {
-        for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            for (KindField field : KindField.ALL) {
-                values[at(field, kind)] = field.initial();
-            }
+        for (int k = 0; k < values.length; k++) {
+            values[k] = fieldAt(k).initial();
         }
     }
 
     private static int at(KindField field, int kind) {
         return KindField.ALL.size() * kind + field.ordinal();
+    }
+
+    /** The field of an element. By index: iterators over the fields would be garbage in every frame. */
+    private static KindField fieldAt(int k) {
+        return KindField.ALL.get(k % KindField.ALL.size());
     }
 
     /**
@@ -181,11 +184,9 @@ public final class KindTable implements StepConstants.KindValues {
     /** The part of the kinds in the hash of the state: one number for each value that is not the initial one. */
     public long hash() {
         long sum = 0;
-        for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            for (KindField field : KindField.ALL) {
-                if (get(field, kind) != field.initial()) {
-                    sum += StateHash.kind(field.number(), kind, get(field, kind));
-                }
+        for (int k = 0; k < values.length; k++) {
+            if (values[k] != fieldAt(k).initial()) {
+                sum += StateHash.kind(fieldAt(k).number(), k / KindField.ALL.size(), values[k]);
             }
         }
         for (int a = 0; hasSettings() && a < PairTable.KINDS; a++) {
@@ -201,6 +202,15 @@ public final class KindTable implements StepConstants.KindValues {
     /** Whether the matrix says anything. */
     private boolean hasSettings() {
         return settings > 0;
+    }
+
+    /** Number of values that are not the initial ones. */
+    int used() {
+        int count = 0;
+        for (int k = 0; k < values.length; k++) {
+            count += values[k] == fieldAt(k).initial() ? 0 : 1;
+        }
+        return count;
     }
 
     /** Number of pairs of kinds of which the matrix says something. */

@@ -44,16 +44,12 @@ public record WorldParameters(
 
     /** Whether the walls move in the next step. */
     boolean wallsMove() {
-        return differ(wallStart, bounds);
-    }
-
-    private static boolean differ(Bounds a, Bounds b) {
-        return a.minX() != b.minX() || a.minY() != b.minY() || a.maxX() != b.maxX() || a.maxY() != b.maxY();
+        return wallStart.differs(bounds);
     }
 
     /** The part of parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
     public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
-        long walls = differ(wallStart, bounds) ? StateHash.walls(wallStart) : 0;
+        long walls = wallStart.differs(bounds) ? StateHash.walls(wallStart) : 0;
         return walls + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
     }
 

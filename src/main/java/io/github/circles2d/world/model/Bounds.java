@@ -9,6 +9,11 @@ package io.github.circles2d.world.model;
  * @param maxY upper wall
  */
 public record Bounds(float minX, float minY, float maxX, float maxY) {
+    /** Whether some wall is at another place. A record's own equals would keep its class loader from being collected for long. */
+    public boolean differs(Bounds other) {
+        return minX != other.minX || minY != other.minY || maxX != other.maxX || maxY != other.maxY;
+    }
+
     /**
      * The greatest of all coordinates and extents: what bounds the precision of positions.
      *
