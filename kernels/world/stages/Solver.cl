@@ -50,8 +50,8 @@ float visitPair(const World *w, uint2 pr, float4 n, float4 q, float4 mi, float4 
     return vn + impulse * (q.x + q.y);
 }
 
-// The biased pass over one contact.
-void solveContact(const World *w, int c) {
+// The biased pass over one contact. Returns the impulse of a free bounce, which the contact does not keep, or 0.
+float solveContact(const World *w, int c) {
     uint2 pr = w->pair[c];
     float4 q = w->masses[c];
     float4 n = w->contact[c];
@@ -70,6 +70,7 @@ void solveContact(const World *w, int c) {
     visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
     w->masses[c].w = ready.bounce;
     w->contact[c].w = visited.normalImpulse;
+    return visited.leaves || visited.solved ? 0.0f : visited.impulse;
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -104,8 +105,9 @@ void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
     w->firstCached[pr.x] = c;
 }
 
-// Measures a contact again, makes the relaxing pass over it, and sums up for what follows.
-void relaxContact(const World *w, int c, bool last) {
+// Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, which the
+// contact does not keep, or 0.
+float relaxContact(const World *w, int c, bool last) {
     uint2 pr = w->pair[c];
     float4 b = w->base[c];
     float4 q = w->masses[c];
@@ -120,12 +122,13 @@ void relaxContact(const World *w, int c, bool last) {
     float vn = visitPair(w, pr, n, q, mi, mj, &ready, true, &visited);
     float next = visited.normalImpulse;
     w->contact[c] = (float4)(n.x, n.y, n.z, next);
-    if (!visited.solved) return;
+    if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
     if (last) {
         if (next > 0.0f) storeImpulse(w, c, pr, next);
     } else if (carries(next, vn, ready.restingLimit)) {
         gatherLoad(w, pr, n.x, n.y, next, true);
     }
+    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.

@@ -109,6 +109,7 @@ public final class World implements AutoCloseable {
     private final Queries queries;
     private final Backend backend;
     private final String reason;
+    private final Events events = new Events();
 
     World(Builder b, BackendChoice choice) {
         backend = choice.backend();
@@ -1053,6 +1054,47 @@ public final class World implements AutoCloseable {
                 reason);
     }
 
+    // ---- events
+    // ------------------------------------------------------------------------------------------------------
+
+    /**
+     * Sets what {@link #events} reports, from the next step on. By default nothing, which costs nothing. What a world reports changes
+     * no step, and is in no snapshot and no log. Pairs that touch already begin with the next step after they are first reported.
+     *
+     * <p>In this version a world on an OpenCL device that reports makes each of its steps by launches per colour of contacts, and looks
+     * at the result of each: that takes several times as long. On the JVM it costs little.
+     *
+     * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
+     *     count too; 0 for nothing
+     * @throws IllegalArgumentException where there are others
+     */
+    public void report(int types) {
+        simulation.reports().report(types);
+    }
+
+    /**
+     * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than what a
+     * restitution below 0.9 does not answer by a bounce, sqrt(0.16 g r + (r/s)^2), where g is gravity (at a wall its component along that
+     * axis) and r the mean radius of the pair; or than {@link Builder#restitutionThreshold}, if that is set. So nothing in a pile at rest
+     * is a hit.
+     *
+     * @param speed lengths per second, from 0 to 1e9
+     * @throws IllegalArgumentException where the value is out of range
+     */
+    public void setHitSpeed(float speed) {
+        simulation.reports().setHitSpeed(speed);
+    }
+
+    /**
+     * The events of all steps since the last call of this method, or since {@link #restore}. Call it often while the world reports: all
+     * events are kept until then.
+     *
+     * @return a view of this world's, which the next call fills again
+     */
+    public Events events() {
+        return events.of(simulation.reports().take());
+    }
+
     // ---- snapshots
     // ---------------------------------------------------------------------------------------------------
 
@@ -1068,7 +1110,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
-     * gravity, restitution, sub-steps and how contacts are. Equal states give equal bytes, on every back end.
+     * gravity, restitution, sub-steps and how contacts are; and, if the world reports events, which pairs touch. Equal states give equal
+     * bytes, on every back end.
      *
      * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
      *     meaning
@@ -1081,7 +1124,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Makes this world what a snapshot says, in place of what it is: the same calls from here on lead to the same bits as in
-     * the world that it was taken from, on any back end. Handles of that world are valid in this one.
+     * the world that it was taken from, on any back end. Handles of that world are valid in this one. What is reported stays as it is;
+     * events that have not been taken are dropped. Pairs that touched then do not begin again, if that world reported them.
      *
      * @param from a snapshot from its position on, which is moved behind it; its byte order is of no meaning
      * @throws IllegalArgumentException where the bytes are no snapshot, or are damaged or cut off; world and buffer are then as

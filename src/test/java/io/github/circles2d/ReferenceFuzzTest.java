@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.reference.Event;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.reference.Settings;
 import java.nio.ByteBuffer;
@@ -40,6 +41,8 @@ class ReferenceFuzzTest {
         private List<Consumer<WorldCalls>> calls = new ArrayList<>();
         private ByteBuffer snapshot;
         private List<Consumer<WorldCalls>> callsUpToSnapshot;
+        private int reported;
+        private float hitSpeed = -1f;
 
         Program(long seed) {
             this.seed = seed;
@@ -62,6 +65,7 @@ class ReferenceFuzzTest {
             try {
                 setBounds();
                 setGravity();
+                report();
                 addSome(random.nextInt(6) == 0 ? 60 : 12);
                 int count = 10 + random.nextInt(30);
                 for (int k = 0; k < count; k++) {
@@ -73,9 +77,15 @@ class ReferenceFuzzTest {
         }
 
         private World newWorld() {
-            return WorldScenes.onThreads(
-                    seed % 16 == 0 ? 3 : 1,
+            int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
+            World built = WorldScenes.onThreads(
+                    threads[(int) (seed % threads.length)],
                     with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
+            built.report(reported);
+            if (hitSpeed >= 0f) {
+                built.setHitSpeed(hitSpeed);
+            }
+            return built;
         }
 
         private static World.Builder with(Settings settings, World.Builder builder) {
@@ -86,7 +96,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(28)) {
+            switch (random.nextInt(29)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -108,6 +118,7 @@ class ReferenceFuzzTest {
                 case 18 -> changeSome();
                 case 19 -> explode();
                 case 20 -> moveWalls();
+                case 21 -> report();
                 default -> step();
             }
         }
@@ -131,10 +142,33 @@ class ReferenceFuzzTest {
                     .isEqualTo(reference.hash());
         }
 
+        private void compareEvents(String when) {
+            assertThat(Event.of(world.events()))
+                    .as("events of the program of seed %d after call %d: %s", seed, calls.size(), when)
+                    .isEqualTo(reference.takeEvents());
+        }
+
+        /** What is reported is in no snapshot: so not after one has been taken. */
+        private void report() {
+            if (snapshot == null) {
+                int types = random.nextInt(4) == 0 ? 0 : random.nextInt(2 * Events.WALL);
+                reported = types;
+                both("report " + types, c -> c.report(types));
+                if (random.nextInt(4) == 0) {
+                    float speed = random.nextBoolean() ? 0f : value(0f, fastest);
+                    hitSpeed = speed;
+                    both("setHitSpeed " + speed, c -> c.setHitSpeed(speed));
+                }
+            }
+        }
+
         private void step() {
             float dt = random.nextInt(3) == 0 ? value(1e-3f, 0.1f) : 1 / 60f;
             int steps = 1 + random.nextInt(3);
             both("step " + dt + " " + steps, c -> c.step(dt, steps));
+            if (random.nextInt(3) > 0) {
+                compareEvents("step");
+            }
         }
 
         private void addSome(int count) {
@@ -351,7 +385,9 @@ class ReferenceFuzzTest {
             calls = new ArrayList<>(callsUpToSnapshot);
             reference = new ReferenceWorld(restitution, subSteps, settings);
             calls.forEach(call -> call.accept(reference));
+            reference.takeEvents();
             compare("restore");
+            compareEvents("restore");
         }
 
         // ---- values

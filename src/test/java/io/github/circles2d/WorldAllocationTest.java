@@ -35,7 +35,7 @@ class WorldAllocationTest {
         LongBuffer handleBuffer = LongBuffer.allocate(n);
         World empty = WorldScenes.onThreads(threads, true, WorldScenes.builder(scene));
         try (World world = WorldScenes.load(scene, empty)) {
-
+            world.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
             Runnable frame = () -> {
                 world.readHandles(handles);
                 world.setVelocity(handles[7], 0.01f, 0);
@@ -58,6 +58,11 @@ class WorldAllocationTest {
                 world.requestPositions();
                 world.step(scene.timeStep());
                 consume(world.takePositions().get(5));
+                Events events = world.events();
+                for (int i = 0; i < events.size(); i++) {
+                    consume(events.type(i) + events.speed(i) + events.x(i));
+                    consume(events.side(i) == Events.Side.LEFT ? 1 : 0);
+                }
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
             };
             assertAllocatesNothing(frame);

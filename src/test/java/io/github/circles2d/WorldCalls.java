@@ -61,6 +61,10 @@ public interface WorldCalls {
 
     void applyForce(long handle, float x, float y);
 
+    void report(int types);
+
+    void setHitSpeed(float speed);
+
     int removeAll(long[] handles, int count, StaleHandles stale);
 
     int setPositions(long[] handles, int count, float[] positions, StaleHandles stale);

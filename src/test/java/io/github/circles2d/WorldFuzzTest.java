@@ -190,6 +190,7 @@ class WorldFuzzTest {
                 assertThat(replay.differs()).as(replay.difference()).isFalse();
                 assertThat(replay.steps()).isEqualTo(steps);
                 assertThat(replay.equalUpTo()).isEqualTo(steps);
+                world.report(0); // what is reported is in no log, but pairs that touch are in snapshots
                 assertThat(snapshotOf(player)).isEqualTo(snapshotOf(world));
             }
         }
@@ -239,7 +240,7 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            switch (random.nextInt(29)) {
+            switch (random.nextInt(30)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -262,6 +263,7 @@ class WorldFuzzTest {
                 case 26 -> removeSome();
                 case 27 -> explode();
                 case 28 -> query();
+                case 29 -> report();
                 default -> step();
             }
         }
@@ -373,6 +375,31 @@ class WorldFuzzTest {
                 world.setTag(handle, tag);
                 assertThat(world.tag(handle)).isEqualTo(tag);
             });
+        }
+
+        private void report() {
+            int types = random.nextInt(3) == 0 ? random.nextInt() >> random.nextInt(32) : random.nextInt(16);
+            last = "report " + types;
+            ask((types & ~15) != 0, () -> world.report(types));
+            float speed = value(0, speed());
+            last = "setHitSpeed " + speed;
+            ask(bad(speed) || speed < 0, () -> world.setHitSpeed(speed));
+        }
+
+        /** Every event is of finite numbers. */
+        private void checkEvents() {
+            Events events = world.events();
+            for (int i = 0; i < events.size(); i++) {
+                boolean sound = events.speed(i) >= 0
+                        && events.speed(i) < Float.POSITIVE_INFINITY
+                        && Math.abs(events.impulse(i)) < Float.POSITIVE_INFINITY
+                        && Math.abs(events.x(i)) < 1e10f
+                        && Math.abs(events.y(i)) < 1e10f
+                        && Math.abs(events.normalX(i)) < 1.001f
+                        && Math.abs(events.normalY(i)) < 1.001f
+                        && (events.side(i) == null) == (events.b(i) != 0);
+                assertThat(sound).as("event %d", i).isTrue();
+            }
         }
 
         private int kind() {
@@ -658,6 +685,7 @@ class WorldFuzzTest {
                 assertThat(twin.hash()).isEqualTo(world.hash());
             }
             check();
+            checkEvents();
         }
 
         /** Makes a call that must be refused, or that may be where the values are odd; a refused one must change nothing. */

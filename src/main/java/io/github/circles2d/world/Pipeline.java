@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
@@ -47,6 +48,13 @@ public interface Pipeline extends AutoCloseable {
      * @param steps number of steps, at least 1
      */
     void step(StepConstants constants, GridLevels levels, int steps);
+
+    /**
+     * Sets who is told of what pairs did in each step to come. All steps have been finished.
+     *
+     * @param events has room for all ids; null if nobody is told
+     */
+    void report(ContactEvents events);
 
     /** Waits until all steps asked for have been made. */
     void finish();

@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
@@ -15,7 +16,7 @@ import java.util.Collections;
 /**
  * Drives a {@link Pipeline}: it makes steps, and has the state as of now made before it is read. It is the inside of {@code World},
  * whose documentation says what each call does and throws. The calls on circles, the reads and the snapshots have a class each:
- * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Searches}, {@link Snapshots}.
+ * {@link Circles}, {@link Kinds}, {@link Readings}, {@link Reports}, {@link Searches}, {@link Snapshots}.
  *
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
@@ -24,6 +25,7 @@ public final class Simulation implements AutoCloseable {
     final Guard guard;
     final HandleTable handles = new HandleTable();
     final Commands commands = new Commands();
+    final ContactEvents events = new ContactEvents();
     final KindTable kindTable = new KindTable();
     final Forces forces = new Forces(handles, commands);
     final LastReading last;
@@ -32,6 +34,7 @@ public final class Simulation implements AutoCloseable {
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
+    private final Reports reports;
     private final Snapshots snapshots;
     final Journal journal;
     private final Searches searches;
@@ -70,6 +73,7 @@ public final class Simulation implements AutoCloseable {
         circles = new Circles(this);
         bulk = new BulkChanges(this);
         readings = new Readings(this);
+        reports = new Reports(this);
         snapshots = new Snapshots(this);
         journal = new Journal(this);
         searches = new Searches(this);
@@ -100,6 +104,11 @@ public final class Simulation implements AutoCloseable {
     /** The reads. */
     public Readings readings() {
         return readings;
+    }
+
+    /** The calls on events. */
+    public Reports reports() {
+        return reports;
     }
 
     /** The snapshots. */
@@ -282,6 +291,10 @@ public final class Simulation implements AutoCloseable {
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
             pipeline.step(constants, levels, steps);
+        } else if (events.isOn()) {
+            finishSteps();
+            guard.changing = true;
+            events.emptySteps(steps);
         }
         snapshots.forget();
         previousTimeStep = timeStep;
@@ -331,7 +344,7 @@ public final class Simulation implements AutoCloseable {
                     emptyStep ? 0 : pipeline.candidatePairs(),
                     emptyStep ? 0 : pipeline.contacts(),
                     emptyStep ? 0 : pipeline.greatestContacts(),
-                    pipeline.bytesHeld(),
+                    pipeline.bytesHeld() + events.bytes(),
                     Collections.unmodifiableMap(pipeline.stageMillis()),
                     pipeline.device());
         } catch (RuntimeException | Error e) {
@@ -398,7 +411,13 @@ public final class Simulation implements AutoCloseable {
             journal.writeCommands();
             finishSteps();
             pipeline.makeRoom(commands);
+            if (events.isOn()) {
+                events.makeRoom(commands);
+            }
             guard.changing = true;
+            if (events.isOn()) {
+                events.apply(commands, handles);
+            }
             pipeline.apply(commands);
             commands.clear();
             journal.logged = 0;

@@ -111,6 +111,7 @@ public final class Snapshots {
         simulation.travels.makeRoom(saved);
         pipeline.makeRoom(saved);
         pipeline.prepare(saved.parameters().contacts());
+        simulation.events.makeRoom(saved.touches, saved.ids);
         simulation.changed();
         simulation.journal.restore(saved);
     }
@@ -126,6 +127,7 @@ public final class Snapshots {
         simulation.travels.restored();
         pipeline.load(saved);
         simulation.restored(saved.parameters());
+        simulation.events.load(saved.touches, handles);
         guard.changing = false;
     }
 
@@ -145,6 +147,7 @@ public final class Snapshots {
             simulation.settle();
             handles.save(saved);
             pipeline.save(saved);
+            simulation.events.save(saved.touches);
             saved.setParameters(simulation.parameters());
             saved.kinds.copy(simulation.kindTable);
             savedCurrent = true;

@@ -38,6 +38,8 @@
  *       </ol>
  *   <li><b>finalizePositions.</b> The base of the circle's position takes the displacement. What rounding loses there stays as
  *       the displacement that the next step begins with.
+ *   <li><b>Events</b>, if they are reported. The records of all pairs that touch go to
+ *       {@link io.github.circles2d.world.events.ContactEvents}.
  * </ol>
  *
  * <p>Groups of one level and colour share no circle, so they may run at the same time. Within a group contacts run one after the

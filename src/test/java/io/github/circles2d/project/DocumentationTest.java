@@ -34,6 +34,14 @@ class DocumentationTest {
     }
 
     @Test
+    void theEventsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String readme = read("README.md");
+        String loop = block(readme.substring(readme.indexOf("`report` asks")), "java");
+        assertCompiles(
+                "Game", "import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
+    }
+
+    @Test
     void theLoopWithASteadyStepOfTheReadmeCompilesInAGame(@TempDir Path folder) throws IOException {
         String loop = first("(?s)```java\\n(FixedStep .*?)```", read("README.md"));
         String game = "abstract class Loop { io.github.circles2d.World world; long player;"

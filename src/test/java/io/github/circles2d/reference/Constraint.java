@@ -96,6 +96,12 @@ abstract class Constraint {
         return squaredThreshold;
     }
 
+    /** The square of the speed that a hit exceeds: the threshold of surfaces without restitution. */
+    final float squaredHitSpeed() {
+        float creep = REST_SPEED * 0.5f * radii;
+        return isThresholdFixed ? squaredThreshold : gravityRate * radii + creep * creep;
+    }
+
     /** Whether a speed is an impact, or a parting, of circles that nothing carries. */
     private boolean isImpactInFlight(float vn) {
         return vn * vn > (isThresholdFixed ? squaredThreshold : squaredFlightThreshold());
@@ -105,6 +111,9 @@ abstract class Constraint {
     float halfFall() {
         return 0f;
     }
+
+    /** Takes note of an impulse that the constraint does not keep. */
+    void note(float impulse) {}
 
     /** Applies the impulse of a bounce in free flight. */
     void applyFreeBounce(float impulse) {
@@ -123,8 +132,12 @@ abstract class Constraint {
     /** The visit without bias, which takes the speed of the push-out away again. Returns whether the constraint carries. */
     final boolean relax() {
         boolean idle = separation > 0f && normalImpulse == 0f && bounceSpeed == 0f;
+        float old = normalImpulse;
         boolean carries = !idle && visit(false);
-        normalImpulse = bounceSpeed > 0f ? 0f : normalImpulse;
+        if (bounceSpeed > 0f) {
+            note(old + (normalImpulse - old));
+            normalImpulse = 0f;
+        }
         return carries;
     }
 
@@ -136,7 +149,9 @@ abstract class Constraint {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
             if (vn < 0f && meets) {
                 float speed = biased ? vn - halfFall() : vn;
-                applyFreeBounce(-(1f + restitution) * speed * mass);
+                float impulse = -(1f + restitution) * speed * mass;
+                applyFreeBounce(impulse);
+                note(impulse);
             }
             if (vn > 0f ? !(biased && lingers()) : meets) {
                 return false;

@@ -33,6 +33,14 @@ final class Contact extends Constraint {
     final Circle higher;
     private float[] normal;
 
+    /** What it does in the step. */
+    final Touch touch = new Touch();
+
+    /** What it does in the sub-step: the approach speed, and the impulses that it does not keep. */
+    private float approach;
+
+    private float notKept;
+
     Contact(Pair pair, StepParameters step) {
         super(
                 step,
@@ -92,6 +100,56 @@ final class Contact extends Constraint {
     float halfFall() {
         float half = 0.5f * Numbers.dot(normal, lower.isStatic() ? higher.gain : lower.gain);
         return lower.inverseMass() == 0f ? half : higher.inverseMass() == 0f ? -half : 0f;
+    }
+
+    @Override
+    void note(float impulse) {
+        notKept += impulse;
+    }
+
+    /** Looks at the touch after the biased pass. */
+    void lookAfterSolve() {
+        approach = Numbers.max(-normalVelocity(c -> c.velocityBeforeImpulses), 0f);
+        if (normalImpulse > 0f || notKept > 0f || separation <= 0f) {
+            touch.seen(approach, normal, point(), isFast());
+        }
+    }
+
+    /** Looks at the touch after the relaxing pass. */
+    void lookAfterRelax() {
+        float sum = notKept + normalImpulse;
+        notKept = 0f;
+        touch.impulse += sum;
+        if (sum > 0f) {
+            touch.seen(approach, normal, point(), isFast());
+        }
+    }
+
+    /** Whether the place may be another after the step. */
+    private boolean isFast() {
+        return approach * step.dt() > Touch.SLACK * radii;
+    }
+
+    /** Looks at the touch after the step. */
+    void lookAfterStep() {
+        touch.separation = separation;
+        touch.slack = Touch.SLACK * radii;
+        touch.threshold = squaredHitSpeed();
+        touch.normalVelocity = normalVelocity(c -> c.velocity);
+        float[] place = new float[2];
+        for (int a = 0; a < 2; a++) {
+            place[a] = (lower.base[a] + 0f) + normal[a] * (lower.radius + 0.5f * separation);
+        }
+        touch.end(normal, place);
+    }
+
+    /** Half-way between the surfaces. */
+    private float[] point() {
+        float[] point = new float[2];
+        for (int a = 0; a < 2; a++) {
+            point[a] = (lower.base[a] + lower.displacement[a]) + normal[a] * (lower.radius + 0.5f * separation);
+        }
+        return point;
     }
 
     @Override

@@ -44,6 +44,7 @@ public final class ReferenceWorld implements WorldCalls {
     private final Map<Contact.Pair, Float> impulseCache = new HashMap<>();
 
     private final Kinds kinds = new Kinds();
+    private final TouchEvents events = new TouchEvents();
     private float[] min = {0f, 0f};
     private float[] max = {1f, 1f};
 
@@ -84,6 +85,7 @@ public final class ReferenceWorld implements WorldCalls {
         for (int k = 0; k < steps; k++) {
             float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
+            List<Contact> contacts = List.of();
             for (Circle c : circles()) {
                 c.actingForce[0] = c.force[0];
                 c.actingForce[1] = c.force[1];
@@ -92,8 +94,11 @@ public final class ReferenceWorld implements WorldCalls {
                 c.appliedForce[1] = 0f;
             }
             if (size() > 0) {
-                new Step(circles(), parameters(dt), kinds).make(impulseCache, warmScale);
+                Step step = new Step(circles(), parameters(dt), kinds);
+                step.make(impulseCache, warmScale);
+                contacts = step.contacts();
             }
+            events.step(contacts, circles());
             for (int i = 0; i < size(); i++) {
                 circles().get(i).arrive(velocities[i]);
             }
@@ -128,6 +133,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void remove(long handle) {
+        events.removed(find(handle));
         forgetImpulses(find(handle));
         byId.set((int) handle, null);
     }
@@ -273,6 +279,21 @@ public final class ReferenceWorld implements WorldCalls {
     private static void addForce(float[] to, float x, float y) {
         to[0] = Numbers.clamp(to[0] + x, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
         to[1] = Numbers.clamp(to[1] + y, -GREATEST_FORCE, GREATEST_FORCE) + 0f;
+    }
+
+    @Override
+    public void report(int types) {
+        events.report(types);
+    }
+
+    @Override
+    public void setHitSpeed(float speed) {
+        events.setHitSpeed(speed);
+    }
+
+    /** The events since the last call. */
+    public List<Event> takeEvents() {
+        return events.take();
     }
 
     @Override

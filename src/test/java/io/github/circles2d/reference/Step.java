@@ -38,11 +38,19 @@ final class Step {
             int now = subStep;
             circles.forEach(c -> integrateVelocities(c, now));
             contacts.forEach(Contact::solve);
+            contacts.forEach(Contact::lookAfterSolve);
             circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
+            contacts.forEach(Contact::lookAfterRelax);
         }
         circles.forEach(this::finalizePositions);
+        contacts.forEach(Contact::lookAfterStep);
         storeImpulses(impulseCache);
+    }
+
+    /** The contacts of the step. */
+    List<Contact> contacts() {
+        return contacts;
     }
 
     private void findGain(Circle c) {
@@ -136,6 +144,7 @@ final class Step {
 
     private void integrateVelocities(Circle c, int subStep) {
         c.loaded = !c.isStatic() && (c.loadedNext || c.wallImpulse[0] != 0f || c.wallImpulse[1] != 0f);
+        float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocityBeforeImpulses[a] = c.isStatic() ? c.velocity[a] : (c.velocity[a] + c.gain[a]) * dampingFactor(c);
         }
@@ -146,14 +155,19 @@ final class Step {
             if (!c.isStatic()) {
                 c.velocity[a] = limitSpeed(c.velocityBeforeImpulses[a] + c.inverseMass() * c.impulses[a]);
                 c.walls[a].measure(subStep);
+                before[a] = c.velocity[a];
                 c.walls[a].apply(c.walls[a].normalImpulse);
                 c.walls[a].solveInFrame();
             }
+        }
+        for (int a = 0; a < 2 && !c.isStatic(); a++) {
+            c.walls[a].look(c.velocityBeforeImpulses[a], before[a]);
         }
     }
 
     private void integratePositions(Circle c, int subStep) {
         float[] to = new float[2];
+        float[] before = new float[2];
         for (int a = 0; a < 2; a++) {
             c.velocity[a] = limitSpeed(c.velocity[a]);
             to[a] = c.displacement[a] + c.velocity[a] * k.h();
@@ -169,11 +183,15 @@ final class Step {
             if (!c.isStatic()) {
                 c.walls[a].stopAtFarWall(to[a]);
                 c.walls[a].measure(subStep);
+                before[a] = c.velocity[a];
                 c.walls[a].relax();
                 c.walls[a].storeImpulse();
             } else if (c.displacement[a] != to[a]) {
                 c.velocity[a] = 0f;
             }
+        }
+        for (int a = 0; a < 2 && !c.isStatic(); a++) {
+            c.walls[a].look(before[a], before[a]);
         }
         clearImpulses(c);
     }

@@ -1,5 +1,7 @@
 package io.github.circles2d.reference;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.function.Function;
 
 /** A circle and the nearer wall of an axis. The circle counts as one of mass 1, so impulses are speeds. */
@@ -14,6 +16,9 @@ final class Wall extends Constraint {
 
     /** The direction away from the wall: 1 for the lower wall, -1 for the upper. */
     private final float normal;
+
+    /** What it does in the step. */
+    final Touch touch = new Touch();
 
     /** What the wall comes in during the step. */
     private final float in;
@@ -30,8 +35,14 @@ final class Wall extends Constraint {
         height = Numbers.min(belowMax, aboveMin);
         normal = aboveMin <= belowMax ? 1f : -1f;
         in = normal > 0f ? step.minIn()[axis] : step.maxIn()[axis];
-        speed = moves(in, c) ? Numbers.limitSpeed(in / step.dt()) : 0f;
+        speed = speed(normal);
         normalImpulse = Numbers.max(normal * c.wallImpulse[axis], 0f);
+    }
+
+    /** The speed inwards of the wall on a side. */
+    private float speed(float side) {
+        float travel = side > 0f ? step.minIn()[axis] : step.maxIn()[axis];
+        return moves(travel, c) ? Numbers.limitSpeed(travel / step.dt()) : 0f;
     }
 
     /** Whether a circle feels the velocity of a wall. */
@@ -69,6 +80,64 @@ final class Wall extends Constraint {
         if (normal > 0f ? c.displacement[axis] < displacement : c.displacement[axis] > displacement) {
             c.velocity[axis] = 0f;
         }
+    }
+
+    /**
+     * Looks at the touch after a visit of both walls. The approach is that to a wall that may move.
+     *
+     * @param velocity the velocity along the axis with which the circle approached
+     * @param before the same before the visit
+     */
+    void look(float velocity, float before) {
+        float impulse = normal * (c.velocity[axis] - before);
+        touch.impulse += impulse;
+        if (impulse > 0f || separation <= 0f) {
+            float along = c.base[1 - axis] + c.displacement[1 - axis];
+            float approach = Numbers.max(-(normal * velocity - speed), 0f);
+            touch.seen(approach, direction(normal), point(normal, along), true);
+        }
+    }
+
+    /** From the circle to the wall. */
+    private float[] direction(float side) {
+        return axis == 0 ? new float[] {-side, 0f} : new float[] {0f, -side};
+    }
+
+    private float[] point(float side, float along) {
+        float at = side > 0f ? step.min()[axis] : step.max()[axis];
+        return axis == 0 ? new float[] {at, along} : new float[] {along, at};
+    }
+
+    /** The touches after the step, by the number of the wall: of this one, and of the one that is nearer now. */
+    Map<Integer, Touch> touchesAfterStep() {
+        float nearer = c.base[axis] - step.min()[axis] <= step.max()[axis] - c.base[axis] ? 1f : -1f;
+        Map<Integer, Touch> touches = new HashMap<>();
+        if (touch.approach >= 0f) {
+            touches.put(number(normal), touch);
+            touch.impulse = c.mass * touch.impulse;
+            atEnd(touch, normal);
+        }
+        if (!touches.containsKey(number(nearer))) {
+            Touch other = new Touch();
+            other.separation = nearer > 0f
+                    ? ((c.base[axis] - step.min()[axis]) - c.radius) + c.displacement[axis]
+                    : ((step.max()[axis] - c.base[axis]) - c.radius) - c.displacement[axis];
+            other.slack = Touch.SLACK * radii;
+            atEnd(other, nearer);
+            touches.put(number(nearer), other);
+        }
+        return touches;
+    }
+
+    private void atEnd(Touch ended, float side) {
+        ended.end(direction(side), point(side, c.base[1 - axis]));
+        ended.threshold = squaredHitSpeed();
+        ended.normalVelocity = side * c.velocity[axis] - speed(side);
+    }
+
+    /** Left, right, lower, upper. */
+    private int number(float side) {
+        return 2 * axis + (side > 0f ? 0 : 1);
     }
 
     void storeImpulse() {

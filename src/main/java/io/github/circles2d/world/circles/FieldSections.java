@@ -75,10 +75,11 @@ final class FieldSections {
         }
     }
 
-    /** Reads sections behind the records of the ids, those of {@link ParameterSections} too, and checks them. */
+    /** Reads sections behind the records of the ids, those of {@link ParameterSections} and {@link TouchSection} too, and checks them. */
     static void read(ByteBuffer in, SavedState s, int sections) {
         s.fields.clearAll();
         s.kinds.clear();
+        s.touches.clear();
         SnapshotCodec.require(sections >= 0, "it cannot have fewer sections than 0");
         int before = 0;
         for (int k = 0; k < sections; k++) {
@@ -86,7 +87,9 @@ final class FieldSections {
             int number = in.getInt();
             SnapshotCodec.require(number > before, "its fields are not in order");
             before = number;
-            if (number >= ParameterSections.FIRST) {
+            if (number == TouchSection.NUMBER) {
+                TouchSection.read(in, s, in.getInt());
+            } else if (number >= ParameterSections.FIRST) {
                 ParameterSections.read(in, s, number);
             } else {
                 readSection(in, s, field(number), in.getInt());

@@ -27,6 +27,9 @@ public final class SavedState {
     /** By id: the fields that only calls change. */
     public final CircleFields fields = new CircleFields(CircleField.ALL);
 
+    /** What events go on from. */
+    public final SavedTouches touches = new SavedTouches();
+
     /** Number of circles. */
     public int circles;
 

@@ -9,8 +9,8 @@ import java.nio.ByteOrder;
 
 /**
  * Snapshots as bytes, little-endian: a header, a record of every id in use so far, in ascending order, the fields of circles that are
- * not the initial ones ({@link FieldSections}), and what most worlds have not ({@link ParameterSections}). Equal states have equal
- * bytes, whatever they were computed on.
+ * not the initial ones ({@link FieldSections}), what most worlds have not ({@link ParameterSections}), and the pairs that touch if events
+ * are reported ({@link TouchSection}). Equal states have equal bytes, whatever they were computed on.
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
@@ -68,7 +68,7 @@ public final class SnapshotCodec {
      * @throws IllegalStateException where it is more than a buffer holds
      */
     public static int bytes(SavedState s) {
-        long sum = HEADER + (long) Float.BYTES * s.impulses + FieldSections.bytes(s) + ParameterSections.bytes(s);
+        long sum = HEADER + (long) Float.BYTES * s.impulses + sectionBytes(s);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -92,6 +92,10 @@ public final class SnapshotCodec {
             throw new IllegalStateException("a snapshot of " + sum + " bytes is more than a buffer holds");
         }
         return (int) sum;
+    }
+
+    private static long sectionBytes(SavedState s) {
+        return FieldSections.bytes(s) + ParameterSections.bytes(s) + TouchSection.bytes(s.touches);
     }
 
     /**
@@ -125,7 +129,8 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
         out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
-        out.putInt(FieldSections.count(s) + ParameterSections.count(s)).putLong(0);
+        out.putInt(FieldSections.count(s) + ParameterSections.count(s) + TouchSection.count(s.touches))
+                .putLong(0);
         int circle = 0;
         int impulse = 0;
         for (int id = 0; id < s.ids; id++) {
@@ -145,6 +150,7 @@ public final class SnapshotCodec {
         }
         FieldSections.write(s, out);
         ParameterSections.write(s, out);
+        TouchSection.write(s.touches, out);
         out.putInt(LENGTH_AT, out.position());
     }
 

@@ -15,10 +15,12 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
+import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
@@ -52,6 +54,14 @@ public final class DevicePipeline implements Pipeline {
     private final StepParameters parameters = new StepParameters();
     private final int workGroupSize;
     private final CommandsStage commands;
+
+    /** What the plans share; with other kernels if they have been compiled anew. */
+    private Stages stages;
+
+    /** Where steps record what contacts do, and who reads it; null if nobody is told. */
+    private TouchArrays touches;
+
+    private TouchReader reader;
 
     /** The first of them that suits a step makes it. */
     private final List<Plan> plans;
@@ -132,7 +142,8 @@ public final class DevicePipeline implements Pipeline {
     }
 
     private void load(StageKernels from) {
-        Stages stages = new Stages(session.device(), from, arrays, parameters);
+        stages = new Stages(session.device(), from, arrays, parameters);
+        stages.record(touches);
         plans.forEach(each -> each.load(stages));
     }
 
@@ -187,10 +198,11 @@ public final class DevicePipeline implements Pipeline {
             arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
-            if (pendingSteps == MOST_PENDING) {
+            int most = touches == null ? MOST_PENDING : 1; // the next step takes the place of the records
+            if (pendingSteps == most) {
                 settle();
             }
-            int count = Math.min(left, MOST_PENDING - pendingSteps);
+            int count = Math.min(left, most - pendingSteps);
             enqueue(count);
             left -= count;
         }
@@ -208,8 +220,19 @@ public final class DevicePipeline implements Pipeline {
     private void enqueue(int steps) {
         // Behind pending steps the state is as a step leaves it, and the length of the step before is that of the step.
         float warm = pendingSteps == 0 ? warmScale : 1f;
-        Steps wanted =
-                new Steps(steps, levels, slotsBehindPending(), circles, subSteps, warm, sweeping > 0, thinning > 0);
+        Steps wanted = new Steps(
+                steps,
+                levels,
+                slotsBehindPending(),
+                circles,
+                subSteps,
+                warm,
+                sweeping > 0,
+                thinning > 0,
+                touches != null);
+        if (touches != null) {
+            touches.ensure(arrays);
+        }
         pendingSteps += steps;
         plan = Plans.first(plans, wanted);
         plan.enqueue(wanted);
@@ -225,6 +248,9 @@ public final class DevicePipeline implements Pipeline {
                 slots = circles;
                 commands.slotsInOrder();
                 warmScale = 1f;
+                if (reader != null) {
+                    reader.endStep(status.get(StatusWord.TOUCHES));
+                }
             }
             pendingSteps -= done;
             for (Plan each : plans) {
@@ -321,6 +347,21 @@ public final class DevicePipeline implements Pipeline {
     public void readVelocities(HandleTable handles, float[] to) {
         settle();
         readback.velocities(handles, slots, to);
+    }
+
+    @Override
+    public void report(ContactEvents events) {
+        settle();
+        TouchArrays next = events == null ? null : new TouchArrays(session, events.hasWalls());
+        if (next != null) {
+            next.ensure(arrays);
+        }
+        stages.record(next);
+        reader = next == null ? null : new TouchReader(next, events);
+        if (touches != null) {
+            touches.close();
+        }
+        touches = next;
     }
 
     @Override

@@ -39,6 +39,9 @@ final class CirclePasses {
 
     private final State state;
 
+    /** What is told of visits of walls; null if they are not recorded. */
+    WallTouches touches;
+
     CirclePasses(State state) {
         this.state = state;
     }
@@ -112,6 +115,10 @@ final class CirclePasses {
             } else {
                 solveWall(slot, X, minX, maxX, k, sub);
                 solveWall(slot, Y, minY, maxY, k, sub);
+                if (touches != null) {
+                    touches.solved(slot, X, sideX, vx, nextX, gapX, k, sub);
+                    touches.solved(slot, Y, sideY, vy, nextY, gapY, k, sub);
+                }
             }
         }
     }
@@ -290,7 +297,11 @@ final class CirclePasses {
         float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
         if (Constraints.isIdle(gap, impulse, bounce) == 0) {
+            float v = m[s + VX + axis];
             relaxWall(s, axis, side, gap, impulse, bounce, k);
+            if (touches != null) {
+                touches.relaxed(slot, axis, side, v, gap, k);
+            }
         }
     }
 

@@ -42,6 +42,9 @@ final class ContactPasses {
     private final State state;
     private final Contacts contacts;
 
+    /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
+    Touches touches;
+
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
 
@@ -199,6 +202,9 @@ final class ContactPasses {
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
             apply(a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + INV_MASS_A], q[o + INV_MASS_B], impulse);
+            if (touches != null) {
+                touches.add(c, impulse);
+            }
         }
         return visit != Constraints.SOLVE;
     }
@@ -272,6 +278,9 @@ final class ContactPasses {
             apply(a, b, nx, ny, invMassA, invMassB, applied);
             if (bounce > 0f) {
                 next = 0f;
+                if (touches != null) {
+                    touches.add(c, impulse + applied);
+                }
             }
             q[o + NORMAL_IMPULSE] = next;
             float after = vn + applied * (invMassA + invMassB);

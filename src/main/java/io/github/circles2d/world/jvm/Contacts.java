@@ -68,6 +68,9 @@ public final class Contacts {
     /** By contact: where the row of the circle of lower id begins, and that of the other. */
     int[] pair = new int[0];
 
+    /** What records contacts, and has to have room for them; null if nothing does. */
+    Touches touches;
+
     /** By contact: a {@link ContactRow}. */
     float[] contact = new float[0];
 
@@ -208,6 +211,9 @@ public final class Contacts {
             }
         }
         ensureContacts(sum);
+        if (touches != null) {
+            touches.ensure((int) sum);
+        }
         rowStart[levels.rows] = (int) sum;
         count = (int) sum;
         circles = state.n;

@@ -8,6 +8,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
@@ -41,6 +42,9 @@ public final class JvmPipeline implements Pipeline {
     StepConstants constants;
 
     private int steps;
+
+    /** Records what contacts do; null if nobody is told. */
+    private Touches touches;
 
     private final Positions positions = new Positions();
 
@@ -111,6 +115,9 @@ public final class JvmPipeline implements Pipeline {
         grid.ensure();
         contacts.ensure();
         sweep.ensure();
+        if (touches != null && touches.walls != null) {
+            touches.walls.ensure();
+        }
     }
 
     private void makeStep(int worker) {
@@ -129,6 +136,9 @@ public final class JvmPipeline implements Pipeline {
         }
         end(worker, CONTACTS);
         solver.solve(worker, constants);
+        if (touches != null) {
+            touches.endStep(worker, constants);
+        }
         end(worker, SOLVER);
     }
 
@@ -136,6 +146,13 @@ public final class JvmPipeline implements Pipeline {
         if (worker == 0) {
             times.end(stage);
         }
+    }
+
+    @Override
+    public void report(ContactEvents events) {
+        touches = events == null ? null : new Touches(state, contacts, team, events);
+        contacts.touches = touches;
+        solver.record(touches);
     }
 
     @Override
@@ -244,7 +261,8 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public long bytesHeld() {
-        return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes();
+        long recorded = touches == null ? 0 : touches.bytes();
+        return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes() + recorded;
     }
 
     @Override

@@ -39,6 +39,9 @@ public final class Solver {
 
     private final Bands bands;
 
+    /** Records what contacts do; null if nobody is told. */
+    private Touches touches;
+
     Solver(State state, Grid grid, Contacts contacts, GridLevels levels, Team team) {
         this.state = state;
         this.grid = grid;
@@ -53,12 +56,24 @@ public final class Solver {
         bands = new Bands(grid, levels, team);
     }
 
+    /** Sets what records the contacts of the steps to come, or null. */
+    void record(Touches recorder) {
+        touches = recorder;
+        mover.touches = recorder == null ? null : recorder.walls;
+        for (ContactPasses each : passes) {
+            each.touches = recorder;
+        }
+    }
+
     /** Fills the contacts, and measures them for the first sub-step. */
     void prepare(int worker, StepConstants k) {
         if (worker == 0) {
             bands.divide(contacts.rowStart, 2 * LAG);
         }
         mover.clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
+        if (mover.touches != null) {
+            mover.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        }
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
             int from = contacts.firstRow(levels.used[l], worker);
@@ -242,13 +257,23 @@ public final class Solver {
         contacts.fillRow(worker, l, row, k);
         int level = levels.used[l];
         passes[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
+        if (touches != null) {
+            touches.clear(firstContact(level, row), firstContact(level, row + 1));
+        }
     }
 
     private void solve(int worker, int level, int row, StepConstants k) {
         passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
+        if (touches != null) {
+            touches.afterSolve(firstContact(level, row), firstContact(level, row + 1), k);
+        }
     }
 
     private void relax(int worker, int level, int row, int sub, StepConstants k) {
         passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
+        if (touches != null) {
+            touches.afterRelax(
+                    worker, firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
+        }
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Events;
 import io.github.circles2d.Response;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
@@ -41,6 +42,8 @@ class ForgedSnapshotTest {
                         .threads(1)
                         .build();
                 World target = WorldScenes.jvm().threads(1).build()) {
+            world.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
+            target.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
             for (int i = 0; i < 12; i++) {
                 world.add(10 + 3 * i, 1 + i % 3, 2, i % 5 == 0 ? Float.POSITIVE_INFINITY : 1 + i, 3 * i, -i);
             }
@@ -55,6 +58,10 @@ class ForgedSnapshotTest {
             world.remove(world.add(50, 20, 1, 1));
             long travelling = world.add(20, 20, 1, Float.POSITIVE_INFINITY);
             world.step(1 / 60f, 30);
+            long touching = world.add(20, 20, 1, 1);
+            world.add(21, 20, 1, 1);
+            world.step(1 / 60f);
+            world.remove(touching);
             world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             world.setPosition(travelling, 25, 22);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
@@ -70,6 +77,12 @@ class ForgedSnapshotTest {
                 }
                 target.step(1 / 60f, 3);
                 assertFinite(target);
+                Events events = target.events();
+                for (int i = 0; i < events.size(); i++) {
+                    assertThat(events.speed(i)).isFinite();
+                    assertThat(events.impulse(i)).isFinite();
+                    assertThat(events.a(i)).isNotZero();
+                }
             }
         }
         assertThat(accepted).isBetween(FORGERIES / 20, FORGERIES);

@@ -11,6 +11,7 @@ import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -52,6 +53,7 @@ final class OclgrindWorlds {
             case "COLOURS":
                 kernels.addAll(scan());
                 kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
+                kernels.addAll(events(Scenes.mixed(small ? 20 : 40, 2)));
                 break;
             case "TILES":
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
@@ -119,6 +121,24 @@ final class OclgrindWorlds {
                 twins.assertSameReadings();
                 twins.assertEqual(scene.name());
             }
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /** Steps that record what contacts do. */
+    private Set<String> events(Scene scene) {
+        DevicePipeline pipeline = pipeline(Plans.COLOURS);
+        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+            twins.report(ContactEvents.ALL);
+            int events = 0;
+            for (int k = 0; k < 3; k++) {
+                twins.step(5 * scene.timeStep(), 2);
+                events += twins.assertSameEvents(scene.name());
+            }
+            if (events == 0) {
+                throw new IllegalStateException("nothing has touched");
+            }
+            twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }
     }

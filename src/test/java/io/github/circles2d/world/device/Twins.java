@@ -14,12 +14,15 @@ import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.UnaryOperator;
 
@@ -80,6 +83,35 @@ final class Twins implements AutoCloseable {
                     .as(when + " on " + simulation.figures().device())
                     .isEqualTo(expected);
         }
+    }
+
+    /** Has events reported. */
+    void report(int types) {
+        for (Simulation simulation : simulations) {
+            simulation.reports().report(types);
+        }
+    }
+
+    /** Takes the events from every pipeline, and returns their number. */
+    int assertSameEvents(String when) {
+        List<String> expected = events(simulations[0]);
+        for (int k = 1; k < simulations.length; k++) {
+            assertThat(events(simulations[k]))
+                    .as(when + " on " + simulations[k].figures().device())
+                    .isEqualTo(expected);
+        }
+        return expected.size();
+    }
+
+    private static List<String> events(Simulation simulation) {
+        EventRows rows = simulation.reports().take();
+        List<String> events = new ArrayList<>();
+        for (int i = 0; i < rows.size(); i++) {
+            events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "
+                    + rows.speed(i) + " " + rows.impulse(i) + " " + rows.x(i) + " " + rows.y(i) + " " + rows.normalX(i)
+                    + " " + rows.normalY(i));
+        }
+        return events;
     }
 
     void assertSameFigures() {

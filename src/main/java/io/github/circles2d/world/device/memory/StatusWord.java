@@ -19,6 +19,7 @@ public enum StatusWord {
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),
+    TOUCHES(50, "records of touching pairs after the last step"),
     MEETING(49, "by lanes: whether all work-groups are here");
 
     /** Ints of the status. */

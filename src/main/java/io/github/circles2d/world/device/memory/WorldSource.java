@@ -2,6 +2,8 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
 import java.util.Collection;
 
@@ -45,6 +47,8 @@ public final class WorldSource {
                 .define("BOUNCE_DEPTH", Tuning.BOUNCE_DEPTH)
                 .define("LINGER", Tuning.LINGER)
                 .define("CROWD", Tuning.CROWD)
+                .define("TOUCH_SLACK", TouchRule.SLACK)
+                .define("FIRST_WALL", Limits.CIRCLES)
                 .define("COINCIDENT", Tuning.COINCIDENT)
                 .define("GREATEST_SPEED", Tuning.GREATEST_SPEED)
                 .define("SCAN_GROUP", Scan.GROUP)

@@ -20,10 +20,11 @@ public final class ByColours implements Plan {
     private Kernel integratePositions;
     private Kernel relax;
     private Kernel finalizePositions;
+    private RecordedSubSteps recorded;
 
     @Override
     public List<String> files() {
-        return List.of("world/stages/Solver.cl");
+        return List.of("world/stages/Solver.cl", "world/stages/Touches.cl");
     }
 
     @Override
@@ -35,6 +36,7 @@ public final class ByColours implements Plan {
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
+        recorded = new RecordedSubSteps(stages, finalizePositions);
     }
 
     @Override
@@ -50,6 +52,10 @@ public final class ByColours implements Plan {
     private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
         runByColour(levels, fill);
+        if (steps.recording()) {
+            recorded.make(steps);
+            return;
+        }
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
             runByColour(levels, solve);
@@ -64,7 +70,7 @@ public final class ByColours implements Plan {
      * Runs a kernel that works on groups of contacts: level by level, colour by colour, a work-item per group. The kernel's
      * first arguments of its own are the level and the colour.
      */
-    private static void runByColour(GridLevels levels, Kernel kernel) {
+    static void runByColour(GridLevels levels, Kernel kernel) {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             int groups = levels.firstOfColour(level, 1) - levels.firstOfColour(level, 0);

@@ -63,7 +63,7 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning() && wanted.haveOneLevel();
+        return !wanted.recording() && !wanted.thinning() && wanted.haveOneLevel();
     }
 
     @Override

@@ -7,6 +7,7 @@ import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
+import io.github.circles2d.world.device.memory.TouchArrays;
 
 /** What the plans of a pipeline share: its kernels, arrays and parameters, and the first stages of a step that has one launch per stage. */
 public final class Stages {
@@ -19,6 +20,9 @@ public final class Stages {
     private final ContactsStage contacts;
     private final Kernel degrees;
 
+    /** Where steps record what contacts do; null if they do not. */
+    private TouchArrays touches;
+
     public Stages(Device device, StageKernels kernels, DeviceArrays arrays, StepParameters parameters) {
         this.device = device;
         this.kernels = kernels;
@@ -29,6 +33,15 @@ public final class Stages {
         continuousCollision = new ContinuousCollisionStage(kernels);
         contacts = new ContactsStage(kernels, arrays, scan);
         degrees = kernels.plain("contacts_degrees");
+    }
+
+    /** Sets where the steps to come record what contacts do; null if they do not. */
+    public void record(TouchArrays arraysOfTouches) {
+        touches = arraysOfTouches;
+    }
+
+    TouchArrays touches() {
+        return touches;
     }
 
     Device device() {

@@ -13,6 +13,7 @@ import io.github.circles2d.world.model.GridLevels;
  * @param warmScale what impulses of the step before the first are multiplied by
  * @param sweeping whether the steps take fast circles
  * @param thinning whether the steps thin crowds out
+ * @param recording whether the steps record what contacts do, for events
  */
 public record Steps(
         int count,
@@ -22,7 +23,8 @@ public record Steps(
         int subSteps,
         float warmScale,
         boolean sweeping,
-        boolean thinning) {
+        boolean thinning,
+        boolean recording) {
     /** Whether all circles are of one level. */
     boolean haveOneLevel() {
         return levels.usedCount == 1;

@@ -65,7 +65,7 @@ public final class Tiles implements Plan {
 
     @Override
     public boolean suits(Steps steps) {
-        return sizes.suit(steps);
+        return !steps.recording() && sizes.suit(steps);
     }
 
     @Override

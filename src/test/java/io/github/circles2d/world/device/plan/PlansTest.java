@@ -46,6 +46,25 @@ class PlansTest {
 
     @ParameterizedTest
     @MethodSource("devices")
+    void stepsThatRecordWhatContactsDoAreMadeByColours(Device device) {
+        for (Plans row : new Plans[] {Plans.PERSISTENT_CPU, Plans.PERSISTENT_GPU, Plans.TILES, Plans.COLOURS}) {
+            Steps s = steps(1, 1000, false);
+            Steps recording = new Steps(
+                    s.count(),
+                    s.levels(),
+                    s.slots(),
+                    s.circles(),
+                    s.subSteps(),
+                    s.warmScale(),
+                    s.sweeping(),
+                    s.thinning(),
+                    true);
+            assertThat(Plans.first(row.of(device), recording)).isInstanceOf(ByColours.class);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
     void tilesThatNeverDoAreGivenUpForAWhile(Device device) {
         List<Plan> plans = Plans.PERSISTENT_GPU.of(device);
         Steps steps = steps(1, 1000, false);
@@ -85,6 +104,6 @@ class PlansTest {
         GridLevels levels = new GridLevels();
         levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false);
     }
 }

@@ -1,0 +1,257 @@
+// uses: world/stages/Solver.cl
+// Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
+// wall after each pass. The Java classes world.model.TouchRule, world.jvm.Touches and world.jvm.WallTouches are the same.
+//
+// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
+// sub-step that the contact does not keep.
+// wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
+// records: by record, three int4; see writeRecord.
+
+#define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
+
+float approachSpeed(float vn) { return greatest(-vn, 0.0f); }
+
+bool touches(float approach, float separation) { return approach >= 0.0f || separation <= 0.0f; }
+
+bool staysInTouch(float approach, float separation, float radii) {
+    return approach >= 0.0f || separation <= TOUCH_SLACK * radii;
+}
+
+float touchPoint(float x, float displacement, float normal, float radius, float separation) {
+    return (x + displacement) + normal * (radius + 0.5f * separation);
+}
+
+// Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
+void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
+    bool touching = impulse > 0.0f || separation <= 0.0f;
+    if (!touching || !(approach > t[0].x)) return;
+    t[0].x = approach;
+    if (!(approach * w->k.dt > TOUCH_SLACK * w->base[c].z)) return;
+    uint lower = w->pair[c].x;
+    float4 own = w->circle[lower];
+    float4 m = w->motion[lower];
+    t[0].zw = n.xy;
+    t[1].xy = (float2)(touchPoint(own.x, m.x, n.x, own.z, n.z), touchPoint(own.y, m.y, n.y, own.z, n.z));
+}
+
+// Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
+kernel void touches_begin(WORLD_PARAMETERS, global float4 *touch, global float4 *wallTouch) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int first = (int) get_global_id(0);
+    if (first == 0) status[TOUCHES] = 0;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = first; c < contacts; c += (int) get_global_size(0)) {
+        touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+        touch[2 * c + 1] = (float4)(0.0f);
+    }
+    for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
+        wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+    }
+}
+
+// The number of a wall.
+int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
+
+// Takes a visit of the wall of an axis down. vn: normal speed that the circle approached with; from, to: velocity along the axis
+// before and after the visit; gap: separation before it; along: coordinate along the wall.
+void touchWall(global float4 *t, float side, float vn, float from, float to, float gap, float along_) {
+    float4 now = *t;
+    float impulse = side * (to - from);
+    now.y += impulse;
+    float approach = approachSpeed(vn);
+    if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
+        now.x = approach;
+        now.z = along_;
+        now.w = side;
+    }
+    *t = now;
+}
+
+// Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step. gap: from where the
+// wall is at the end of the step; before: velocity before any impulse.
+void touchSolved(const World *w, global float4 *t, int axis, float side, float r, float before, float from, float to, float gap,
+                 float along_) {
+    int wall = wallOf(axis, side);
+    float now = (gap + behindOf(w, wall)) + sweepFor(w, wall, r);
+    touchWall(t, side, side * before - speedFor(w, wall, r), from, to, now, along_);
+}
+
+// Takes a visit of the relaxing pass down. gap: from where the wall is at the end of the step.
+void touchRelaxed(const World *w, global float4 *t, int axis, float side, float r, float from, float to, float gap,
+                  float along_) {
+    int wall = wallOf(axis, side);
+    touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
+}
+
+// Index space: a working slot a work-item.
+kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
+    World w = WORLD;
+    w.subStep = subStep;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 c = circle[slot];
+    float4 m = motion[slot];
+    float4 t = traits[slot];
+    float4 l = load[slot];
+    float4 old = m;
+    float2 before, bounce;
+    bool loaded;
+    integrateVelocities(&w, slot, c, &m, &t, l, &before, &bounce, &loaded);
+    motion[slot] = m;
+    traits[slot] = t;
+    wallBounce[slot] = bounce;
+    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    if (t.x == 0.0f) return;
+    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
+    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
+    float gapX = wallGap(c.x, old.x, c.z, sideX, w.k.minX, w.k.maxX);
+    float gapY = wallGap(c.y, old.y, c.z, sideY, w.k.minY, w.k.maxY);
+    float fromX = afterImpulse(before.x, t.x, l.x);
+    float fromY = afterImpulse(before.y, t.x, l.y);
+    touchSolved(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
+    touchSolved(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void touches_solve(WORLD_PARAMETERS, int level, int colour, global float4 *touch) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) {
+        float notKept = solveContact(&w, c);
+        uint2 pr = pair[c];
+        float4 n = contact[c];
+        global float4 *t = touch + 2 * c;
+        float2 before = load[pr.y].xy - load[pr.x].xy;
+        float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
+        t[1].zw = (float2)(approach, notKept);
+        noteTouch(&w, t, c, approach, n, n.w + notKept, n.z);
+    }
+}
+
+// Index space: a working slot a work-item.
+kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
+    World w = WORLD;
+    w.subStep = subStep;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    float4 c = circle[slot];
+    float4 t = traits[slot];
+    float loaded = load[slot].z;
+    bool isStatic = t.x == 0.0f;
+    float4 m = integratePositions(&w, slot, c, motion[slot], isStatic);
+    float4 before = m;
+    if (!isStatic) relaxAtWalls(&w, c, &m, &t, wallBounce[slot], loaded > 0.0f);
+    motion[slot] = m;
+    traits[slot] = t;
+    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    firstCached[slot] = NONE;
+    if (isStatic) return;
+    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
+    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
+    float gapX = wallGap(c.x, m.x, c.z, sideX, w.k.minX, w.k.maxX);
+    float gapY = wallGap(c.y, m.y, c.z, sideY, w.k.minY, w.k.maxY);
+    touchRelaxed(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.z, m.z, gapX, c.y + m.y);
+    touchRelaxed(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.w, m.w, gapY, c.x + m.x);
+}
+
+// Index space: a group of one colour a work-item. Cost: its contacts.
+kernel void touches_relax(WORLD_PARAMETERS, int level, int colour, int last, global float4 *touch) {
+    World w = WORLD;
+    int g = (int) get_global_id(0);
+    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
+    int group = firstOfColour(&w, level, colour) + g;
+    int to = groupStart[group + 1];
+    for (int c = groupStart[group]; c < to; c++) {
+        global float4 *t = touch + 2 * c;
+        float notKept = t[1].w + relaxContact(&w, c, last != 0);
+        float4 n = contact[c];
+        float impulse = notKept + n.w;
+        t[1].w = 0.0f;
+        t[0].y += impulse;
+        noteTouch(&w, t, c, t[1].z, n, impulse, INFINITY);
+    }
+}
+
+// Writes the record of a pair that is in touch. other: the higher id, or the wall; vn: normal speed after the step; threshold: the
+// square of the speed of a hit.
+void writeRecord(const World *w, global int4 *records, int recordRoom, int id, int other, bool touching, float approach,
+                 float impulse, float vn, float threshold, float2 normal, float2 point) {
+    int k = atomic_inc(&w->status[TOUCHES]);
+    if (k >= recordRoom) return;
+    records[3 * k] = (int4)(id, other, touching ? 1 : 0, as_int(approach));
+    records[3 * k + 1] = (int4)(as_int(impulse), as_int(vn), as_int(threshold), as_int(normal.x));
+    records[3 * k + 2] = (int4)(as_int(normal.y), as_int(point.x), as_int(point.y), 0);
+}
+
+void recordTouch(const World *w, global const float4 *touch, global int4 *records, int recordRoom, int c) {
+    float4 t = touch[2 * c];
+    float4 n = w->contact[c];
+    float radii = w->base[c].z;
+    if (!staysInTouch(t.x, n.z, radii)) return;
+    uint2 pr = w->pair[c];
+    ulong ids = w->key[c];
+    float4 at = touch[2 * c + 1];
+    float2 normal = t.zw;
+    float2 point = at.xy;
+    if (t.z == 0.0f && t.w == 0.0f) {
+        float4 lower = w->homeCircle[pr.x];
+        normal = n.xy;
+        point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
+    }
+    float4 mi = w->homeMotion[pr.x];
+    float4 mj = w->homeMotion[pr.y];
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
+    writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(t.x, n.z), greatest(t.x, 0.0f), t.y, vn,
+                threshold, normal, point);
+}
+
+// The wall of an axis. c, m: circle and motion after the step.
+void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, int slot, int axis, float4 c, float4 m) {
+    float x = axis == 0 ? c.x : c.y;
+    float dx = axis == 0 ? m.x : m.y;
+    float v = axis == 0 ? m.z : m.w;
+    float min_ = axis == 0 ? w->k.minX : w->k.minY;
+    float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
+    float rate = axis == 0 ? w->k.thresholdRateX : w->k.thresholdRateY;
+    float nearer = wallSide(x, min_, max_);
+    float gap = wallGap(x, dx, c.z, nearer, min_, max_);
+    bool touched = t.x >= 0.0f;
+    bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.z);
+    float threshold = bounceThreshold(&w->k, 2.0f * c.z, 0.0f, rate);
+    for (int k = 0; k < 2; k++) {
+        bool first = k == 0;
+        if (first ? !touched : !isNear_ || (touched && t.w == nearer)) continue;
+        float side = first ? t.w : nearer;
+        float at = side > 0.0f ? min_ : max_;
+        float place = first ? t.z : axis == 0 ? c.y : c.x;
+        int wall = wallOf(axis, side);
+        float vn = side * v - speedFor(w, wall, c.z);
+        float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
+        float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
+        writeRecord(w, records, recordRoom, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), first ? t.x : 0.0f,
+                    first ? c.w * t.y : 0.0f, vn, threshold, normal, point);
+    }
+}
+
+// Records the pairs that are in touch after the step, and the walls if they are reported. Index space: any number of work-items,
+// which take contacts and slots in turn.
+kernel void touches_end(WORLD_PARAMETERS, int withWalls, global const float4 *touch, global const float4 *wallTouch,
+                        global int4 *records, int recordRoom) {
+    World w = WORLD;
+    if (refused(&w)) return;
+    int contacts = groupStart[levels->first[LEVELS]];
+    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {
+        recordTouch(&w, touch, records, recordRoom, c);
+    }
+    if (withWalls == 0) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
+        if (homeTraits[slot].x == 0.0f) continue;
+        recordWall(&w, wallTouch[2 * slot], records, recordRoom, slot, 0, homeCircle[slot], homeMotion[slot]);
+        recordWall(&w, wallTouch[2 * slot + 1], records, recordRoom, slot, 1, homeCircle[slot], homeMotion[slot]);
+    }
+}

@@ -1,0 +1,68 @@
+package io.github.circles2d.world.device;
+
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_APPROACH;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_ID;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_IMPULSE;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_NORMAL_X;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_NORMAL_Y;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_OTHER;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_X;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_Y;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_THRESHOLD;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_TOUCHING;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_VN;
+import static io.github.circles2d.world.device.memory.TouchArrays.RECORD;
+
+import io.github.circles2d.world.device.memory.TouchArrays;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.TouchRecords;
+
+/** Hands over what a device has recorded of the pairs that touch after a step. */
+final class TouchReader {
+    private final TouchArrays arrays;
+    private final ContactEvents events;
+    private final TouchRecords records = new TouchRecords();
+    private int[] words = new int[0];
+
+    TouchReader(TouchArrays arrays, ContactEvents events) {
+        this.arrays = arrays;
+        this.events = events;
+    }
+
+    /** Ends a step with a number of records, which are in no order. */
+    void endStep(int count) {
+        if (count > arrays.room()) {
+            throw new IllegalStateException(count + " records of touches do not fit into " + arrays.room());
+        }
+        if (words.length < RECORD * count) {
+            words = new int[RECORD * (count + (count >> 1))];
+        }
+        arrays.read(words, count);
+        records.clear();
+        for (int at = 0; at < RECORD * count; at += RECORD) {
+            int id = words[at + AT_ID];
+            int other = words[at + AT_OTHER];
+            float approach = real(at + AT_APPROACH);
+            float impulse = real(at + AT_IMPULSE);
+            float threshold = real(at + AT_THRESHOLD);
+            if (events.concerns(id, other, words[at + AT_TOUCHING] != 0, approach, impulse, threshold)) {
+                records.add(
+                        id,
+                        other,
+                        approach,
+                        impulse,
+                        real(at + AT_NORMAL_X),
+                        real(at + AT_NORMAL_Y),
+                        real(at + AT_POINT_X),
+                        real(at + AT_POINT_Y),
+                        real(at + AT_VN),
+                        threshold);
+            }
+        }
+        events.endStep(records);
+    }
+
+    private float real(int at) {
+        return Float.intBitsToFloat(words[at]);
+    }
+}

@@ -1,0 +1,107 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Session;
+import java.nio.IntBuffer;
+
+/** The memory in which a device records what contacts and walls do, if events are reported; {@code kernels/world/stages/Touches.cl}. */
+public final class TouchArrays implements AutoCloseable {
+    /** Ints of a record. */
+    public static final int RECORD = 12;
+
+    // Ints of a record, from its beginning.
+    public static final int AT_ID = 0;
+    public static final int AT_OTHER = 1;
+    public static final int AT_TOUCHING = 2;
+    public static final int AT_APPROACH = 3;
+    public static final int AT_IMPULSE = 4;
+    public static final int AT_VN = 5;
+    public static final int AT_THRESHOLD = 6;
+    public static final int AT_NORMAL_X = 7;
+    public static final int AT_NORMAL_Y = 8;
+    public static final int AT_POINT_X = 9;
+    public static final int AT_POINT_Y = 10;
+
+    private static final long CONTACT_BYTES = 32;
+    private static final long SLOT_BYTES = 32;
+    private static final long RECORD_BYTES = (long) Integer.BYTES * RECORD;
+
+    /** Records of walls that a circle may have in a step: of each axis that of the wall it has touched, and of the nearer one. */
+    private static final int RECORDS_PER_SLOT = 4;
+
+    private final Session session;
+    private final boolean walls;
+    private DeviceBuffer contacts;
+    private DeviceBuffer slots;
+    private DeviceBuffer records;
+
+    /**
+     * No memory yet.
+     *
+     * @param walls whether walls are recorded
+     */
+    public TouchArrays(Session session, boolean walls) {
+        this.session = session;
+        this.walls = walls;
+    }
+
+    /** Makes room for what other arrays have room for, so that no step lacks room for its records. */
+    public void ensure(DeviceArrays arrays) {
+        long room = arrays.contactCapacity() + (walls ? (long) RECORDS_PER_SLOT * arrays.slotCapacity() : 0);
+        contacts = ensure("touches", contacts, CONTACT_BYTES * arrays.contactCapacity());
+        slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
+        records = ensure("records of touches", records, RECORD_BYTES * room);
+    }
+
+    private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
+        if (buffer != null && buffer.bytes() >= bytes) {
+            return buffer;
+        }
+        DeviceBuffer larger = session.allocate(name, bytes);
+        if (buffer != null) {
+            buffer.close();
+        }
+        return larger;
+    }
+
+    /** Whether walls are recorded. */
+    public boolean hasWalls() {
+        return walls;
+    }
+
+    /** By contact. */
+    public DeviceBuffer contacts() {
+        return contacts;
+    }
+
+    /** By slot and axis. */
+    public DeviceBuffer slots() {
+        return slots;
+    }
+
+    /** The records of the last step. */
+    public DeviceBuffer records() {
+        return records;
+    }
+
+    /** Records that there is room for. */
+    public int room() {
+        return (int) Math.min(records.bytes() / RECORD_BYTES, Integer.MAX_VALUE);
+    }
+
+    /** Reads the first records into an array. */
+    public void read(int[] to, int count) {
+        if (count > 0) {
+            records.read(IntBuffer.wrap(to, 0, RECORD * count));
+        }
+    }
+
+    @Override
+    public void close() {
+        for (DeviceBuffer buffer : new DeviceBuffer[] {contacts, slots, records}) {
+            if (buffer != null) {
+                buffer.close();
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.TouchArrays;
+
+/** The sub-steps of {@link ByColours} that record what contacts and walls do; {@code kernels/world/stages/Touches.cl}. */
+final class RecordedSubSteps {
+    private final Stages stages;
+    private final Kernel begin;
+    private final Kernel integrateVelocities;
+    private final Kernel solve;
+    private final Kernel integratePositions;
+    private final Kernel relax;
+    private final Kernel finalizePositions;
+    private final Kernel end;
+
+    RecordedSubSteps(Stages stages, Kernel finalizePositions) {
+        this.stages = stages;
+        this.finalizePositions = finalizePositions;
+        begin = stages.kernel("touches_begin");
+        integrateVelocities = stages.kernel("touches_integrateVelocities");
+        solve = stages.kernel("touches_solve");
+        integratePositions = stages.kernel("touches_integratePositions");
+        relax = stages.kernel("touches_relax");
+        end = stages.kernel("touches_end");
+    }
+
+    /** Enqueues what follows the filling of contacts. */
+    void make(Steps steps) {
+        TouchArrays touches = stages.touches();
+        begin.arg(StageKernels.own(0), touches.contacts())
+                .arg(StageKernels.own(1), touches.slots())
+                .run(2L * steps.circles());
+        for (int sub = 0; sub < steps.subSteps(); sub++) {
+            move(integrateVelocities, sub, steps);
+            ByColours.runByColour(steps.levels(), solve.arg(StageKernels.own(2), touches.contacts()));
+            move(integratePositions, sub, steps);
+            relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0)
+                    .arg(StageKernels.own(3), touches.contacts());
+            ByColours.runByColour(steps.levels(), relax);
+        }
+        finalizePositions.run(steps.circles());
+        end.arg(StageKernels.own(0), touches.hasWalls() ? 1 : 0)
+                .arg(StageKernels.own(1), touches.contacts())
+                .arg(StageKernels.own(2), touches.slots())
+                .arg(StageKernels.own(3), touches.records())
+                .arg(StageKernels.own(4), touches.room())
+                .run(2L * steps.circles());
+    }
+
+    private void move(Kernel kernel, int sub, Steps steps) {
+        kernel.arg(StageKernels.own(0), sub)
+                .arg(StageKernels.own(1), stages.touches().slots())
+                .run(steps.circles());
+    }
+}

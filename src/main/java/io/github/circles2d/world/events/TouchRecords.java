@@ -1,0 +1,135 @@
+package io.github.circles2d.world.events;
+
+import java.util.Arrays;
+
+/** Records of touching pairs of a step, for {@link ContactEvents#endStep}. Each thread fills a list. */
+public final class TouchRecords {
+    /** Floats of what happened: those of an event. */
+    static final int VALUES = 6;
+
+    static final int APPROACH = 0;
+    static final int IMPULSE = 1;
+    static final int NORMAL_X = 2;
+    static final int NORMAL_Y = 3;
+    static final int POINT_X = 4;
+    static final int POINT_Y = 5;
+
+    private static final int VN = 6;
+    private static final int THRESHOLD = 7;
+    private static final int STRIDE = 8;
+
+    int count;
+    private int[] lower = new int[0];
+    private int[] higher = new int[0];
+    private float[] values = new float[0];
+
+    /** No records. */
+    public TouchRecords() {}
+
+    /** Forgets all records. */
+    public void clear() {
+        count = 0;
+    }
+
+    /**
+     * Adds the record of a pair.
+     *
+     * @param vn normal speed after the step
+     * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
+     */
+    public void add(
+            int lowerId,
+            int higherId,
+            float approach,
+            float impulse,
+            float normalX,
+            float normalY,
+            float pointX,
+            float pointY,
+            float vn,
+            float threshold) {
+        if (count == higher.length) {
+            int longer = Math.max(64, 2 * count);
+            lower = Arrays.copyOf(lower, longer);
+            values = Arrays.copyOf(values, STRIDE * longer);
+            higher = Arrays.copyOf(higher, longer);
+        }
+        lower[count] = lowerId;
+        higher[count] = higherId;
+        int at = STRIDE * count++;
+        values[at + APPROACH] = approach;
+        values[at + IMPULSE] = Math.max(impulse, 0f); // differences of velocities may sum up to less
+        values[at + NORMAL_X] = normalX;
+        values[at + NORMAL_Y] = normalY;
+        values[at + POINT_X] = pointX;
+        values[at + POINT_Y] = pointY;
+        values[at + VN] = vn;
+        values[at + THRESHOLD] = threshold;
+    }
+
+    int lower(int record) {
+        return lower[record];
+    }
+
+    int higher(int record) {
+        return higher[record];
+    }
+
+    float approach(int record) {
+        return values[STRIDE * record + APPROACH];
+    }
+
+    float impulse(int record) {
+        return values[STRIDE * record + IMPULSE];
+    }
+
+    float vn(int record) {
+        return values[STRIDE * record + VN];
+    }
+
+    float threshold(int record) {
+        return values[STRIDE * record + THRESHOLD];
+    }
+
+    /** Adds a copy of another list's record, and returns its number. */
+    int add(TouchRecords from, int record) {
+        return addValues(from.values, STRIDE * record);
+    }
+
+    /** Adds the values of an event, and returns its number. */
+    int addValues(float[] from, int at) {
+        add(
+                0,
+                0,
+                from[at + APPROACH],
+                from[at + IMPULSE],
+                from[at + NORMAL_X],
+                from[at + NORMAL_Y],
+                from[at + POINT_X],
+                from[at + POINT_Y],
+                0f,
+                0f);
+        return count - 1;
+    }
+
+    /** Adds what a record says to that of an earlier step: its impulse, and the rest if it was faster. */
+    void addTo(int record, TouchRecords earlier, int earlierRecord) {
+        int from = STRIDE * record;
+        int to = STRIDE * earlierRecord;
+        float impulse = earlier.values[to + IMPULSE] + values[from + IMPULSE];
+        if (values[from + APPROACH] > earlier.values[to + APPROACH]) {
+            System.arraycopy(values, from, earlier.values, to, VALUES);
+        }
+        earlier.values[to + IMPULSE] = impulse;
+    }
+
+    /** Copies the values of an event. */
+    void copy(int record, float[] to, int at) {
+        System.arraycopy(values, STRIDE * record, to, at, VALUES);
+    }
+
+    /** Memory of the arrays. */
+    public long bytes() {
+        return 4L * (lower.length + higher.length + values.length);
+    }
+}

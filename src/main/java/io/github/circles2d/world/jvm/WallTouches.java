@@ -1,0 +1,189 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.MASS;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.X;
+
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TouchRule;
+import io.github.circles2d.world.model.WallMotion;
+
+/**
+ * Records what walls do to circles in a step. The impulse of a visit is what it adds to the velocity. A visit in which an impulse
+ * acts is a touch: its approach speed is that before impulses, or, in the relaxing pass, that before the visit.
+ */
+final class WallTouches {
+    private static final int AXES = 2;
+    private static final int STRIDE = 4;
+
+    // A row, for each axis of a slot.
+    private static final int APPROACH = 0;
+    private static final int IMPULSE = 1;
+
+    /** Where the circle was along the wall when it approached fastest. */
+    private static final int PLACE = 2;
+
+    /** By {@link CircleMath#wallSide}. */
+    private static final int SIDE = 3;
+
+    private final State state;
+    private final ContactEvents events;
+    private float[] rows = new float[0];
+
+    WallTouches(State state, ContactEvents events) {
+        this.state = state;
+        this.events = events;
+    }
+
+    private static int row(int slot, int axis) {
+        return STRIDE * (AXES * slot + axis);
+    }
+
+    void ensure() {
+        if (rows.length < row(state.capacity(), 0)) {
+            rows = new float[row(state.capacity(), 0)];
+        }
+    }
+
+    /** Begins a step for slots. */
+    void clear(int from, int to) {
+        for (int t = row(from, 0); t < row(to, 0); t += STRIDE) {
+            rows[t + APPROACH] = TouchRule.NONE;
+            rows[t + IMPULSE] = 0f;
+        }
+    }
+
+    /**
+     * Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step.
+     *
+     * @param before velocity along the axis before any impulse
+     * @param from the same just before the visit
+     * @param gap separation before the visit from where the wall is at the end of the step
+     */
+    void solved(int slot, int axis, float side, float before, float from, float gap, StepConstants k, int sub) {
+        int wall = WallMotion.of(axis, side);
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        float now = (gap + k.walls.behind(wall, sub)) + k.walls.sweepFor(wall, r);
+        visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), from, now);
+    }
+
+    /**
+     * Takes a visit of the relaxing pass down.
+     *
+     * @param from velocity along the axis just before the visit
+     * @param gap separation before the visit
+     */
+    void relaxed(int slot, int axis, float side, float from, float gap, StepConstants k) {
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        visited(slot, axis, side, side * from - k.walls.speedFor(WallMotion.of(axis, side), r), from, gap);
+    }
+
+    /** vn: normal speed that the circle approached with. */
+    private void visited(int slot, int axis, float side, float vn, float from, float gap) {
+        int t = row(slot, axis);
+        float impulse = side * (state.motion[CircleRow.of(slot) + VX + axis] - from);
+        rows[t + IMPULSE] += impulse;
+        float approach = TouchRule.approach(vn);
+        if ((impulse > 0f || gap <= 0f) && approach > rows[t + APPROACH]) {
+            rows[t + APPROACH] = approach;
+            rows[t + PLACE] = place(CircleRow.of(slot), axis, 1f);
+            rows[t + SIDE] = side;
+        }
+    }
+
+    /** A coordinate along the wall; at the end of a step without the displacement. */
+    private float place(int s, int axis, float displaced) {
+        int other = 1 - axis;
+        return displaced > 0f
+                ? state.circle[s + X + other] + state.motion[s + DX + other]
+                : state.circle[s + X + other];
+    }
+
+    /** Ends a step: tells of the circles that touch walls. */
+    void endStep(TouchRecords records, int from, int to, StepConstants k) {
+        for (int slot = from; slot < to; slot++) {
+            if (state.traits[CircleRow.of(slot) + INVERSE_MASS] != 0f) {
+                endStep(records, slot, 0, k.bounds.minX(), k.bounds.maxX(), k.thresholdRateX, k);
+                endStep(records, slot, 1, k.bounds.minY(), k.bounds.maxY(), k.thresholdRateY, k);
+            }
+        }
+    }
+
+    private void endStep(
+            TouchRecords records, int slot, int axis, float min, float max, float thresholdRate, StepConstants k) {
+        int s = CircleRow.of(slot);
+        int t = row(slot, axis);
+        float base = state.circle[s + X + axis];
+        float r = state.circle[s + RADIUS];
+        float side = CircleMath.wallSide(base, min, max);
+        float gap = CircleMath.wallGap(base, state.motion[s + DX + axis], r, side, min, max);
+        boolean touched = rows[t + APPROACH] >= 0f;
+        if (!touched && !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
+            return;
+        }
+        float threshold = CircleMath.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
+        if (touched) {
+            float impulse = state.circle[s + MASS] * rows[t + IMPULSE];
+            tell(
+                    records,
+                    slot,
+                    axis,
+                    rows[t + SIDE],
+                    true,
+                    rows[t + APPROACH],
+                    impulse,
+                    rows[t + PLACE],
+                    rows[t + SIDE] > 0f ? min : max,
+                    threshold,
+                    k);
+        }
+        if ((!touched || rows[t + SIDE] != side) && TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
+            boolean touches = TouchRule.touches(TouchRule.NONE, gap);
+            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, threshold, k);
+        }
+    }
+
+    private void tell(
+            TouchRecords records,
+            int slot,
+            int axis,
+            float side,
+            boolean touches,
+            float approach,
+            float impulse,
+            float place,
+            float at,
+            float threshold,
+            StepConstants k) {
+        int s = CircleRow.of(slot);
+        int id = state.id[slot];
+        int wall = ContactEvents.wall(axis, side);
+        if (events.concerns(id, wall, touches, approach, impulse, threshold)) {
+            float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
+            float vn = side * state.motion[s + VX + axis] - speed;
+            boolean isX = axis == 0;
+            records.add(
+                    id,
+                    wall,
+                    approach,
+                    impulse,
+                    isX ? -side : 0f,
+                    isX ? 0f : -side,
+                    isX ? at : place,
+                    isX ? place : at,
+                    vn,
+                    threshold);
+        }
+    }
+
+    long bytes() {
+        return 4L * rows.length;
+    }
+}

@@ -1,0 +1,111 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.ContactSettings;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Worlds that report events have the same events and the same bits on every device and for any number of threads. */
+class EventsAgreeTest {
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    /** In Java on one thread and on more, and what a device would take for a world that reports nothing. */
+    private static Pipeline[] pipelines(Device device) {
+        return new Pipeline[] {
+            new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false),
+            new JvmPipeline(2, 1, 0, false),
+            new JvmPipeline(7, 1, 0, false),
+            Pipelines.of(device, Plans.choose(device)),
+        };
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void scenesHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {
+            Scenes.thesis(600, 1),
+            Scenes.gas(600, 1),
+            Scenes.mixed(600, 1),
+            Scenes.pyramid(),
+            Scenes.billiards(300),
+            Scenes.onePoint(200, 1)
+        }) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.report(ContactEvents.ALL);
+                int events = 0;
+                for (int k = 0; k < 12; k++) {
+                    twins.step(scene.timeStep(), 1 + k % 4);
+                    events += twins.assertSameEvents(scene.name() + " after call " + k);
+                }
+                assertThat(events).as(scene.name()).isPositive();
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    /** Circles come, go and are moved, states are exchanged, reporting is switched, and nobody looks in between. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void changesHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {Scenes.thesis(300, 2), Scenes.mixed(300, 2)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(3);
+                int[] types = {ContactEvents.ALL, 0, ContactEvents.BEGIN | ContactEvents.END, ContactEvents.ALL};
+                for (int k = 0; k < 40; k++) {
+                    if (k % 10 == 0) {
+                        twins.report(types[k / 10]);
+                    }
+                    for (int changes = 0; changes < 30; changes++) {
+                        twins.change(scene, random);
+                    }
+                    twins.step(k % 7 == 6 ? 0.3f : 1 / 60f, 1 + k % 3);
+                    if (k % 5 == 4) {
+                        twins.exchange();
+                    }
+                    if (k % 3 == 0) {
+                        twins.assertSameEvents(scene.name() + " after change " + k);
+                    }
+                    twins.confine();
+                }
+                twins.assertSameEvents(scene.name());
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    /** Walls move, contacts get other settings, and kinds and forces are changed. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void wallsThatMoveAndContactsOfAnySettingsHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {Scenes.gas(300, 3), Scenes.mixed(300, 3)}) {
+            try (Twins twins = Twins.load(scene, pipelines(device))) {
+                twins.report(ContactEvents.ALL);
+                SplittableRandom random = new SplittableRandom(7);
+                int events = 0;
+                for (int k = 0; k < 30; k++) {
+                    if (k == 15) {
+                        twins.restoreWith(new ContactSettings(0.05f, 30f, 5f, 1f));
+                    }
+                    twins.change(scene, random);
+                    twins.moveWalls(random, 1.5f * scene.radius(0));
+                    twins.step(scene.timeStep(), 1 + k % 3);
+                    events += twins.assertSameEvents(scene.name() + " after move " + k);
+                }
+                assertThat(events).as(scene.name()).isPositive();
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+}
