@@ -171,8 +171,10 @@ void solveAll(World *w, local Tile *t) {
     }
 }
 
-// Index space: no more work-groups than run at once. steps: how many to make, unless one is out of room.
-kernel __attribute__((reqd_work_group_size(RESIDENT_GROUP, 1, 1))) void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
+// Index space: no more work-groups than run at once, of RESIDENT_GROUP. steps: how many to make, unless one is out of room. No
+// reqd_work_group_size: NVIDIA's compiler would make room for two work-groups on a compute unit, with 128 registers and many
+// spills. One is all that runs there.
+kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
     World w = WORLD;
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
