@@ -80,7 +80,9 @@ final class FieldSections {
         s.fields.clearAll();
         s.kinds.clear();
         s.touches.clear();
-        SnapshotCodec.require(sections >= 0, "it cannot have fewer sections than 0");
+        if (sections < 0) {
+            throw SnapshotCodec.refused("it cannot have " + sections + " sections");
+        }
         int before = 0;
         for (int k = 0; k < sections; k++) {
             SnapshotCodec.require(in.remaining() >= HEAD, "it ends early");
@@ -100,17 +102,16 @@ final class FieldSections {
     private static CircleField field(int number) {
         CircleField field = CircleField.ofNumber(number);
         if (field == null) {
-            throw new IllegalArgumentException(
-                    "this is no snapshot of a world: no field of a circle has the number " + number);
+            throw SnapshotCodec.refused("no field of a circle has the number " + number);
         }
         return field;
     }
 
     private static void readSection(ByteBuffer in, SavedState s, CircleField field, int values) {
         int least = 1 + valueBytes(field);
-        SnapshotCodec.require(
-                values > 0 && values <= s.circles && (long) values * least <= in.remaining(),
-                "it cannot hold as many values of a field as it says");
+        if (!(values > 0 && values <= s.circles && (long) values * least <= in.remaining())) {
+            throw SnapshotCodec.refused("it cannot hold " + values + " values of a field");
+        }
         s.fields.ensure(field, s.ids);
         long id = -1;
         int circle = 0;

@@ -61,7 +61,8 @@ final class KindSection {
                 && (long) values + responses > 0
                 && (long) VALUE * values + (long) RESPONSE * responses <= in.remaining();
         if (!fit) {
-            throw refused("it cannot hold " + values + " values and " + responses + " responses of kinds");
+            throw SnapshotCodec.refused(
+                    "it cannot hold " + values + " values and " + responses + " responses of kinds");
         }
         int before = -1;
         for (int k = 0; k < values; k++) {
@@ -83,11 +84,6 @@ final class KindSection {
         }
     }
 
-    /** A message is put together only if it is needed: reading a snapshot leaves no garbage. */
-    private static IllegalArgumentException refused(String reason) {
-        return new IllegalArgumentException("this is no snapshot of a world: " + reason);
-    }
-
     private static int ascending(int before, int next) {
         SnapshotCodec.require(next > before, "its kinds are not in order");
         return next;
@@ -96,7 +92,7 @@ final class KindSection {
     private static KindField field(int number) {
         KindField field = KindField.ofNumber(number);
         if (field == null) {
-            throw refused("no field of a kind has the number " + number);
+            throw SnapshotCodec.refused("no field of a kind has the number " + number);
         }
         return field;
     }

@@ -419,7 +419,12 @@ public final class SnapshotCodec {
 
     static void require(boolean holds, String message) {
         if (!holds) {
-            throw new IllegalArgumentException("this is no snapshot of a world: " + message);
+            throw refused(message);
         }
+    }
+
+    /** For a message that is put together: to do so where nothing is refused would be garbage of each read. */
+    static IllegalArgumentException refused(String message) {
+        return new IllegalArgumentException("this is no snapshot of a world: " + message);
     }
 }

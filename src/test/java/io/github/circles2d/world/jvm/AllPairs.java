@@ -31,6 +31,10 @@ final class AllPairs {
             float r = s.circle[4 * i + 2];
             float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
             float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
+            if (isStatic(i)) {
+                px = CircleMath.within(s.circle[4 * i], px, k.bounds.minX(), k.bounds.maxX());
+                py = CircleMath.within(s.circle[4 * i + 1], py, k.bounds.minY(), k.bounds.maxY());
+            }
             float path = CircleMath.norm(px, py);
             float most = CircleMath.speculativeDistance(r, path);
             speculativeDistance[i] = pipeline.grid.speculativeDistance[slotOf.get(s.id[i])];
