@@ -35,7 +35,7 @@ import io.github.circles2d.world.events.EventRows;
  * included that carry a load. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
  * and up to one part in 64 for a circle that sticks. An impulse that acts after a hit has been reported is in no event. A wall that is
  * hit has the same numbers; the speed is relative to a wall that moves. A circle that is fast stops where it touches, and bounces in the next step: it may begin, with speed
- * and impulse 0, a step before it hits. For damage, take hits.
+ * and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
  *
  * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those
  * of one that has its id now. The events and their order are the same on every back end, device and number of threads.

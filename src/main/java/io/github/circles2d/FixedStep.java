@@ -65,8 +65,14 @@ public final class FixedStep {
 
     private float[] from = new float[0];
     private float[] to = new float[0];
-    private FloatBuffer shown = FloatBuffer.allocate(0);
-    private FloatBuffer view = shown;
+    private FloatBuffer shown = ByteBuffer.allocateDirect(0).asFloatBuffer();
+    private FloatBuffer view = shown.asReadOnlyBuffer();
+
+    /** Whether {@link #advance} is running. */
+    private boolean advancing;
+
+    /** Whether {@link #reset} has been called since it began. */
+    private boolean wasReset;
 
     /**
      * A loop that has saved up no time.
@@ -102,44 +108,62 @@ public final class FixedStep {
     }
 
     /**
-     * Makes the steps that are due.
+     * Makes the steps that are due. If the Runnable throws, the step that it came before and those behind it are not made, and are not
+     * caught up.
      *
      * @param frameSeconds time since the last frame in seconds, at least 0 and finite
      * @param beforeStep runs before each step; may be null. Keep one in a field: a lambda that is made in each frame may be garbage
      * @return the number of steps made, 0 to the greatest number of a frame
      * @throws IllegalArgumentException where the time is out of range
+     * @throws IllegalStateException where the Runnable calls this method
      */
     public int advance(float frameSeconds, Runnable beforeStep) {
         Limits.within("the time of the frame", frameSeconds, 0, Float.MAX_VALUE);
+        if (advancing) {
+            throw new IllegalStateException(
+                    "the frame is being made: what runs before a step cannot make steps of its own");
+        }
         double left = saved + (double) frameSeconds * speed;
         int steps = 0;
         while (left >= timeStep && steps < maxSteps) {
             left -= timeStep;
             steps++;
         }
-        make(steps, beforeStep);
         if (left >= timeStep) {
-            dropped += (long) (left / timeStep);
+            long more = (long) (left / timeStep);
+            dropped = Math.min(dropped, Long.MAX_VALUE - more) + more;
             left %= timeStep;
         }
         saved = left;
+        advancing = true;
+        wasReset = false;
+        try {
+            return beforeStep == null ? make(steps) : make(steps, beforeStep);
+        } finally {
+            advancing = false;
+        }
+    }
+
+    private int make(int steps) {
+        if (steps > 1) {
+            world.step(timeStep, steps - 1);
+        }
+        if (steps > 0) {
+            makeLast();
+        }
         return steps;
     }
 
-    private void make(int steps, Runnable beforeStep) {
-        if (beforeStep == null && steps > 1) {
-            world.step(timeStep, steps - 1);
-        }
-        for (int k = 0; k < steps; k++) {
-            if (beforeStep != null) {
-                beforeStep.run();
-            }
-            if (k == steps - 1) {
+    private int make(int steps, Runnable beforeStep) {
+        for (int k = 1; k <= steps; k++) {
+            beforeStep.run();
+            if (k == steps || wasReset) {
                 makeLast();
-            } else if (beforeStep != null) {
-                world.step(timeStep);
+                return k;
             }
+            world.step(timeStep);
         }
+        return 0;
     }
 
     /** Makes a step, and has the positions before and after it copied. */
@@ -166,11 +190,13 @@ public final class FixedStep {
 
     /**
      * Starts again from the world as it is: no time is saved up, and {@link #positions} are those of now until the next step. Call
-     * this after {@link World#restore}, and when a level has been built.
+     * this after {@link World#restore}, and when a level has been built. In the Runnable of {@link #advance}, the step that it comes
+     * before is the last one of the frame.
      */
     public void reset() {
         forget();
         saved = 0;
+        wasReset = true;
     }
 
     /**

@@ -138,7 +138,7 @@ public final class Kind {
      * Sets what gravity is multiplied by for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
      * whatever the kind.
      *
-     * @param scale -1000 to 1000: 0 for circles that do not fall, less for some that rise. Gravity times this is at most 1e9 along each
+     * @param scale -1000 to 1000: 0 for circles that do not fall, less for some that rise. Gravity times this is cut to 1e9 along each
      *     axis
      * @return this
      * @throws IllegalArgumentException where the value is out of range

@@ -20,7 +20,8 @@ import io.github.circles2d.world.queries.CastSearch;
  * }</pre>
  *
  * <p><b>Circles</b> are where they are now: changes that wait for the next step count (circles that were added, removed, moved or
- * resized). Static circles are found like all others; the walls are not. Queries change nothing, and can be made at any time
+ * resized). Static circles are found like all others, those that {@link World#setPosition} lets travel where they set out from; the
+ * walls are not. Queries change nothing, and can be made at any time
  * between two steps.
  *
  * <p><b>Results</b> are handles in the caller's arrays; nothing is allocated once the world's own arrays have grown. Their order is
@@ -172,7 +173,7 @@ public final class Queries {
      * @param within greatest distance, at least 0; positive infinity for any. The circles that count are those that a disc of
      *     this radius overlaps or touches
      * @param most how many circles to find, at least 1
-     * @param handles takes their handles, by distance, then by id; at least as many elements as there may be circles
+     * @param handles takes their handles, by distance, then by id; at least {@code most} elements
      * @param distances takes their distances, likewise; may be null
      * @return how many were found
      * @throws IllegalArgumentException if a value is out of range, or an array is too short

@@ -116,6 +116,9 @@ public final class Replay {
             return "no difference in " + steps() + " steps";
         }
         String hashes = String.format("the hash is %016x, not %016x as recorded", player.hash(), player.recordedHash());
+        if (firstDifference() == 0) {
+            return "the states differ from the start: " + hashes;
+        }
         return "step " + firstDifference() + " differs: " + hashes + "; the last equal hash is of step " + equalUpTo();
     }
 }

@@ -432,7 +432,7 @@ public final class World implements AutoCloseable {
      * for it. Several that are applied before a step add up. For a push that is over at once there is {@link #applyImpulse}.
      *
      * @param handle the circle
-     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude, as is their sum
+     * @param x force along x, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
      * @param y force along y, likewise
      * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
      */
@@ -1065,7 +1065,7 @@ public final class World implements AutoCloseable {
      * at the result of each: that takes several times as long. On the JVM it costs little.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
-     *     count too; 0 for nothing
+     *     count too, which alone reports nothing; 0 for nothing
      * @throws IllegalArgumentException where there are others
      */
     public void report(int types) {
@@ -1125,7 +1125,8 @@ public final class World implements AutoCloseable {
     /**
      * Makes this world what a snapshot says, in place of what it is: the same calls from here on lead to the same bits as in
      * the world that it was taken from, on any back end. Handles of that world are valid in this one. What is reported stays as it is;
-     * events that have not been taken are dropped. Pairs that touched then do not begin again, if that world reported them.
+     * events that have not been taken are dropped. Pairs that touched then do not begin again, if that world reported them and this one
+     * does: call {@link #report} before this.
      *
      * @param from a snapshot from its position on, which is moved behind it; its byte order is of no meaning
      * @throws IllegalArgumentException where the bytes are no snapshot, or are damaged or cut off; world and buffer are then as

@@ -76,6 +76,45 @@ class FixedStepTest {
     }
 
     @Test
+    void theNumberOfDroppedStepsStaysAtTheGreatestLong() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.advance(1e30f, null);
+            loop.advance(1e30f, null);
+            loop.advance(10, null);
+            assertThat(loop.droppedSteps()).isEqualTo(Long.MAX_VALUE);
+        }
+    }
+
+    @Test
+    void aResetBeforeAStepMakesItTheLastOfTheFrame() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            int[] before = new int[1];
+            Runnable resetBeforeTheSecond = () -> {
+                if (++before[0] == 2) {
+                    loop.reset();
+                }
+            };
+            assertThat(loop.advance(4.5f * STEP, resetBeforeTheSecond)).isEqualTo(2);
+            assertThat(before[0]).isEqualTo(2);
+            assertThat(loop.alpha()).isZero();
+            assertThat(loop.advance(2 * STEP, resetBeforeTheSecond)).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void whatRunsBeforeAStepCannotMakeStepsOfItsOwn() {
+        try (World world = world()) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> loop.advance(3 * STEP, () -> loop.advance(STEP, null)))
+                    .withMessageContaining("cannot make steps");
+            assertThat(loop.advance(2 * STEP, null)).isEqualTo(2);
+        }
+    }
+
+    @Test
     void slowMotionMakesFewerStepsOfTheSameLength() {
         try (World world = world();
                 World same = world()) {
