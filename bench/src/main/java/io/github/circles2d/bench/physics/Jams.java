@@ -50,11 +50,12 @@ final class Jams {
                         Measure.atMost("deepest pair, r", 0.4),
                         Measure.atMost("deepest in a wall, r", 0.001)),
                 Case.random(
-                        "walls close at 6 r/s without gravity",
-                        Jams::closing,
-                        Measure.atMost("deepest pair while they close, r", 0.4),
-                        Measure.atMost("deepest in a wall while they close, r", 0.001),
-                        Measure.shown("deepest pair a second later, r")));
+                                "walls close at 6 r/s without gravity",
+                                Jams::closing,
+                                Measure.atMost("deepest pair while they close, r", 0.4),
+                                Measure.atMost("deepest in a wall while they close, r", 0.001),
+                                Measure.shown("deepest pair a second later, r"))
+                        .holds());
     }
 
     private static double[] overFull(Physics physics, long seed, Effort effort) {
