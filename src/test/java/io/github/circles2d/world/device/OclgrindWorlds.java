@@ -97,9 +97,10 @@ final class OclgrindWorlds {
     private Set<String> steps(Plans plans, Scene scene, float dt, int steps, int subSteps) {
         DevicePipeline pipeline = pipeline(plans);
         try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
-            // All of a crowd meet: it must stay one. Of a thousand circles Oclgrind 21.10 says that nobody has written
-            // the kind of one,
-            // which the host has: not understood. The other worlds have kinds on the same kernels.
+            // All of a crowd meet: it must stay one.
+            // Adding a thousand circles replaces the buffer of commands by a larger one. Oclgrind 21.10 calls what the
+            // host writes to that one unwritten, though kernels read it, and with it the kinds of all circles.
+            // The other worlds have kinds on the same kernels.
             if (!scene.name().equals(Scenes.onePoint(1, 1).name()) && scene.size() < 1000) {
                 twins.giveKinds();
             }
