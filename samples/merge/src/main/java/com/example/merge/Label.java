@@ -39,7 +39,8 @@ final class Label {
         g.setFont(new Font(Font.SANS_SERIF, Font.BOLD, HEIGHT * 3 / 4));
         g.drawString(text, 0, HEIGHT * 3 / 4);
         g.dispose();
-        return Textures.paint(WIDTH, HEIGHT, (x, y) -> 0xffffff00 | image.getRaster().getSample(x, y, 0));
+        return Textures.paint(
+                WIDTH, HEIGHT, (x, y) -> 0xffffff00 | image.getRaster().getSample(x, y, 0));
     }
 
     void dispose() {

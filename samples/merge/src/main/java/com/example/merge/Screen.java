@@ -26,7 +26,8 @@ final class Screen extends ApplicationAdapter {
     private static final Color INK = Color.valueOf("6b4226");
     private static final Color LINE = Color.valueOf("e76f5180");
     private static final Color[] BALLS = colors(
-            "e63946", "f4845f", "9d4edd", "f6bd60", "f77f00", "ef476f", "b5c95a", "f9a8c9", "ffd60a", "80c06b", "2a9d8f");
+            "e63946", "f4845f", "9d4edd", "f6bd60", "f77f00", "ef476f", "b5c95a", "f9a8c9", "ffd60a", "80c06b",
+            "2a9d8f");
 
     private final Backend backend;
     private final int frames;

@@ -51,9 +51,7 @@ final class Textures {
 
     private static Texture paint(Shader shader) {
         return paint(
-                SIZE,
-                SIZE,
-                (x, y) -> Color.rgba8888(shader.color((2 * x + 1f) / SIZE - 1, (2 * y + 1f) / SIZE - 1)));
+                SIZE, SIZE, (x, y) -> Color.rgba8888(shader.color((2 * x + 1f) / SIZE - 1, (2 * y + 1f) / SIZE - 1)));
     }
 
     static Texture paint(int width, int height, Pixels pixels) {

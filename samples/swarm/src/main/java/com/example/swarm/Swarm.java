@@ -62,7 +62,8 @@ final class Swarm implements Runnable, AutoCloseable {
         for (int k = 1; k <= CHASERS; k++) {
             addChaser(k, spread(k, 0.7548776662) * WIDTH, spread(k, 0.5698402910) * HEIGHT);
         }
-        int near = queries.overlapCircle(WIDTH / 2, HEIGHT / 2, 22, handles); // a start in peace; the player comes first
+        int near =
+                queries.overlapCircle(WIDTH / 2, HEIGHT / 2, 22, handles); // a start in peace; the player comes first
         System.arraycopy(handles, 1, handles, 0, near - 1);
         world.removeAll(handles, near - 1, StaleHandles.REFUSE);
     }
