@@ -127,7 +127,6 @@ final class Screen extends JPanel {
             loop.reset();
         } else if (!game.isOver()) {
             loop.advance(seconds, game);
-            game.controls.bomb = false;
         }
         repaint();
         Toolkit.getDefaultToolkit().sync();
@@ -139,7 +138,7 @@ final class Screen extends JPanel {
 
     @Override
     protected void paintComponent(Graphics graphics) {
-        paint((Graphics2D) graphics.create(), loop, getHeight() / Swarm.HEIGHT);
+        paint((Graphics2D) graphics.create(), loop, scale());
     }
 
     void paint(Graphics2D g, FixedStep loop, float scale) {

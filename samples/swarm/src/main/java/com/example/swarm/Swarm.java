@@ -13,7 +13,8 @@ import java.util.Deque;
 
 /**
  * The rules of the game: 5,000 chasers hunt the player, who shoots, bombs and turns back time. All that changes is in the world: the
- * score is the player's tag, and its health is its radius. So what rewinds the world rewinds the game.
+ * score is the player's tag, its health is its radius, and the tag of a chaser is what it is worth. So what rewinds the world rewinds
+ * the game.
  */
 final class Swarm implements Runnable, AutoCloseable {
     static final float WIDTH = 160;
@@ -26,17 +27,16 @@ final class Swarm implements Runnable, AutoCloseable {
     static final float BOMB_RADIUS = 6;
 
     private static final int CHASERS = 5000;
-    private static final int CHASER = 1; // kinds; the player is of kind 0
+    private static final int PLAYER = 0; // kinds
+    private static final int CHASER = 1;
     private static final int BULLET = 2;
     private static final float BULLET_SPEED = 70;
     private static final int STEPS_PER_SAVE = 4;
 
     final World world;
     final Controls controls = new Controls();
-    final Deque<Explosion> explosions = new ArrayDeque<>(); // to be drawn; nothing depends on them
+    final Deque<Explosion> explosions = new ArrayDeque<>();
     final long player;
-
-    record Explosion(float x, float y, float radius, int step) {}
 
     private final Queries queries;
     private final Rewind rewind;
@@ -51,10 +51,10 @@ final class Swarm implements Runnable, AutoCloseable {
                 .capacity(MOST_CIRCLES)
                 .build();
         world.report(Events.BEGIN | Events.WALL);
-        world.kind(0).setDamping(4);
+        world.kind(PLAYER).setDamping(4);
         world.kind(CHASER).setDamping(1).setGreatestSpeed(30);
         world.setResponse(BULLET, BULLET, Response.IGNORE);
-        world.setResponse(BULLET, 0, Response.IGNORE);
+        world.setResponse(BULLET, PLAYER, Response.IGNORE);
         queries = world.queries();
         rewind = new Rewind(world, 600 / STEPS_PER_SAVE); // ten seconds
 
@@ -62,9 +62,12 @@ final class Swarm implements Runnable, AutoCloseable {
         for (int k = 1; k <= CHASERS; k++) {
             addChaser(k, spread(k, 0.7548776662) * WIDTH, spread(k, 0.5698402910) * HEIGHT);
         }
-        int near =
-                queries.overlapCircle(WIDTH / 2, HEIGHT / 2, 22, handles); // a start in peace; the player comes first
-        System.arraycopy(handles, 1, handles, 0, near - 1);
+        clearPlaceForPlayer();
+    }
+
+    private void clearPlaceForPlayer() {
+        int near = queries.overlapCircle(WIDTH / 2, HEIGHT / 2, 22, handles);
+        System.arraycopy(handles, 1, handles, 0, near - 1); // the player, who was added first, comes first
         world.removeAll(handles, near - 1, StaleHandles.REFUSE);
     }
 
@@ -93,6 +96,7 @@ final class Swarm implements Runnable, AutoCloseable {
         }
         movePlayer();
         if (controls.bomb) {
+            controls.bomb = false;
             bomb();
         }
         chase();
@@ -102,7 +106,7 @@ final class Swarm implements Runnable, AutoCloseable {
         step++;
     }
 
-    /** Goes back to the last frame that was saved, for as long as there is one. */
+    /** Goes back to the frame that was saved before this one, if it is still there. */
     void rewind() {
         int back = (step - 1) / STEPS_PER_SAVE * STEPS_PER_SAVE;
         if (step > 0 && rewind.has(back)) {
@@ -168,6 +172,9 @@ final class Swarm implements Runnable, AutoCloseable {
         explode(world.x(player), world.y(player), BOMB_RADIUS); // throws back those behind it
     }
 
+    /** A picture of an explosion; the game does not depend on it. */
+    record Explosion(float x, float y, float radius, int step) {}
+
     private void explode(float x, float y, float radius) {
         world.explode(x, y, radius, 5 * radius, radius);
         explosions.add(new Explosion(x, y, radius, step));
@@ -226,7 +233,7 @@ final class Swarm implements Runnable, AutoCloseable {
             }
             float dx = playerX - positions.get(2 * k);
             float dy = playerY - positions.get(2 * k + 1);
-            float scale = 8 * TIME_STEP / (float) Math.sqrt(dx * dx + dy * dy);
+            float scale = 8 * TIME_STEP / (float) Math.sqrt(dx * dx + dy * dy + 1e-6f);
             impulses[2 * chasers] = scale * (dx + dy);
             impulses[2 * chasers + 1] = scale * (dy - dx);
             handles[chasers++] = handles[k];
