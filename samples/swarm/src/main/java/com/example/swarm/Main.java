@@ -17,16 +17,16 @@ public final class Main {
         Backend backend = Backend.AUTO;
         int frames = 0;
         String picture = null;
-        for (int k = 0; k + 1 < arguments.length; k += 2) {
+        for (int k = 0; k < arguments.length; k += 2) {
+            if (k + 1 == arguments.length) {
+                usage();
+            }
             switch (arguments[k]) {
                 case "--backend" -> backend = Backend.valueOf(arguments[k + 1]);
                 case "--frames" -> frames = Integer.parseInt(arguments[k + 1]);
                 case "--picture" -> picture = arguments[k + 1];
                 default -> usage();
             }
-        }
-        if (arguments.length % 2 != 0) {
-            usage();
         }
         if (frames > 0) {
             playAlone(backend, frames, picture);
