@@ -114,7 +114,7 @@ class DocumentationTest {
     }
 
     @Test
-    void readmeConsumerAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
+    void readmeConsumerSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
         String pom = read("pom.xml");
         String version = first("<version>(.*?)</version>", pom);
         String dependency = "<groupId>" + first("<groupId>(.*?)</groupId>", pom) + "</groupId>\\s*<artifactId>"
@@ -123,6 +123,10 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
+        for (String game : new String[] {"merge", "swarm"}) {
+            assertThat(first(dependency + "(.*?)</version>", read("samples/" + game + "/pom.xml")))
+                    .isEqualTo(version);
+        }
         if (Files.exists(Path.of("bench/pom.xml"))) {
             assertThat(first("<circles2d.version>(.*?)</circles2d.version>", read("bench/pom.xml")))
                     .isEqualTo(version);

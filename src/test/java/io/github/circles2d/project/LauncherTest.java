@@ -26,7 +26,7 @@ class LauncherTest {
     void helpNamesEveryCommandAndAnUnknownCommandIsAWrongCall() throws Exception {
         FakeMachine machine = new FakeMachine(folder);
         FakeMachine.Result help = machine.launch("help");
-        assertThat(help.output).contains("demo", "test", "bench", "doctor", "calibrate");
+        assertThat(help.output).contains("demo", "play", "test", "bench", "doctor", "calibrate");
         assertThat(help.status).isZero();
         FakeMachine.Result unknown = machine.launch("frobnicate");
         assertThat(unknown.output).contains("unknown command: frobnicate", "usage:");
@@ -120,8 +120,8 @@ class LauncherTest {
     void testsAndBenchmarksOfAProjectWithAColonInItsPathAreRefused() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
         pretendToBuild(machine);
-        for (String command : new String[] {"test", "bench"}) {
-            FakeMachine.Result refused = machine.launch(command);
+        for (String command : new String[] {"test", "bench", "play swarm"}) {
+            FakeMachine.Result refused = machine.launch(command.split(" "));
             assertThat(refused.output).hasLineCount(1).contains(machine.clone + " has a ':'", "move the project");
             assertThat(refused.status).isEqualTo(3);
         }
@@ -301,7 +301,7 @@ class LauncherTest {
     }
 
     @Test
-    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerOnTheInstalledArtifact() throws Exception {
+    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerAndTheGamesOnTheInstalledArtifact() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
         FakeMachine.Result test = machine.launch("test", "-Dtest=Some");
@@ -319,7 +319,10 @@ class LauncherTest {
                         "FreeFall\n",
                         "Game\n",
                         "-P without-opencl compile",
-                        "WithoutOpenCl\n")
+                        "WithoutOpenCl\n",
+                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
+                        "com.example.swarm.Main --frames 300 --backend JVM\n",
+                        "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
@@ -348,17 +351,85 @@ class LauncherTest {
         assertThat(machine.calls()).doesNotContain("FreeFall");
     }
 
+    @Test
+    void testFailsWhenAGameEndsInAnotherWorldThanTheOneThatIsKept() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        Files.writeString(machine.clone.resolve("samples/swarm/expected.txt"), "another hash\n");
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.output)
+                .contains("swarm on JVM gives another world than samples/swarm/expected.txt says", "another hash");
+        assertThat(test.status).isEqualTo(1);
+    }
+
+    @Test
+    void playBuildsTheGameWhereASourceIsNewerAndRunsIt() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        FakeMachine.Result game = machine.launch("play", "swarm", "--picture", "a file.png");
+        assertThat(game.status).as(game.output).isZero();
+        assertThat(game.output).contains("java runs in " + machine.elsewhere);
+        String repository = machine.clone + "/samples/target/repository";
+        assertThat(machine.calls())
+                .containsSubsequence(
+                        " package\n",
+                        "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
+                        "-DlocalRepositoryPath=" + repository,
+                        "-f samples/swarm/pom.xml -Dmaven.repo.local=" + repository,
+                        "com.example.swarm.Main --picture a file.png\n");
+        machine.forgetCalls();
+        machine.launch("play", "swarm");
+        assertThat(machine.calls()).doesNotContain("mvn").contains("com.example.swarm.Main\n");
+        Path source = Files.createFile(machine.clone.resolve("samples/swarm/src/New.java"));
+        Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(5)));
+        machine.set("JAVA_STATUS", "42");
+        assertThat(machine.launch("play", "swarm").status).isEqualTo(42);
+        assertThat(machine.calls()).contains("-f samples/swarm/pom.xml");
+    }
+
+    @Test
+    void playNamesTheGamesToWhoeverNamesNone() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        for (String name : new String[] {"tetris", "", ".*", "../samples/swarm"}) {
+            FakeMachine.Result refused = machine.launch("play", name);
+            assertThat(refused.output).contains("the games are: swarm");
+            assertThat(refused.status).isEqualTo(2);
+        }
+        assertThat(machine.launch("play").status).isEqualTo(2);
+        assertThat(machine.calls()).isEmpty();
+    }
+
+    @Test
+    void withoutADisplayAGameSaysSoAndPlaysByItself() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        machine.set("DISPLAY", "");
+        FakeMachine.Result refused = machine.launch("play", "swarm");
+        assertThat(refused.output).contains("there is no display", "./circles2d play swarm --frames 300");
+        assertThat(refused.status).isEqualTo(3);
+        assertThat(machine.calls()).isEmpty();
+        assertThat(machine.launch("play", "swarm", "--frames", "300").status).isZero();
+        assertThat(machine.calls()).contains("com.example.swarm.Main --frames 300\n");
+    }
+
     /** Makes the fake Maven leave behind what the launcher expects of the real one. */
     private static void pretendToBuild(FakeMachine machine) throws IOException {
         Files.createDirectories(machine.clone.resolve("bench"));
         Files.createFile(machine.clone.resolve("bench/pom.xml"));
         Files.createDirectories(machine.clone.resolve("src/test/resources/consumer"));
+        Files.createDirectories(machine.clone.resolve("samples/swarm/src"));
+        Files.createFile(machine.clone.resolve("samples/swarm/pom.xml"));
+        Files.writeString(
+                machine.clone.resolve("samples/swarm/expected.txt"), "java runs in " + machine.elsewhere + "\n");
         machine.fake("Xvfb", "");
         machine.fake(
                 "mvn",
                 FakeMachine.logged("mvn")
                         + "case \"$*\" in\n"
                         + "*install-file*|*bench*) ;;\n"
+                        + "*samples*) mkdir -p samples/swarm/target/lib\n"
+                        + "  cp target/circles2d-9.jar samples/swarm/target/lib;;\n"
                         + "*copy-dependencies*) mkdir -p target/consumer/lib\n"
                         + "  cp target/circles2d-9.jar target/consumer/lib\n"
                         + "  [ -z \"$STALE\" ] || echo stale >target/consumer/lib/circles2d-9.jar;;\n"
