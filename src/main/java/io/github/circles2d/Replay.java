@@ -49,7 +49,7 @@ public final class Replay {
      * @param in a log from its beginning; it is not closed
      * @param world makes the calls
      * @throws IOException where the stream fails
-     * @throws IllegalArgumentException where this is no log
+     * @throws IllegalArgumentException where this is no log, or one that is damaged or cut off before its first step
      */
     public Replay(InputStream in, World world) throws IOException {
         Limits.notNull("in", in);
