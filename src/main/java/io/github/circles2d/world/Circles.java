@@ -6,7 +6,6 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
-import java.util.Arrays;
 
 /**
  * The calls on circles: they come, go and change. A change waits as a record in {@link Commands} until the next step or read; what
@@ -20,7 +19,7 @@ public final class Circles {
     private final LastReading last;
     private final PreparedChanges changes;
 
-    /** The kinds of circles that a call adds. */
+    /** The kinds of the circles that a call adds. */
     private int[] newKinds = new int[0];
 
     Circles(Simulation simulation) {
@@ -75,9 +74,9 @@ public final class Circles {
             checkRoom(n);
             simulation.expect(kinds == null ? n : 2 * n);
             handles.ensure(n);
-            copyKinds(n, kinds);
+            int[] own = kinds == null ? null : copy(kinds);
             for (int i = 0; i < n; i++) {
-                prepare(i, circles, velocities);
+                prepare(i, circles, velocities, own == null ? 0 : own[i]);
             }
             simulation.changed();
             guard.changing = true;
@@ -88,9 +87,9 @@ public final class Circles {
                     to[i] = handle;
                 }
             }
-            for (int i = 0; i < n; i++) {
-                if (newKinds[i] != 0) {
-                    enter(CircleField.KIND, commands.id(first + i), newKinds[i]);
+            for (int i = 0; own != null && i < n; i++) {
+                if (own[i] != 0) {
+                    enter(CircleField.KIND, commands.id(first + i), own[i]);
                 }
             }
             guard.changing = false;
@@ -120,21 +119,18 @@ public final class Circles {
         }
     }
 
-    /** Copies the kinds of circles that are to be added, and makes room for them. */
-    private void copyKinds(int n, int[] kinds) {
-        if (newKinds.length < n) {
-            newKinds = new int[n];
+    /** Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array. */
+    private int[] copy(int[] kinds) {
+        if (newKinds.length < kinds.length) {
+            newKinds = new int[kinds.length];
         }
-        if (kinds == null) {
-            Arrays.fill(newKinds, 0, n, 0);
-        } else {
-            System.arraycopy(kinds, 0, newKinds, 0, n);
-            handles.fields().ensure(CircleField.KIND, handles.end() + n);
-        }
+        System.arraycopy(kinds, 0, newKinds, 0, kinds.length);
+        handles.fields().ensure(CircleField.KIND, handles.end() + kinds.length);
+        return newKinds;
     }
 
     /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
-    private void prepare(int i, float[] circles, float[] velocities) {
+    private void prepare(int i, float[] circles, float[] velocities, int kind) {
         float x = circles[CircleRow.STRIDE * i + CircleRow.X];
         float y = circles[CircleRow.STRIDE * i + CircleRow.Y];
         float radius = circles[CircleRow.STRIDE * i + CircleRow.RADIUS];
@@ -143,11 +139,11 @@ public final class Circles {
         float vy = velocities == null ? 0 : velocities[2 * i + 1];
         try {
             check(x, y, radius, mass, vx, vy);
-            KindTable.check(newKinds[i]);
+            KindTable.check(kind);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, newRestitution(newKinds[i]), vx, vy);
+        commands.prepare(i, x, y, radius, mass, newRestitution(kind), vx, vy);
     }
 
     private void checkRoom(int more) {

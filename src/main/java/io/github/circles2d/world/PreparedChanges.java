@@ -103,7 +103,7 @@ final class PreparedChanges {
     /**
      * Makes all changes that are prepared.
      *
-     * @param operation the operation of all of them, or of the first
+     * @param operation the operation of all of them, by which reads are forgotten; {@link Commands#FIELD} also if some are of restitutions
      */
     void make(int operation) {
         if (travels < count) {
