@@ -114,15 +114,21 @@ final class PreparedChanges {
         if (travels > 0) {
             recordTravels();
         }
+        boolean ofPipelines = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
         simulation.guard.changing = true;
+        commands.admitChanges(ofPipelines ? count : changeAll());
+        simulation.guard.changing = false;
+    }
+
+    /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
+    private int changeAll() {
         int recorded = 0;
         for (int k = 0; k < count; k++) {
             if (change(k)) {
                 commands.advancePrepared(k, recorded++);
             }
         }
-        commands.admitChanges(recorded);
-        simulation.guard.changing = false;
+        return recorded;
     }
 
     private void recordTravels() {
@@ -138,7 +144,7 @@ final class PreparedChanges {
         return commands.preparedOperation(k) == Commands.POSITION && handles.isStatic(commands.preparedId(k));
     }
 
-    /** Changes what the host knows. Returns whether a pipeline has to know it too. */
+    /** Makes one change likewise. Returns whether a pipeline has to know it too. */
     private boolean change(int k) {
         int id = commands.preparedId(k);
         switch (commands.preparedOperation(k)) {
@@ -151,9 +157,9 @@ final class PreparedChanges {
             case Commands.REMOVE -> handles.remove(id);
             case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
             case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
-            default -> {
-                // pipelines alone know velocities
-            }
+            default ->
+                throw new IllegalStateException(
+                        "no change of the host's is operation " + commands.preparedOperation(k));
         }
         return true;
     }
