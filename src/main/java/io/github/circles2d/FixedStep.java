@@ -1,10 +1,10 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.model.Limits;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
-import java.util.Objects;
 
 /**
  * A game loop with steps of one length, whatever the rate of frames: it makes the steps that are due, and gives a renderer positions
@@ -29,6 +29,9 @@ import java.util.Objects;
  * {@link #alpha} says. So they are up to a step old, and move evenly. Both ends are taken with no change in between: a circle that a
  * call moves elsewhere, or that is new, appears where it is and is not drawn across the screen. What a call does shows from the next
  * step on, except for {@link World#remove}: a removed circle is gone at once.
+ *
+ * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
+ * smooth as in the game.
  *
  * <p><b>On an OpenCL device</b> {@link #advance} does not wait for the last step, only for the positions before it; {@link
  * #positions} waits for the step. A game that draws first and calls advance at the end of the frame does not wait there either: the
@@ -82,7 +85,8 @@ public final class FixedStep {
      * @throws IllegalArgumentException where the value is out of range
      */
     public FixedStep(World world, float timeStep) {
-        this.world = Objects.requireNonNull(world, "world");
+        this.world = Limits.notNull("world", world);
+        world.simulation().check();
         this.timeStep = Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
     }
 
@@ -118,6 +122,53 @@ public final class FixedStep {
      * @throws IllegalStateException where the Runnable calls this method
      */
     public int advance(float frameSeconds, Runnable beforeStep) {
+        int steps = due(frameSeconds);
+        advancing = true;
+        wasReset = false;
+        try {
+            return beforeStep == null ? make(steps) : make(steps, beforeStep);
+        } finally {
+            advancing = false;
+        }
+    }
+
+    /**
+     * Makes the steps that are due by a replay, with the changes before each. They take as much time here as the loop's own steps do,
+     * whatever their lengths are in the log. When the log has come to its end ({@link Replay#hasEnded}), this is a {@link #reset}: the
+     * positions are those of now, and the game may go on with {@link #advance}.
+     *
+     * @param frameSeconds time since the last frame in seconds, at least 0 and finite
+     * @param replay a replay in the world of this loop
+     * @return the number of steps made, 0 to the greatest number of a frame; fewer than are due at the end of the log
+     * @throws IOException where the log's stream fails
+     * @throws IllegalArgumentException where the time is out of range, the replay plays in another world, or the log is damaged or cut
+     *     off
+     */
+    public int advanceReplay(float frameSeconds, Replay replay) throws IOException {
+        if (!Limits.notNull("replay", replay).plays(world)) {
+            throw new IllegalArgumentException("the replay plays in another world than that of this FixedStep");
+        }
+        int steps = due(frameSeconds);
+        if (steps > 0) {
+            forget();
+        }
+        for (int k = 0; k < steps; k++) {
+            if (!replay.makeChanges()) {
+                reset();
+                return k;
+            }
+            if (k == steps - 1) {
+                makeLast(replay);
+            } else {
+                replay.makeStep();
+            }
+        }
+        return steps;
+    }
+
+    /** Saves up the time of a frame, and takes the steps out that are due. Returns how many these are. */
+    private int due(float frameSeconds) {
+        world.simulation().check();
         Limits.within("the time of the frame", frameSeconds, 0, Float.MAX_VALUE);
         if (advancing) {
             throw new IllegalStateException(
@@ -135,13 +186,7 @@ public final class FixedStep {
             left %= timeStep;
         }
         saved = left;
-        advancing = true;
-        wasReset = false;
-        try {
-            return beforeStep == null ? make(steps) : make(steps, beforeStep);
-        } finally {
-            advancing = false;
-        }
+        return steps;
     }
 
     private int make(int steps) {
@@ -171,6 +216,17 @@ public final class FixedStep {
         forget();
         world.requestPositions();
         world.step(timeStep);
+        takeBoth();
+    }
+
+    /** The same with the next step of a replay, the changes before which have been made. */
+    private void makeLast(Replay replay) throws IOException {
+        world.requestPositions();
+        replay.makeStep();
+        takeBoth();
+    }
+
+    private void takeBoth() {
         FloatBuffer taken = world.takePositionsById(null); // waits for steps before this one alone
         request();
         before = taken;

@@ -4,7 +4,6 @@ import io.github.circles2d.world.Journal;
 import io.github.circles2d.world.model.Limits;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.Objects;
 
 /**
  * Writes a log of all calls that change a world, which {@link Replay} makes again: for replays, for bug reports, and to find the step in
@@ -33,6 +32,7 @@ import java.util.Objects;
 public final class Recording implements AutoCloseable {
     private final Journal journal;
     private final OutputStream out;
+    private final Journal.Progress log;
     private boolean closed;
 
     /**
@@ -47,37 +47,38 @@ public final class Recording implements AutoCloseable {
      * @throws IllegalStateException where the world is being recorded already
      */
     public Recording(World world, OutputStream out, int hashEvery) throws IOException {
-        journal = Objects.requireNonNull(world, "world").simulation().journal();
-        this.out = Objects.requireNonNull(out, "out");
+        journal = Limits.notNull("world", world).simulation().journal();
+        this.out = Limits.notNull("out", out);
         Limits.within("the number of steps between two hashes", hashEvery, 1, Integer.MAX_VALUE);
-        journal.start(out, hashEvery);
+        log = journal.start(out, hashEvery);
     }
 
     /**
-     * The number of steps in the log.
+     * The number of steps in the log. If the log has failed, it is the number of those that the stream has taken, which a {@link Replay}
+     * makes before it says that the log is cut.
      *
-     * @return at least 0
+     * @return at least 0, also when the log is closed
      */
     public long steps() {
-        return journal.steps();
+        return log.steps();
     }
 
     /**
      * The length of the log so far.
      *
-     * @return bytes, those included that have not reached the stream; 0 once it is closed
+     * @return bytes, those included that have not reached the stream unless the log has failed; also when the log is closed
      */
     public long bytes() {
-        return journal.bytes();
+        return log.bytes();
     }
 
     /**
      * Whether the log could not be written on. The world is not touched by it. {@link #close} throws the reason.
      *
-     * @return true where the log ends early
+     * @return true where the log ends early, also when it is closed
      */
     public boolean hasFailed() {
-        return journal.hasFailed();
+        return log.hasFailed();
     }
 
     /**

@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.LogPlayer;
+import io.github.circles2d.world.model.Limits;
 import java.io.IOException;
 import java.io.InputStream;
-import java.util.Objects;
 
 /**
  * Makes the calls of a {@link Recording} again, step by step, and compares the hashes of the state with those in the log.
@@ -23,9 +23,21 @@ import java.util.Objects;
  * <p><b>The world</b> may be any, on any back end: its own state gives way to that of the log. It may be read, drawn and queried between
  * steps, and a replay that is not played to its end leaves a world to go on with. Changes make it differ.
  *
+ * <p><b>A screen</b> shows a replay by a {@link FixedStep} of the same world: {@link FixedStep#advanceReplay} makes the steps that are
+ * due by the log, at any rate of frames, and {@link FixedStep#positions} gives positions in between.
+ *
+ * <pre>{@code
+ * FixedStep loop = new FixedStep(world, 1 / 60f);
+ * while (!replay.hasEnded()) {
+ *     loop.advanceReplay(secondsSinceTheLastFrame, replay);
+ *     draw(loop.positions(null));
+ * }
+ * }</pre>
+ *
  * <p><b>The log</b> may come from anywhere: it is checked as it is read, its calls are checked as all calls are, and it takes no more
- * memory than it has bytes. What is no log, or is damaged or cut off, throws an IllegalArgumentException that names the step; the world is
- * then what the calls before have made it. A version of the library whose physics are others replays an old log to other states, and {@link
+ * memory than it has bytes. What is no log, is damaged or is cut off throws an IllegalArgumentException that says which of these it is,
+ * and after which step; the world is then what the calls before have made it. So a log that ends early, because its program died or its
+ * disk was full, replays up to there. A version of the library whose physics are others replays an old log to other states, and {@link
  * #differs} says so.
  */
 public final class Replay {
@@ -37,11 +49,11 @@ public final class Replay {
      * @param in a log from its beginning; it is not closed
      * @param world makes the calls
      * @throws IOException where the stream fails
-     * @throws IllegalArgumentException where this is no log
+     * @throws IllegalArgumentException where this is no log, or one that is damaged or cut off before its first step
      */
     public Replay(InputStream in, World world) throws IOException {
-        Objects.requireNonNull(in, "in");
-        player = new LogPlayer(in, Objects.requireNonNull(world, "world").simulation());
+        Limits.notNull("in", in);
+        player = new LogPlayer(in, Limits.notNull("world", world).simulation());
     }
 
     /**
@@ -52,7 +64,35 @@ public final class Replay {
      * @throws IllegalArgumentException where the log is damaged or cut off
      */
     public boolean step() throws IOException {
-        return player.step();
+        if (!player.makeChanges()) {
+            return false;
+        }
+        player.makeStep();
+        return true;
+    }
+
+    /** Makes the changes before the next step. Returns whether there is a step. */
+    boolean makeChanges() throws IOException {
+        return player.makeChanges();
+    }
+
+    /** Makes the step behind these changes. */
+    void makeStep() throws IOException {
+        player.makeStep();
+    }
+
+    /** Whether a world is the one that this plays in. */
+    boolean plays(World world) {
+        return player.plays(world.simulation());
+    }
+
+    /**
+     * Whether the log has come to its end: {@link #step} has returned false, or {@link FixedStep#advanceReplay} has made the last step.
+     *
+     * @return true where no step is left
+     */
+    public boolean hasEnded() {
+        return player.hasEnded();
     }
 
     /**
@@ -63,7 +103,7 @@ public final class Replay {
      * @throws IllegalArgumentException where the log is damaged or cut off
      */
     public Replay run() throws IOException {
-        while (player.step()) {
+        while (step()) {
             // the step has been made
         }
         return this;

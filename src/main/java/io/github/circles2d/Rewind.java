@@ -3,7 +3,6 @@ package io.github.circles2d;
 import io.github.circles2d.world.Snapshots;
 import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.model.Limits;
-import java.util.Objects;
 
 /**
  * The last frames of a world, to go back to: for rollback netcode, for a key that rewinds, for a search that tries moves.
@@ -17,7 +16,9 @@ import java.util.Objects;
  *
  * <p><b>Frames</b> have numbers of the caller's, which ascend; there may be gaps. {@link #save} drops the frames whose numbers are not
  * lower than its own, and the oldest one if there is no place. {@link #restore} drops none, so a player may scrub to and fro. A game
- * that rolls back restores a frame, repeats the frames since with what it knows now, and saves each of them again.
+ * that rolls back restores a frame, repeats the frames since with what it knows now, and saves each of them again: the first save after
+ * a restore drops the frames that are newer, since they belong to a past that did not happen. To look at a frame and come back to the
+ * newest one, restore both and save neither.
  *
  * <p><b>State.</b> A restored world goes on to the same bits as it did before, on every back end. All that {@link World#restore}
  * brings back comes back, parameters such as gravity and the bounds too.
@@ -25,6 +26,25 @@ import java.util.Objects;
  * <p><b>Handles</b> are those of the frame. Handles of circles that have been removed since are valid again. Those that have been given
  * since are stale, until the world gives the same ones again: it repeats its handles as it repeats its bits, so machines that roll
  * back differently agree on them. So a game's own data that hold handles belong to the frame too: save and restore them with it.
+ *
+ * <p><b>The game's own state</b>, as points and lives, is not in a frame. What belongs to one circle may be its tag
+ * ({@link World#setTag}), which is. All else goes into an array beside this object, with as many places as it keeps frames; the number of
+ * a frame decides the place:
+ *
+ * <pre>{@code
+ * Rewind rewind = new Rewind(world, 600);
+ * GameState[] states = new GameState[600]; // your own: points, lives, the handles of the players
+ *
+ * void save(int frame) {
+ *     rewind.save(frame);
+ *     states[frame % 600] = game.copy();
+ * }
+ *
+ * void restore(int frame) {
+ *     rewind.restore(frame); // refuses a frame that is not there, before the game's state changes
+ *     game.set(states[frame % 600]);
+ * }
+ * }</pre>
  *
  * <p><b>Events</b> that have not been taken are dropped by {@link #restore}. Take them before; a game that loads a level calls
  * {@link World#report} before it restores.
@@ -50,12 +70,14 @@ public final class Rewind {
      * @throws IllegalArgumentException where the number is out of range
      */
     public Rewind(World world, int frames) {
-        snapshots = Objects.requireNonNull(world, "world").simulation().snapshots();
+        Limits.notNull("world", world).simulation().check();
+        snapshots = world.simulation().snapshots();
         ring = new SnapshotRing(Limits.within("the number of frames", frames, 1, GREATEST_FRAMES));
     }
 
     /**
-     * Saves the world as it is. Frames from this number on are dropped, and the oldest one if there is no place.
+     * Saves the world as it is. Frames from this number on are dropped, also those that are newer after a {@link #restore}, and the
+     * oldest one if there is no place.
      *
      * @param frame the number of the frame
      */

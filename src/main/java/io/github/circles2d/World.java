@@ -16,7 +16,6 @@ import io.github.circles2d.world.model.PairTable;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
-import java.util.Objects;
 
 /**
  * The engine for games: rigid circles that fall, collide, bounce and pile up between four walls, come and go, and replay to
@@ -206,7 +205,21 @@ public final class World implements AutoCloseable {
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, long[] handles) {
-        simulation.circles().addAll(circles, velocities, handles);
+        addAll(circles, velocities, null, handles);
+    }
+
+    /**
+     * Adds many circles of any kinds, each with its kind's restitution, else the world's: all of them, or none where one is refused.
+     *
+     * @param circles x, y, radius and mass of one after the other
+     * @param velocities vx and vy of one after the other; may be null, for circles at rest
+     * @param kinds the number of the kind of each, 0 to 255; may be null, for circles of kind 0
+     * @param handles takes the handle of each; at least as many elements as there are circles; may be null
+     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     *     has the wrong length
+     */
+    public void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles) {
+        simulation.circles().addAll(circles, velocities, kinds, handles);
     }
 
     /**
@@ -229,7 +242,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a handle is stale and not to be left out, or the count is out of range
      */
     public int removeAll(long[] handles, int count, StaleHandles stale) {
-        return simulation.bulk().remove(handles, count, stale.skips());
+        return simulation.bulk().remove(handles, count, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -453,7 +466,7 @@ public final class World implements AutoCloseable {
      *     out of range (the message has its place), or the count is out of range or there are too few values
      */
     public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
-        return simulation.bulk().set(Commands.POSITION, handles, count, positions, stale.skips());
+        return simulation.bulk().setPositions(handles, count, positions, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -468,7 +481,7 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale) {
-        return simulation.bulk().set(Commands.VELOCITY, handles, count, velocities, stale.skips());
+        return simulation.bulk().setVelocities(handles, count, velocities, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -482,7 +495,36 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException as {@link #setPositions} does
      */
     public int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale) {
-        return simulation.bulk().set(Commands.IMPULSE, handles, count, impulses, stale.skips());
+        return simulation.bulk().applyImpulses(handles, count, impulses, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Sets forces on many circles, as {@link #setForce} does, in the order of the array: on all of them, or on none where one is
+     * refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param forces force along x and y of each, mass times length per second squared, up to 1e18 in magnitude
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
+        return simulation.bulk().setForces(handles, count, forces, StaleHandles.areSkipped(stale));
+    }
+
+    /**
+     * Gives many circles other kinds, as {@link #setKind} does, in the order of the array: all of them, or none where one is refused.
+     *
+     * @param handles the circles
+     * @param count how many of them, from the first element on; 0 to the length of the array
+     * @param kinds the number of the kind of each, 0 to 255
+     * @param stale what to do about stale handles
+     * @return the number of handles that were left out, as the caller asked for
+     * @throws IllegalArgumentException as {@link #setPositions} does
+     */
+    public int setKinds(long[] handles, int count, int[] kinds, StaleHandles stale) {
+        return simulation.bulk().setKinds(handles, count, kinds, StaleHandles.areSkipped(stale));
     }
 
     /**
@@ -509,7 +551,8 @@ public final class World implements AutoCloseable {
     // ---------------------------------------------------------------------------------------------------
 
     /**
-     * A kind of circles, to change or to ask. Kind 0 is what circles are that nobody gives a kind.
+     * A kind of circles, to change or to ask. Kind 0 is what circles are that nobody gives a kind. {@link #kindOf} tells the kind of a
+     * circle.
      *
      * @param number 0 to 255
      * @return the kind; the same object for the same number
@@ -531,7 +574,9 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where there is no such kind
      */
     public void setResponse(int kindA, int kindB, Response response) {
-        simulation.kinds().setSetting(kindA, kindB, response.ordinal());
+        simulation
+                .kinds()
+                .setSetting(kindA, kindB, Limits.notNull("response", response).ordinal());
     }
 
     /**
@@ -761,6 +806,30 @@ public final class World implements AutoCloseable {
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
         simulation.readings().readVelocitiesById(velocities, living);
+    }
+
+    /**
+     * Reads the kind of every circle by id. It is known without a read-back, and waits for nothing.
+     *
+     * @param kinds takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
+     *     become -1
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readKindsById(int[] kinds, long[] living) {
+        simulation.readings().readKindsById(kinds, living);
+    }
+
+    /**
+     * Reads the {@link #tag} of every circle by id. It is known without a read-back, and waits for nothing.
+     *
+     * @param tags takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
+     *     become 0, as those of circles without a tag are
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readTagsById(long[] tags, long[] living) {
+        simulation.readings().readTagsById(tags, living);
     }
 
     /**
@@ -998,7 +1067,7 @@ public final class World implements AutoCloseable {
      * @return the number of its kind, 0 to 255
      * @throws IllegalArgumentException where the handle is stale
      */
-    public int kind(long handle) {
+    public int kindOf(long handle) {
         return (int) simulation.circles().get(CircleField.KIND, handle);
     }
 
@@ -1285,7 +1354,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder backend(Backend backend) {
-            this.backend = Objects.requireNonNull(backend, "backend");
+            this.backend = Limits.notNull("backend", backend);
             device = null;
             return this;
         }
@@ -1297,7 +1366,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder device(Device device) {
-            this.device = Objects.requireNonNull(device, "device");
+            this.device = Limits.notNull("device", device);
             return this;
         }
 

@@ -33,6 +33,60 @@
  * float x = circles[4 * World.id(ball)];
  * }</pre>
  *
+ * <h2>A whole game</h2>
+ *
+ * <p>Steps of one length, events that score, a key that goes a second back, and a log of all that was played:
+ *
+ * <pre>{@code
+ * final World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).build();
+ * final long player = world.add(40, 50, 1, 2);
+ * final FixedStep loop = new FixedStep(world, 1 / 60f);
+ * final Rewind rewind = new Rewind(world, 600); // ten seconds
+ * final int[] pointsOf = new int[600]; // the game's own state of the frames that rewind keeps
+ * int points;
+ * int step;
+ *
+ * void play(Path file) throws IOException {
+ *     Runnable beforeStep = this::beforeStep;
+ *     world.report(Events.HIT);
+ *     try (world; Recording recording = new Recording(world, Files.newOutputStream(file), 60)) {
+ *         while (playing()) {
+ *             if (backKey() && rewind.has(step - 60)) {
+ *                 goBack(step - 60);
+ *             }
+ *             loop.advance(secondsSinceTheLastFrame(), beforeStep);
+ *             FloatBuffer positions = loop.positions(null); // x and y by id, in between the last two steps
+ *             draw(positions.get(2 * World.id(player)), positions.get(2 * World.id(player) + 1));
+ *         }
+ *         show(points + " points in " + recording.steps() + " steps");
+ *     }
+ * }
+ *
+ * void beforeStep() {
+ *     Events events = world.events(); // of the step before
+ *     for (int i = 0; i < events.size(); i++) {
+ *         if (events.a(i) == player || events.b(i) == player) {
+ *             points++;
+ *         }
+ *     }
+ *     rewind.save(step); // behind the events, which no frame has; drops newer frames if the game has gone back
+ *     pointsOf[step % 600] = points;
+ *     world.applyForce(player, 40 * stickX(), 0); // what the step is to know, as input, comes last
+ *     step++;
+ * }
+ *
+ * void goBack(int to) {
+ *     rewind.restore(to);
+ *     points = pointsOf[to % 600];
+ *     step = to;
+ *     loop.reset(); // else the first picture would lie between now and then
+ * }
+ * }</pre>
+ *
+ * <p>Everything that decides the game happens in {@code beforeStep}, so it is the same at any rate of frames. What only shows it, as
+ * sounds, may take its time. A game that reports no events leaves the first lines out. {@link io.github.circles2d.Replay} plays the log,
+ * and {@link io.github.circles2d.FixedStep#advanceReplay} draws it.
+ *
  * <h2>Where to go on</h2>
  *
  * <ul>
@@ -43,6 +97,7 @@
  *       which a ray or a moving disc meets.
  *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back;
  *       {@link io.github.circles2d.World#hash} compares two, across machines too.
+ *   <li>{@link io.github.circles2d.Kind}: which circles meet, and how they move.
  *   <li>{@link io.github.circles2d.Rewind} goes back to any of the last frames. {@link io.github.circles2d.Recording} writes a log of
  *       all calls, and {@link io.github.circles2d.Replay} makes them again and compares.
  *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
@@ -50,8 +105,9 @@
  *       what is missing.
  * </ul>
  *
- * <p>What is out of range is refused with an IllegalArgumentException that names the value and what is allowed, and changes
- * nothing. Both engines hold memory, threads and devices that {@code close} gives back.
+ * <p>A value that is out of range, and a handle whose circle is gone, is refused with an IllegalArgumentException that names it and what
+ * is allowed; null, with a NullPointerException that names the parameter; a closed engine, with an IllegalStateException. Such a call
+ * has changed nothing. Both engines hold memory, threads and devices that {@code close} gives back.
  *
  * <h2>Without OpenCL</h2>
  *

@@ -3,11 +3,13 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.SplittableRandom;
@@ -345,6 +347,88 @@ class FixedStepTest {
         }
     }
 
+    // ---- replays
+    // ---------------------------------------------------------------------------------------------------
+
+    /** A game with changes before its steps, at an uneven rate of frames. */
+    private static void steer(World world, long[] balls, int step) {
+        world.setVelocity(balls[step % balls.length], step % 7, 3);
+        if (step % 5 == 2) {
+            world.teleport(balls[step % 3], 1 + step % 8, 8);
+        } else if (step % 9 == 4) {
+            world.remove(world.handle(balls.length));
+            world.add(9, 1 + step % 5, 0.2f, 1, -3, 0);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aReplayShowsTheSamePicturesAsTheGame(Backend backend) throws IOException {
+        int frames = 60;
+        float[][] shown = new float[frames][];
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        long steps;
+        try (World world = world();
+                Recording recording = new Recording(world, log, 1)) {
+            long[] balls = new long[4];
+            world.addAll(new float[] {1, 1, 0.4f, 1, 3, 1, 0.4f, 2, 5, 1, 0.4f, 3, 7, 1, 0.4f, 4}, balls);
+            world.add(9, 9, 0.2f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            int[] step = new int[1];
+            Runnable steer = () -> steer(world, balls, step[0]++);
+            for (int frame = 0; frame < frames; frame++) {
+                loop.advance(seconds(frame), steer);
+                shown[frame] = copy(loop);
+            }
+            steps = recording.steps();
+        }
+        try (World player = world(backend)) {
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player);
+            FixedStep loop = new FixedStep(player, STEP);
+            int made = 0;
+            for (int frame = 0; frame < frames; frame++) {
+                made += loop.advanceReplay(seconds(frame), replay);
+                if (made > 0) { // before the first step, the log has not added a circle yet
+                    assertThat(copy(loop)).as("frame %d", frame).isEqualTo(shown[frame]);
+                }
+            }
+            assertThat(made).isEqualTo((int) steps);
+            assertThat(replay.hasEnded()).isFalse();
+            assertThat(loop.advanceReplay(2 * STEP, replay)).isZero();
+            assertThat(replay.hasEnded()).isTrue();
+            assertThat(replay.differs()).isFalse();
+            assertThat(loop.alpha()).isZero();
+            assertThat(loop.positions(null)).isEqualTo(player.positionsById(null));
+            assertThat(loop.advance(STEP, null)).isOne();
+        }
+    }
+
+    private static float seconds(int frame) {
+        return (1 + frame * 5 % 7) * 0.3f * STEP;
+    }
+
+    private static float[] copy(FixedStep loop) {
+        FloatBuffer positions = loop.positions(null);
+        float[] copy = new float[positions.remaining()];
+        positions.get(copy);
+        return copy;
+    }
+
+    @Test
+    void aReplayOfAnotherWorldIsRefused() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (World world = world();
+                World other = world()) {
+            new Recording(world, log, 1).close();
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), other);
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> loop.advanceReplay(STEP, replay))
+                    .withMessageContaining("another world");
+            assertThat(loop.alpha()).isZero();
+        }
+    }
+
     // ---- misuse
     // ----------------------------------------------------------------------------------------------------
 
@@ -352,7 +436,6 @@ class FixedStepTest {
     void valuesOutOfRangeAreRefused() {
         try (World world = world()) {
             FixedStep loop = new FixedStep(world, STEP);
-            assertThatThrownBy(() -> new FixedStep(null, STEP)).isInstanceOf(NullPointerException.class);
             for (float bad : new float[] {Float.NaN, -1, Float.POSITIVE_INFINITY}) {
                 assertThatIllegalArgumentException().isThrownBy(() -> new FixedStep(world, bad));
                 assertThatIllegalArgumentException().isThrownBy(() -> loop.advance(bad, null));
@@ -368,6 +451,23 @@ class FixedStepTest {
                     .withMessageContaining("living");
             assertThat(loop.positions(new long[1]).remaining()).isEqualTo(2);
         }
+    }
+
+    @Test
+    void aClosedWorldIsRefused() {
+        World world = world();
+        FixedStep loop = new FixedStep(world, STEP);
+        world.close();
+        assertThatIllegalStateException()
+                .isThrownBy(() -> new FixedStep(world, STEP))
+                .withMessage("this World has been closed");
+        for (float seconds : new float[] {0, STEP / 2, STEP}) {
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> loop.advance(seconds, null))
+                    .withMessage("this World has been closed");
+        }
+        assertThat(loop.alpha()).isZero();
+        assertThatIllegalStateException().isThrownBy(() -> loop.positions(null));
     }
 
     @Test

@@ -39,6 +39,10 @@ class RecordedCallsTest {
             change(
                     "addAll(float[], float[], long[])",
                     (w, a, b) -> w.addAll(new float[] {0.5f, 0.8f, 0.1f, 2}, new float[] {1, -1}, new long[1])),
+            change(
+                    "addAll(float[], float[], int[], long[])",
+                    (w, a, b) -> w.addAll(
+                            new float[] {0.5f, 0.8f, 0.1f, 2, 0.8f, 0.8f, 0.1f, 2}, null, new int[] {7, 0}, null)),
             change("remove(long)", (w, a, b) -> w.remove(a)),
             change(
                     "removeAll(long[], int, StaleHandles)",
@@ -68,6 +72,13 @@ class RecordedCallsTest {
             change(
                     "applyImpulses(long[], int, float[], StaleHandles)",
                     (w, a, b) -> w.applyImpulses(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE)),
+            change(
+                    "setForces(long[], int, float[], StaleHandles)",
+                    (w, a, b) -> w.setForces(new long[] {a, b}, 2, TWO, StaleHandles.REFUSE)),
+            change("setKinds(long[], int, int[], StaleHandles)", (w, a, b) -> {
+                w.kind(9).setRestitution(0.25f);
+                w.setKinds(new long[] {a, b}, 2, new int[] {9, 1}, StaleHandles.REFUSE);
+            }),
             change("explode(float, float, float, float, float)", (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0)),
             change(
                     "add(float, float, float, float, float, float, int)",
@@ -109,6 +120,7 @@ class RecordedCallsTest {
             "hash",
             "idLimit",
             "kind",
+            "kindOf",
             "Kind.category",
             "Kind.damping",
             "Kind.gravityScale",
@@ -130,6 +142,8 @@ class RecordedCallsTest {
             "read",
             "readById",
             "readHandles",
+            "readKindsById",
+            "readTagsById",
             "readVelocities",
             "readVelocitiesById",
             "report",

@@ -166,13 +166,16 @@ class RecordingTest {
                 byte[] cut = Arrays.copyOf(log, length);
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> replay(cut, player).run())
-                        .withMessageStartingWith("this is no log of a world: it is cut");
+                        .withMessageStartingWith(
+                                length < 4
+                                        ? "this is no log of a world: it does not begin as one"
+                                        : "this log is cut: it ends after " + length + " bytes");
             }
             byte[] withoutEnd = Arrays.copyOf(log, log.length - 1);
             Replay replay = replay(withoutEnd, player);
             assertThatIllegalArgumentException()
                     .isThrownBy(replay::run)
-                    .withMessageEndingWith("it is cut, after step " + STEPS);
+                    .withMessage("this log is cut: it ends after " + withoutEnd.length + " bytes, after step " + STEPS);
             assertThat(player.hash()).isEqualTo(world.hash());
         }
     }
@@ -190,7 +193,7 @@ class RecordingTest {
                 }
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> replay(damaged, player).run())
-                        .withMessageStartingWith("this is no log of a world: ");
+                        .withMessageMatching("this (is no log of a world|log is damaged|log is cut): .*");
             }
         }
     }
@@ -241,7 +244,7 @@ class RecordingTest {
         try (World player = world()) {
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> new Replay(slow(head.array()), player))
-                    .withMessage("this is no log of a world: it is cut");
+                    .withMessage("this log is cut: it ends after 21 bytes, after step 0");
             head.putInt(4, 2);
             assertThatIllegalArgumentException()
                     .isThrownBy(() -> new Replay(slow(head.array()), player))
@@ -264,14 +267,14 @@ class RecordingTest {
     void theGameGoesOnIfTheStreamFails() throws IOException {
         try (World world = world();
                 World same = world()) {
+            ByteArrayOutputStream written = new ByteArrayOutputStream();
             OutputStream full = new OutputStream() {
-                private int room = 4000;
-
                 @Override
                 public void write(int b) throws IOException {
-                    if (room-- <= 0) {
+                    if (written.size() == 100_000) {
                         throw new IOException("the disk is full");
                     }
+                    written.write(b);
                 }
             };
             Recording recording = new Recording(world, full, 1);
@@ -280,6 +283,8 @@ class RecordingTest {
             }
             same.step(1 / 60f, 8000);
             assertThat(recording.hasFailed()).isTrue();
+            long steps = recording.steps();
+            assertThat(steps).isBetween(3000L, 4000L); // those of one block
             assertThat(world.hash()).isEqualTo(same.hash());
             assertThatIllegalStateException()
                     .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 1))
@@ -289,6 +294,14 @@ class RecordingTest {
                     .withMessage("the log ends early: the disk is full");
             recording.close();
             new Recording(world, OutputStream.nullOutputStream(), 1).close();
+            assertThat(recording.hasFailed()).isTrue();
+            assertThat(recording.steps()).isEqualTo(steps);
+            assertThat(recording.bytes()).isLessThanOrEqualTo(100_000);
+            Replay replay = replay(written.toByteArray(), same);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(replay::run)
+                    .withMessage("this log is cut: it ends after 100000 bytes, after step " + steps);
+            assertThat(replay.steps()).isEqualTo(steps);
         }
     }
 
@@ -302,6 +315,40 @@ class RecordingTest {
                     .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 0))
                     .withMessageContaining("the number of steps between two hashes");
             assertThat(recordFalls(world, 1)).isNotEmpty();
+        }
+    }
+
+    @Test
+    void aRecordingThatIsClosedStillTellsWhatItsLogHas() throws IOException {
+        try (World world = world()) {
+            ByteArrayOutputStream log = new ByteArrayOutputStream();
+            Recording recording = new Recording(world, log, 5);
+            world.step(1 / 60f, 12);
+            recording.close();
+            try (Recording next = new Recording(world, OutputStream.nullOutputStream(), 5)) {
+                world.step(1 / 60f, 3);
+                assertThat(next.steps()).isEqualTo(3);
+            }
+            assertThat(recording.steps()).isEqualTo(12);
+            assertThat(recording.bytes()).isEqualTo(log.size());
+            assertThat(recording.hasFailed()).isFalse();
+        }
+    }
+
+    @Test
+    void aClosedWorldIsNotRecordedAndPlaysNothing() throws IOException {
+        try (World world = world()) {
+            ByteArrayInputStream log = new ByteArrayInputStream(recordFalls(world, 5));
+            int length = log.available();
+            World closed = world();
+            closed.close();
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> new Recording(closed, OutputStream.nullOutputStream(), 1))
+                    .withMessage("this World has been closed");
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> new Replay(log, closed))
+                    .withMessage("this World has been closed");
+            assertThat(log.available()).as("nothing has been read").isEqualTo(length);
         }
     }
 

@@ -96,7 +96,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(29)) {
+            switch (random.nextInt(32)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -119,6 +119,9 @@ class ReferenceFuzzTest {
                 case 19 -> explode();
                 case 20 -> moveWalls();
                 case 21 -> report();
+                case 22 -> addAll();
+                case 23 -> withSome(this::setTag);
+                case 24 -> readKindsAndTags();
                 default -> step();
             }
         }
@@ -189,6 +192,50 @@ class ReferenceFuzzTest {
                     both("add", c -> c.add(x, y, radius, mass, vx, vy));
                 }
             }
+        }
+
+        private void addAll() {
+            int count = random.nextInt(5);
+            float[] circles = new float[4 * count];
+            float[] velocities = random.nextInt(4) == 0 ? null : new float[2 * count];
+            int[] kinds = random.nextInt(4) == 0 ? null : new int[count];
+            for (int k = 0; k < count; k++) {
+                circles[4 * k] = x();
+                circles[4 * k + 1] = y();
+                circles[4 * k + 2] = radius();
+                circles[4 * k + 3] = mass();
+                if (velocities != null) {
+                    velocities[2 * k] = speed();
+                    velocities[2 * k + 1] = speed();
+                }
+                if (kinds != null) {
+                    kinds[k] = kind();
+                }
+            }
+            long[] handles = new long[count];
+            both("addAll", c -> c.addAll(circles, velocities, kinds, handles));
+        }
+
+        private void setTag(long handle) {
+            long tag = random.nextLong() >> random.nextInt(64);
+            both("setTag", c -> c.setTag(handle, tag));
+        }
+
+        private void readKindsAndTags() {
+            int[] kinds = new int[world.idLimit() + 1];
+            int[] expectedKinds = kinds.clone();
+            long[] tags = new long[kinds.length];
+            long[] expectedTags = tags.clone();
+            long[] living = new long[kinds.length / Long.SIZE + 1];
+            long[] expectedLiving = living.clone();
+            world.readKindsById(kinds, living);
+            reference.readKindsById(expectedKinds, expectedLiving);
+            assertThat(living).isEqualTo(expectedLiving);
+            world.readTagsById(tags, living);
+            reference.readTagsById(expectedTags, expectedLiving);
+            assertThat(kinds).isEqualTo(expectedKinds);
+            assertThat(tags).isEqualTo(expectedTags);
+            assertThat(living).isEqualTo(expectedLiving);
         }
 
         private void withSome(Consumer<Long> change) {
@@ -306,6 +353,8 @@ class ReferenceFuzzTest {
             long[] some = new long[count + 1];
             float[] positions = new float[2 * some.length];
             float[] speeds = new float[2 * some.length];
+            float[] forces = new float[2 * some.length];
+            int[] kinds = new int[some.length];
             for (int k = 0; k <= count; k++) {
                 boolean stale = live.length == 0 || random.nextInt(5) == 0;
                 some[k] = stale ? random.nextInt(4) : live[random.nextInt(live.length)];
@@ -313,11 +362,16 @@ class ReferenceFuzzTest {
                 positions[2 * k + 1] = y();
                 speeds[2 * k] = speed();
                 speeds[2 * k + 1] = speed();
+                forces[2 * k] = force();
+                forces[2 * k + 1] = force();
+                kinds[k] = kind();
             }
-            switch (random.nextInt(4)) {
+            switch (random.nextInt(6)) {
                 case 0 -> bothGive("removeAll", c -> c.removeAll(some, count, StaleHandles.SKIP));
                 case 1 -> bothGive("setPositions", c -> c.setPositions(some, count, positions, StaleHandles.SKIP));
-                case 2 -> bothGive("setVelocities", c -> c.setVelocities(some, count, speeds, StaleHandles.SKIP));
+                case 2 -> bothGive("setForces", c -> c.setForces(some, count, forces, StaleHandles.SKIP));
+                case 3 -> bothGive("setKinds", c -> c.setKinds(some, count, kinds, StaleHandles.SKIP));
+                case 4 -> bothGive("setVelocities", c -> c.setVelocities(some, count, speeds, StaleHandles.SKIP));
                 default -> bothGive("applyImpulses", c -> c.applyImpulses(some, count, speeds, StaleHandles.SKIP));
             }
         }

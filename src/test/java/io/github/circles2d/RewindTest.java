@@ -180,6 +180,9 @@ class RewindTest {
         world.close();
         assertThatIllegalStateException().isThrownBy(() -> rewind.save(2));
         assertThatIllegalStateException().isThrownBy(() -> rewind.restore(1));
+        assertThatIllegalStateException()
+                .isThrownBy(() -> new Rewind(world, 3))
+                .withMessage("this World has been closed");
     }
 
     private static ByteBuffer snapshot(World world) {

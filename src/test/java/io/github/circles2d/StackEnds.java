@@ -82,6 +82,8 @@ final class StackEnds {
         float[] circles = new float[4 * CIRCLES];
         float[] velocities = new float[2 * CIRCLES];
         long[] one = {1L << 32};
+        int[] kind = {3};
+        int[] kinds = new int[CIRCLES];
         ByteBuffer snapshot = ByteBuffer.allocate(1 << 16);
         List<Call> reads = List.of(
                 Call.read("hash", World::hash),
@@ -91,15 +93,19 @@ final class StackEnds {
                 Call.read("positions", World::positions),
                 Call.read("requestPositions", World::requestPositions),
                 Call.read("readById", world -> world.readById(circles, null)),
+                Call.read("readKindsById", world -> world.readKindsById(kinds, null)),
                 Call.read("positionsById", world -> world.positionsById(null)),
                 Call.read("snapshot", world -> world.snapshot(snapshot.clear())),
                 Call.read("stats", World::stats));
         List<Call> changes = List.of(
                 Call.change("add", world -> world.add(5, 8, 0.6f, 1)),
                 Call.change("addAll", world -> world.addAll(new float[] {5, 8, 0.6f, 1}, null)),
+                Call.change("addAll of kinds", world -> world.addAll(new float[] {5, 8, 0.6f, 1}, null, kind, null)),
                 Call.change("remove", world -> world.remove(1L << 32)),
                 Call.change("removeAll", world -> world.removeAll(one, 1, StaleHandles.SKIP)),
                 Call.change("setVelocities", world -> world.setVelocities(one, 1, velocities, StaleHandles.SKIP)),
+                Call.change("setForces", world -> world.setForces(one, 1, velocities, StaleHandles.SKIP)),
+                Call.change("setKinds", world -> world.setKinds(one, 1, kind, StaleHandles.SKIP)),
                 Call.change("explode", world -> world.explode(5, 5, 3, 1, 1)),
                 Call.change("setRadius", world -> world.setRadius(1L << 32, 0.7f)),
                 Call.change("setBounds", world -> world.setBounds(0, 0, 9, 9)),

@@ -41,7 +41,7 @@ class WorldAllocationTest {
                 world.setVelocity(handles[7], 0.01f, 0);
                 world.applyImpulse(handles[8], 0.01f, 0);
                 world.setTag(handles[9], world.tag(handles[9]) + 1);
-                world.setKind(handles[10], 1 + (world.kind(handles[10]) & 1));
+                world.setKind(handles[10], 1 + (world.kindOf(handles[10]) & 1));
                 world.kind(2).setDamping(world.kind(2).damping() + 0.01f).setMask(~1);
                 world.setResponse(1, 2, world.response(1, 1) == Response.IGNORE ? Response.SOLID : Response.IGNORE);
                 world.setGroup(handles[11], world.group(handles[11]) + 1);
@@ -72,11 +72,18 @@ class WorldAllocationTest {
     @Test
     void bulkCallsReadsByIdAndTheGameLoopAllocateNothingOnTheJvm() {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
-        int n = scene.size();
+        int n = scene.size() + 2; // two come and go
         float[] byId = new float[4 * n];
         float[] velocities = new float[2 * n];
         long[] living = new long[(n + 63) / 64];
         long[] some = new long[40];
+        float[] added = {0.3f, 0.9f, 0.01f, 1, 0.4f, 0.9f, 0.01f, 1};
+        float[] forces = new float[60];
+        int[] kinds = {3, 9};
+        int[] kindsOfSome = new int[30];
+        long[] handles = new long[2];
+        int[] kindsById = new int[2 * n];
+        long[] tagsById = new long[2 * n];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             FixedStep loop = new FixedStep(world, scene.timeStep());
             Runnable before = () -> {
@@ -95,7 +102,13 @@ class WorldAllocationTest {
                 for (int k = 0; k < 5; k++) {
                     world.add(0.1f + 0.1f * k, 0.9f, scene.radius(0), 1);
                 }
+                world.addAll(added, null, kinds, handles);
+                world.removeAll(handles, 2, StaleHandles.REFUSE);
                 world.setPositions(some, 0, byId, StaleHandles.REFUSE);
+                world.setForces(some, 30, forces, StaleHandles.SKIP);
+                world.setKinds(some, 30, kindsOfSome, StaleHandles.SKIP);
+                world.readKindsById(kindsById, living);
+                world.readTagsById(tagsById, living);
                 world.setVelocities(some, some.length, velocities, StaleHandles.SKIP);
                 consume(world.takePositionsById(living).get(900));
                 loop.advance(1.5f * scene.timeStep(), before);

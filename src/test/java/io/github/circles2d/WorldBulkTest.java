@@ -2,9 +2,9 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.ByteBuffer;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -14,10 +14,12 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** Changes of many circles at once: all or nothing, with stale handles refused or skipped; and explosions. */
 class WorldBulkTest {
     private static World world() {
-        return WorldScenes.jvm().bounds(0, 0, 10, 10).threads(1).build();
+        World world = WorldScenes.jvm().bounds(0, 0, 10, 10).threads(1).build();
+        world.kind(4).setRestitution(0.75f);
+        return world;
     }
 
-    /** A call with many handles and two values for each, and the call with one that does the same. */
+    /** A call with many handles and two values for each, of which kinds use the second, and the call with one that does the same. */
     private record Bulk(String name, Many many, One one) {
         private interface Many {
             int call(World world, long[] handles, int count, float[] values, StaleHandles stale);
@@ -38,7 +40,20 @@ class WorldBulkTest {
                 new Bulk("setPositions", World::setPositions, World::setPosition),
                 new Bulk("setVelocities", World::setVelocities, World::setVelocity),
                 new Bulk("applyImpulses", World::applyImpulses, World::applyImpulse),
+                new Bulk("setForces", World::setForces, World::setForce),
+                new Bulk(
+                        "setKinds",
+                        (w, h, n, v, s) -> w.setKinds(h, n, kinds(v), s),
+                        (w, h, a, b) -> w.setKind(h, (int) b)),
                 new Bulk("removeAll", (w, h, n, v, s) -> w.removeAll(h, n, s), (w, h, a, b) -> w.remove(h)));
+    }
+
+    private static int[] kinds(float[] values) {
+        int[] kinds = new int[values.length / 2];
+        for (int k = 0; k < kinds.length; k++) {
+            kinds[k] = (int) values[2 * k + 1];
+        }
+        return kinds;
     }
 
     private static long[] add(World world, int count) {
@@ -111,6 +126,7 @@ class WorldBulkTest {
             }
             float[] values = values(20);
             values[2] = Float.NaN; // of handle 1
+            values[3] = 1e30f;
             assertThat(bulk.many().call(world, handles, 20, values, StaleHandles.SKIP))
                     .isEqualTo(7);
             for (int k = 0; k < 20; k++) {
@@ -136,10 +152,11 @@ class WorldBulkTest {
             if (!bulk.name().equals("removeAll")) {
                 assertThatIllegalArgumentException()
                         .isThrownBy(() -> bulk.many().call(world, handles, 4, new float[7], StaleHandles.SKIP))
-                        .withMessageContaining("7 values");
+                        .withMessageEndingWith(
+                                bulk.name().equals("setKinds")
+                                        ? "kinds has 3 elements, but must have 4: 1 for each of 4 handles"
+                                        : " has 7 elements, but must have 8: 2 for each of 4 handles");
             }
-            assertThatThrownBy(() -> bulk.many().call(world, handles, 4, values(4), null))
-                    .isInstanceOf(NullPointerException.class);
             assertThat(bulk.many().call(world, handles, 0, values(0), StaleHandles.REFUSE))
                     .isZero();
             assertThat(world.hash()).isEqualTo(hash);
@@ -147,7 +164,16 @@ class WorldBulkTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"setPositions, 11", "setPositions, NaN", "setVelocities, 2e9", "applyImpulses, 2e18"})
+    @CsvSource({
+        "setPositions, 11",
+        "setPositions, NaN",
+        "setVelocities, 2e9",
+        "applyImpulses, 2e18",
+        "setForces, 2e18",
+        "setForces, NaN",
+        "setKinds, 256",
+        "setKinds, -1"
+    })
     void aValueOutOfRangeIsRefusedWithItsPlaceBeforeAnythingHasChanged(String name, float bad) {
         Bulk bulk = bulks().stream()
                 .filter(each -> each.name().equals(name))
@@ -190,6 +216,53 @@ class WorldBulkTest {
             world.applyImpulses(new long[] {a, a}, 2, new float[] {1, 0, 3, -2}, StaleHandles.REFUSE);
             assertThat(world.vx(a)).isEqualTo(2);
             assertThat(world.vy(a)).isEqualTo(-1);
+        }
+    }
+
+    @Test
+    void circlesAreAddedWithTheirKindsAsOneByOne() {
+        try (World world = world();
+                World same = world()) {
+            add(world, 5);
+            add(same, 5);
+            float[] circles = {1, 5, 0.2f, 1, 2, 5, 0.3f, 2, 3, 5, 0.4f, 3};
+            float[] velocities = {1, 2, 3, 4, 5, 6};
+            long[] handles = new long[3];
+            world.addAll(circles, velocities, new int[] {4, 0, 255}, handles);
+            same.add(1, 5, 0.2f, 1, 1, 2, 4);
+            same.add(2, 5, 0.3f, 2, 3, 4);
+            same.add(3, 5, 0.4f, 3, 5, 6, 255);
+            assertThat(world.hash()).isEqualTo(same.hash());
+            assertThat(world.kindOf(handles[0])).isEqualTo(4);
+            assertThat(world.restitution(handles[0])).isEqualTo(0.75f);
+            assertThat(world.kindOf(handles[1])).isZero();
+            assertThat(world.kindOf(handles[2])).isEqualTo(255);
+            world.addAll(circles, null, null, null);
+            assertThat(world.size()).isEqualTo(11);
+            long hash = world.hash();
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.addAll(circles, null, new int[] {0, 256, 0}, null))
+                    .withMessage("circle 1: the kind is 256, but must be from 0 to 255");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.addAll(circles, null, new int[2], null))
+                    .withMessage("kinds has 2 elements, but must have one for each of 3");
+            assertThat(world.hash()).isEqualTo(hash);
+        }
+    }
+
+    @Test
+    void kindsThatAreGivenAtOnceComeWithTheirRestitutionsAndAreInSnapshots() {
+        try (World world = world()) {
+            long[] handles = add(world, 3);
+            world.setKinds(handles, 3, new int[] {4, 4, 1}, StaleHandles.REFUSE);
+            assertThat(world.restitution(handles[1])).isEqualTo(0.75f);
+            assertThat(world.restitution(handles[2])).isEqualTo(0.5f);
+            ByteBuffer snapshot = RecordedCallsTest.snapshot(world);
+            try (World restored = world()) {
+                restored.restore(snapshot);
+                assertThat(restored.kindOf(handles[1])).isEqualTo(4);
+                assertThat(restored.hash()).isEqualTo(world.hash());
+            }
         }
     }
 

@@ -109,6 +109,39 @@ class WorldByIdTest {
         }
     }
 
+    @Test
+    void kindsAndTagsAreReadByIdWithoutGapsOfOthersShowing() {
+        try (World world = world(Backend.JVM)) {
+            long a = world.add(1, 1.5f, 0.1f, 1, 0, 0, 7);
+            long b = world.add(2, 2.5f, 0.1f, 1);
+            long c = world.add(3, 3.5f, 0.1f, 1, 0, 0, 255);
+            world.setTag(a, 5);
+            world.setTag(c, Long.MIN_VALUE);
+            int[] kinds = new int[5];
+            long[] tags = {9, 9, 9, 9, 9};
+            long[] living = {-1, -1};
+            world.readKindsById(kinds, living);
+            assertThat(kinds).containsExactly(7, 0, 255, -1, -1);
+            assertThat(living).containsExactly(7, 0);
+            world.readTagsById(tags, null);
+            assertThat(tags).containsExactly(5, 0, Long.MIN_VALUE, 0, 0);
+            world.remove(a);
+            world.setKind(b, 3);
+            world.readKindsById(kinds, null);
+            assertThat(kinds).containsExactly(-1, 3, 255, -1, -1);
+            world.readTagsById(tags, living);
+            assertThat(tags).containsExactly(0, 0, Long.MIN_VALUE, 0, 0);
+            assertThat(living).containsExactly(6, 0);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.readKindsById(new int[2], null))
+                    .withMessage("kinds has room for 2 elements, but needs 3");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> world.readTagsById(new long[2], null))
+                    .withMessage("tags has room for 2 elements, but needs 3");
+            assertThatIllegalArgumentException().isThrownBy(() -> world.readTagsById(tags, new long[0]));
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("backends")
     void positionsRequestedAreShownOfTheCirclesThatAreStillThere(Backend backend) {

@@ -10,6 +10,8 @@ public interface WorldCalls {
 
     long add(float x, float y, float radius, float mass, float vx, float vy, int kind);
 
+    void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles);
+
     void remove(long handle);
 
     boolean contains(long handle);
@@ -35,6 +37,8 @@ public interface WorldCalls {
     void setKind(long handle, int kind);
 
     void setGroup(long handle, int group);
+
+    void setTag(long handle, long tag);
 
     void setResponse(int kindA, int kindB, Response response);
 
@@ -72,6 +76,10 @@ public interface WorldCalls {
     int setVelocities(long[] handles, int count, float[] velocities, StaleHandles stale);
 
     int applyImpulses(long[] handles, int count, float[] impulses, StaleHandles stale);
+
+    int setForces(long[] handles, int count, float[] forces, StaleHandles stale);
+
+    int setKinds(long[] handles, int count, int[] kinds, StaleHandles stale);
 
     int explode(float x, float y, float radius, float impulse, float falloff);
 

@@ -277,7 +277,7 @@ class WorldFuzzTest {
             ask(bad(c) || bad(vx) || bad(vy) || !isKind(kind), () -> {
                 long handle = world.add(c[0], c[1], c[2], c[3], vx, vy, kind);
                 entered(handle, c[2], c[3]);
-                assertThat(world.kind(handle)).isEqualTo(kind);
+                assertThat(world.kindOf(handle)).isEqualTo(kind);
             });
         }
 
@@ -292,11 +292,17 @@ class WorldFuzzTest {
                 bad |= bad(c);
             }
             long[] handles = new long[n];
-            last = "addAll " + Arrays.toString(circles);
+            int[] kinds = new int[n];
+            for (int i = 0; i < n; i++) {
+                kinds[i] = random.nextInt(4) == 0 ? kind() : 0;
+                bad |= !isKind(kinds[i]);
+            }
+            last = "addAll " + Arrays.toString(circles) + " " + Arrays.toString(kinds);
             ask(bad, () -> {
-                world.addAll(circles, handles);
+                world.addAll(circles, null, kinds, handles);
                 for (int i = 0; i < n; i++) {
                     entered(handles[i], circles[4 * i + 2], circles[4 * i + 3]);
+                    assertThat(world.kindOf(handles[i])).isEqualTo(kinds[i]);
                 }
             });
         }
@@ -416,7 +422,7 @@ class WorldFuzzTest {
             last = "setKind " + kind;
             ask(unknown(handle) || !isKind(kind), () -> {
                 world.setKind(handle, kind);
-                assertThat(world.kind(handle)).isEqualTo(kind);
+                assertThat(world.kindOf(handle)).isEqualTo(kind);
             });
         }
 
@@ -508,21 +514,24 @@ class WorldFuzzTest {
         }
 
         private void changeSome() {
-            int call = random.nextInt(3);
+            int call = random.nextInt(5);
             float x = call == 0 ? model.minX : call == 1 ? -speed() : -1e18f;
             float y = call == 0 ? model.minY : call == 1 ? -speed() : -1;
             float toX = call == 0 ? model.maxX : -x;
             float toY = call == 0 ? model.maxY : -y;
             long[] handles = new long[random.nextInt(6)];
             float[] values = new float[2 * handles.length];
+            int[] kinds = new int[handles.length];
             boolean bad = false;
             int unknown = 0;
             for (int k = 0; k < handles.length; k++) {
                 handles[k] = handle();
+                kinds[k] = kind();
                 values[2 * k] = value(x, toX);
                 values[2 * k + 1] = value(y, toY);
                 unknown += unknown(handles[k]) ? 1 : 0;
-                bad |= !unknown(handles[k]) && (bad(values[2 * k]) || bad(values[2 * k + 1]));
+                boolean badValues = call == 4 ? !isKind(kinds[k]) : bad(values[2 * k]) || bad(values[2 * k + 1]);
+                bad |= !unknown(handles[k]) && badValues;
             }
             StaleHandles stale = StaleHandles.values()[random.nextInt(2)];
             int skipped = unknown;
@@ -532,6 +541,8 @@ class WorldFuzzTest {
                         switch (call) {
                             case 0 -> world.setPositions(handles, handles.length, values, stale);
                             case 1 -> world.setVelocities(handles, handles.length, values, stale);
+                            case 3 -> world.setForces(handles, handles.length, values, stale);
+                            case 4 -> world.setKinds(handles, handles.length, kinds, stale);
                             default -> world.applyImpulses(handles, handles.length, values, stale);
                         };
                 assertThat(result).isEqualTo(skipped);

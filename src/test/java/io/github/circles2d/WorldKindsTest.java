@@ -126,7 +126,7 @@ class WorldKindsTest {
         world.remove(first);
         long second = world.add(10, 10, 1, 1);
         assertThat((int) second).isEqualTo((int) first);
-        assertThat(world.kind(second)).isZero();
+        assertThat(world.kindOf(second)).isZero();
         assertThat(world.group(second)).isZero();
     }
 
@@ -153,7 +153,7 @@ class WorldKindsTest {
 
         world.restore(snapshot.flip());
         assertThat(world.hash()).isEqualTo(full);
-        assertThat(world.kind(ball)).isEqualTo(9);
+        assertThat(world.kindOf(ball)).isEqualTo(9);
         assertThat(world.group(ball)).isEqualTo(-2);
         assertThat(world.kind(9).mask()).isEqualTo(3);
         assertThat(world.kind(9).category()).isEqualTo(1);

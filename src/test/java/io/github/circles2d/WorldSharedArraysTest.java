@@ -88,6 +88,7 @@ class WorldSharedArraysTest {
     void bulkCallsTakeWhatTheyHaveChecked() throws InterruptedException {
         long[] handles = new long[CIRCLES];
         float[] values = new float[2 * CIRCLES];
+        int[] kinds = new int[CIRCLES];
         float[] read = new float[4 * CIRCLES];
         int last = CIRCLES - 1;
         int[] accepted = new int[1];
@@ -99,16 +100,20 @@ class WorldSharedArraysTest {
             Runnable change = () -> {
                 handles[last] = 77;
                 values[2 * last] = Float.NaN;
+                kinds[last] = 256;
             };
             Runnable back = () -> {
                 handles[last] = good;
                 values[2 * last] = 0;
+                kinds[last] = 0;
             };
             during(change, back, () -> {
                 for (int k = 0; k < CALLS || accepted[0] == 0 && !isLate(); k++) {
                     try {
                         world.setVelocities(handles, CIRCLES, values, StaleHandles.REFUSE);
                         world.setPositions(handles, CIRCLES, values, StaleHandles.SKIP);
+                        world.setForces(handles, CIRCLES, values, StaleHandles.SKIP);
+                        world.setKinds(handles, CIRCLES, kinds, StaleHandles.SKIP);
                         accepted[0]++;
                     } catch (IllegalArgumentException e) {
                         assertThat(e).hasMessageContaining(" " + last);
@@ -117,10 +122,34 @@ class WorldSharedArraysTest {
                     assertFinite(read);
                     world.read(read);
                     assertFinite(read);
+                    assertThat(world.kindOf(good)).isZero();
+                    assertThat(world.forceX(good)).isZero();
                 }
             });
             assertThat(accepted[0]).isPositive();
         }
+    }
+
+    @Test
+    void addAllTakesTheKindsThatItHasChecked() throws InterruptedException {
+        float[] circles = new float[4 * CIRCLES];
+        for (int i = 0; i < circles.length; i++) {
+            circles[i] = i % 4 < 2 ? 5 : 0.5f;
+        }
+        int[] kinds = new int[CIRCLES];
+        int[] accepted = new int[1];
+        during(() -> kinds[CIRCLES - 1] = 256, () -> kinds[CIRCLES - 1] = 0, () -> {
+            for (int k = 0; k < CALLS || accepted[0] == 0 && !isLate(); k++) {
+                try (World world = world()) {
+                    world.addAll(circles, null, kinds, null);
+                    accepted[0]++;
+                    assertThat(world.kindOf(world.handle(CIRCLES - 1))).isZero();
+                } catch (IllegalArgumentException e) {
+                    assertThat(e).hasMessageContaining("circle " + (CIRCLES - 1));
+                }
+            }
+        });
+        assertThat(accepted[0]).isPositive();
     }
 
     private static void assertFinite(float[] values) {

@@ -2,139 +2,137 @@ package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
-import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Explosion;
-import java.util.Arrays;
+import io.github.circles2d.world.model.Limits;
+import java.util.function.ToIntFunction;
 
-/**
- * The calls that change many circles at once. A call copies and checks everything into the room behind the records of
- * {@link Commands} first, and then admits it, so it changes all or nothing.
- */
+/** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
 public final class BulkChanges {
+    /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
+    private interface Preparation<A> {
+        /**
+         * Prepares it.
+         *
+         * @param id the circle
+         * @param values the array
+         * @param i place of the circle's handle among the handles. Each element is read once: another thread may write to the array
+         * @return false if the circle is gone by an earlier handle of the call
+         */
+        boolean prepare(int id, A values, int i);
+    }
+
+    /**
+     * A call with many handles.
+     *
+     * @param values the parameter of its values; null if it has none
+     * @param each elements for each handle
+     * @param length gives the length of their array
+     * @param operation the operation of {@link Commands} that it consists of
+     * @param preparation prepares it for one circle
+     */
+    private record Call<A>(
+            String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
+
     private final Simulation simulation;
     private final Guard guard;
     private final HandleTable handles;
-    private final Commands commands;
-
+    private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
 
-    /** A bit for each id, set while a call that removes it is prepared. */
-    private long[] leaving = new long[0];
+    private final Call<Void> removal;
+    private final Call<float[]> positions;
+    private final Call<float[]> velocities;
+    private final Call<float[]> impulses;
+    private final Call<float[]> forces;
+    private final Call<int[]> kinds;
 
     BulkChanges(Simulation simulation) {
         this.simulation = simulation;
         guard = simulation.guard;
         handles = simulation.handles;
-        commands = simulation.commands;
+        changes = simulation.changes;
+        removal = new Call<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
+        positions = ofTwo("positions", Commands.POSITION, (id, values, i) -> {
+            changes.move(id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        velocities = ofTwo("velocities", Commands.VELOCITY, (id, values, i) -> {
+            changes.set(Commands.VELOCITY, id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        impulses = ofTwo("impulses", Commands.IMPULSE, (id, values, i) -> {
+            changes.set(Commands.IMPULSE, id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        forces = ofTwo("forces", Commands.FIELD, (id, values, i) -> {
+            changes.setForce(id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
+            changes.setKind(id, values[i]);
+            return true;
+        });
     }
 
-    /**
-     * Changes many circles, in the order of the array.
-     *
-     * @param operation an operation of {@link Commands} with two values
-     * @param circles their handles
-     * @param count number of handles
-     * @param values two values for each
-     * @param skipStale whether to leave stale handles out; else they are refused
-     * @return number of handles that were left out
-     */
-    public int set(int operation, long[] circles, int count, float[] values, boolean skipStale) {
-        guard.enter();
-        try {
-            checkLengths(circles, count);
-            if (values.length < 2L * count) {
-                throw new IllegalArgumentException(
-                        "there are " + values.length + " values, but must be two for each of " + count + " handles");
-            }
-            simulation.expect(count);
-            int changes = 0;
-            int travels = 0;
-            for (int i = 0; i < count; i++) {
-                int id = find(circles, i, skipStale);
-                if (id >= 0) {
-                    prepare(changes++, operation, id, i, values[2 * i], values[2 * i + 1]);
-                    if (operation == Commands.POSITION && handles.isStatic(id)) {
-                        simulation.travels.ensure(id, travels++);
-                    }
-                }
-            }
-            simulation.circles().forget(operation);
-            if (travels > 0) {
-                recordTravels(changes);
-            }
-            guard.changing = true;
-            commands.admitChanges(travels == 0 ? changes : sendOff(changes));
-            guard.changing = false;
-            return count - changes;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+    private static Call<float[]> ofTwo(String values, int operation, Preparation<float[]> preparation) {
+        return new Call<>(values, 2, array -> array.length, operation, preparation);
     }
 
-    private void recordTravels(int changes) {
-        for (int k = 0; k < changes; k++) {
-            int id = commands.preparedId(k);
-            if (handles.isStatic(id)) {
-                simulation.journal.travel(id, commands.preparedFirst(k), commands.preparedSecond(k));
-            }
-        }
-    }
-
-    /** Static circles travel to the positions that are prepared for them. Returns the number of the other ones that are prepared. */
-    private int sendOff(int changes) {
-        int others = 0;
-        for (int k = 0; k < changes; k++) {
-            int id = commands.preparedId(k);
-            if (handles.isStatic(id)) {
-                simulation.travels.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
-            } else {
-                commands.advancePrepared(k, others++);
-            }
-        }
-        return others;
-    }
-
-    private void prepare(int ahead, int operation, int id, int i, float a, float b) {
-        try {
-            simulation.circles().checkValues(operation, a, b);
-        } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
-        }
-        commands.prepareChange(ahead, operation, id, a, b);
-    }
-
-    /**
-     * Removes many circles. A handle that occurs again is stale by then.
-     *
-     * @param circles their handles
-     * @param count number of handles
-     * @param skipStale whether to leave stale handles out; else they are refused
-     * @return number of handles that were left out
-     */
+    /** Removes circles. Returns the number of handles that were left out, as all calls here do. */
     public int remove(long[] circles, int count, boolean skipStale) {
+        return change(removal, circles, count, null, skipStale);
+    }
+
+    /** Puts circles somewhere else. Static ones travel there in the next step. */
+    public int setPositions(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(positions, circles, count, values, skipStale);
+    }
+
+    /** Gives circles velocities. */
+    public int setVelocities(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(velocities, circles, count, values, skipStale);
+    }
+
+    /** Pushes circles. */
+    public int applyImpulses(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(impulses, circles, count, values, skipStale);
+    }
+
+    /** Sets forces on circles. */
+    public int setForces(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(forces, circles, count, values, skipStale);
+    }
+
+    /** Gives circles other kinds. */
+    public int setKinds(long[] circles, int count, int[] values, boolean skipStale) {
+        return change(kinds, circles, count, values, skipStale);
+    }
+
+    /**
+     * Makes a call, in the order of the handles.
+     *
+     * @param call the call
+     * @param circles handles
+     * @param count how many of them
+     * @param values its values
+     * @param skipStale whether to leave stale handles out; else they are refused
+     * @return number of handles that were left out
+     */
+    private <A> int change(Call<A> call, long[] circles, int count, A values, boolean skipStale) {
         guard.enter();
         try {
-            checkLengths(circles, count);
-            simulation.expect(count);
-            clearLeaving(IdMask.words(handles.end()));
-            int changes = 0;
+            checkLengths(call, circles, count, values);
+            changes.begin(count);
+            int left = 0;
             for (int i = 0; i < count; i++) {
                 int id = find(circles, i, skipStale);
-                if (id >= 0 && isNew(id, i, skipStale)) {
-                    commands.prepareChange(changes++, Commands.REMOVE, id, 0, 0);
+                if (id < 0 || !prepare(call, id, values, i, skipStale)) {
+                    left++;
                 }
             }
-            simulation.changed();
-            guard.changing = true;
-            for (int k = 0; k < changes; k++) {
-                handles.remove(commands.preparedId(k));
-            }
-            commands.admitChanges(changes);
-            guard.changing = false;
-            return count - changes;
+            changes.make(call.operation);
+            return left;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -142,28 +140,19 @@ public final class BulkChanges {
         }
     }
 
-    private void clearLeaving(int words) {
-        if (leaving.length < words) {
-            leaving = new long[words + (words >> 1)];
-        } else {
-            Arrays.fill(leaving, 0, words, 0);
-        }
-    }
-
-    private boolean isNew(int id, int i, boolean skipStale) {
-        long bit = 1L << id;
-        boolean isNew = (leaving[id / Long.SIZE] & bit) == 0;
-        if (!isNew && !skipStale) {
-            throw new IllegalArgumentException("handle " + i + " occurs twice");
-        }
-        leaving[id / Long.SIZE] |= bit;
-        return isNew;
-    }
-
-    private static void checkLengths(long[] circles, int count) {
+    private static <A> void checkLengths(Call<A> call, long[] circles, int count, A values) {
+        Limits.notNull("handles", circles);
         if (count < 0 || count > circles.length) {
-            throw new IllegalArgumentException(
-                    "the number of handles is " + count + ", but must be from 0 to " + circles.length);
+            throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
+                    + ", the number of elements of handles");
+        }
+        if (call.each > 0) {
+            Limits.notNull(call.values, values);
+            int length = call.length.applyAsInt(values);
+            if (length < (long) call.each * count) {
+                throw new IllegalArgumentException(call.values + " has " + length + " elements, but must have "
+                        + (long) call.each * count + ": " + call.each + " for each of " + count + " handles");
+            }
         }
     }
 
@@ -176,6 +165,19 @@ public final class BulkChanges {
                     + ": it was removed, or is none of this world's");
         }
         return id;
+    }
+
+    private static <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
+        boolean isThere;
+        try {
+            isThere = call.preparation.prepare(id, values, i);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+        }
+        if (!isThere && !skipStale) {
+            throw new IllegalArgumentException("handle " + i + " occurs twice");
+        }
+        return isThere;
     }
 
     /**
@@ -193,23 +195,20 @@ public final class BulkChanges {
         try {
             explosion.set(x, y, radius, impulse, falloff);
             float[] circles = simulation.last.circles();
-            simulation.expect(0);
-            int changes = 0;
+            changes.begin(0);
+            int pushed = 0;
             int s = 0;
             for (int id = 0; id < handles.end(); id++) {
                 if (handles.lives(id)) {
                     if (explosion.reaches(circles, s)) {
-                        commands.prepareChange(
-                                changes++, Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
+                        changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
+                        pushed++;
                     }
                     s += CircleRow.STRIDE;
                 }
             }
-            simulation.circles().forget(Commands.IMPULSE);
-            guard.changing = true;
-            commands.admitChanges(changes);
-            guard.changing = false;
-            return changes;
+            changes.make(Commands.IMPULSE);
+            return pushed;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

@@ -6,7 +6,6 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
-import java.util.Objects;
 
 /**
  * The calls on circles: they come, go and change. A change waits as a record in {@link Commands} until the next step or read; what
@@ -18,6 +17,10 @@ public final class Circles {
     private final HandleTable handles;
     private final Commands commands;
     private final LastReading last;
+    private final PreparedChanges changes;
+
+    /** The kinds of the circles that a call adds. */
+    private int[] newKinds = new int[0];
 
     Circles(Simulation simulation) {
         this.simulation = simulation;
@@ -25,6 +28,7 @@ public final class Circles {
         handles = simulation.handles;
         commands = simulation.commands;
         last = simulation.last;
+        changes = simulation.changes;
     }
 
     /** Adds a circle of kind 0 and returns its handle. */
@@ -44,11 +48,10 @@ public final class Circles {
             if (kind != 0) {
                 handles.fields().ensure(CircleField.KIND, handles.end() + 1);
             }
-            float restitution = newRestitution(kind);
-            commands.prepare(0, x, y, radius, mass, restitution, vx, vy);
+            commands.prepare(0, x, y, radius, mass, newRestitution(kind), vx, vy);
             simulation.changed();
             guard.changing = true;
-            long handle = admit(restitution);
+            long handle = admit();
             if (kind != 0) {
                 enter(CircleField.KIND, (int) handle, kind);
             }
@@ -61,26 +64,32 @@ public final class Circles {
         }
     }
 
-    /** Adds circles, four elements each, with velocities, or at rest if there are none; the handles are optional, too. */
-    public void addAll(float[] circles, float[] velocities, long[] to) {
+    /** Adds circles, four elements each. Without velocities they are at rest, without kinds of kind 0; the handles are optional, too. */
+    public void addAll(float[] circles, float[] velocities, int[] kinds, long[] to) {
         guard.enter();
         try {
-            Objects.requireNonNull(circles, "circles");
+            Limits.notNull("circles", circles);
             int n = circles.length / CircleRow.STRIDE;
-            checkLengths(n, circles, velocities, to);
+            checkLengths(n, circles, velocities, kinds, to);
             checkRoom(n);
-            simulation.expect(n);
+            simulation.expect(kinds == null ? n : 2 * n);
             handles.ensure(n);
+            int[] own = kinds == null ? null : copy(kinds);
             for (int i = 0; i < n; i++) {
-                prepare(i, circles, velocities);
+                prepare(i, circles, velocities, own == null ? 0 : own[i]);
             }
             simulation.changed();
             guard.changing = true;
-            float restitution = newRestitution(0);
+            int first = commands.count();
             for (int i = 0; i < n; i++) {
-                long handle = admit(restitution);
+                long handle = admit();
                 if (to != null) {
                     to[i] = handle;
+                }
+            }
+            for (int i = 0; own != null && i < n; i++) {
+                if (own[i] != 0) {
+                    enter(CircleField.KIND, commands.id(first + i), own[i]);
                 }
             }
             guard.changing = false;
@@ -91,7 +100,7 @@ public final class Circles {
         }
     }
 
-    private static void checkLengths(int n, float[] circles, float[] velocities, long[] to) {
+    private static void checkLengths(int n, float[] circles, float[] velocities, int[] kinds, long[] to) {
         if (circles.length % CircleRow.STRIDE != 0) {
             throw new IllegalArgumentException(
                     "circles has " + circles.length + " elements, but must have four a circle");
@@ -100,14 +109,28 @@ public final class Circles {
             throw new IllegalArgumentException(
                     "velocities has " + velocities.length + " elements, but must have two for each of " + n);
         }
+        if (kinds != null && kinds.length != n) {
+            throw new IllegalArgumentException(
+                    "kinds has " + kinds.length + " elements, but must have one for each of " + n);
+        }
         if (to != null && to.length < n) {
             throw new IllegalArgumentException(
                     "handles has " + to.length + " elements, but there are " + n + " circles");
         }
     }
 
+    /** Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array. */
+    private int[] copy(int[] kinds) {
+        if (newKinds.length < kinds.length) {
+            newKinds = new int[kinds.length];
+        }
+        System.arraycopy(kinds, 0, newKinds, 0, kinds.length);
+        handles.fields().ensure(CircleField.KIND, handles.end() + kinds.length);
+        return newKinds;
+    }
+
     /** Checks circle i of many and prepares it. Each element is read once: another thread may write to the arrays. */
-    private void prepare(int i, float[] circles, float[] velocities) {
+    private void prepare(int i, float[] circles, float[] velocities, int kind) {
         float x = circles[CircleRow.STRIDE * i + CircleRow.X];
         float y = circles[CircleRow.STRIDE * i + CircleRow.Y];
         float radius = circles[CircleRow.STRIDE * i + CircleRow.RADIUS];
@@ -116,10 +139,11 @@ public final class Circles {
         float vy = velocities == null ? 0 : velocities[2 * i + 1];
         try {
             check(x, y, radius, mass, vx, vy);
+            KindTable.check(kind);
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, newRestitution(0), vx, vy);
+        commands.prepare(i, x, y, radius, mass, newRestitution(kind), vx, vy);
     }
 
     private void checkRoom(int more) {
@@ -142,9 +166,9 @@ public final class Circles {
     }
 
     /** Gives the first circle that is prepared its id, and returns its handle. */
-    private long admit(float restitution) {
+    private long admit() {
         int id = handles.add(commands.preparedRadius());
-        handles.setRestitution(id, restitution);
+        handles.setRestitution(id, commands.preparedRestitution());
         handles.setMass(id, commands.preparedMass());
         commands.admit(id);
         return handles.handle(id);
@@ -155,12 +179,9 @@ public final class Circles {
         guard.enter();
         try {
             int id = find(handle);
-            simulation.expect(1);
-            simulation.changed();
-            guard.changing = true;
-            handles.remove(id);
-            commands.remove(id);
-            guard.changing = false;
+            changes.begin(1);
+            changes.setChecked(Commands.REMOVE, id, 0, 0);
+            changes.make(Commands.REMOVE);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -265,20 +286,14 @@ public final class Circles {
         guard.enter();
         try {
             int id = find(handle);
-            Limits.position(x, y, simulation.bounds);
-            if (handles.isStatic(id)) {
-                simulation.travels.ensure(id, 0);
-                simulation.snapshots().forget();
-                simulation.journal.travel(id, x, y);
-                simulation.travels.set(id, x, y);
-                return;
-            }
+            changes.begin(1);
+            changes.move(id, x, y);
+            changes.make(Commands.POSITION);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
             guard.user = null;
         }
-        set(Commands.POSITION, handle, x, y);
     }
 
     /**
@@ -314,18 +329,9 @@ public final class Circles {
         guard.enter();
         try {
             int id = find(handle);
-            KindTable.check(kind);
-            simulation.expect(2);
-            handles.fields().ensure(CircleField.KIND, id + 1);
-            simulation.snapshots().forget();
-            guard.changing = true;
-            enter(CircleField.KIND, id, kind);
-            float restitution = simulation.kinds().restitution(kind, Float.NaN);
-            if (!Float.isNaN(restitution)) {
-                commands.set(Commands.RESTITUTION, id, restitution, 0);
-                handles.setRestitution(id, restitution);
-            }
-            guard.changing = false;
+            changes.begin(2);
+            changes.setKind(id, kind);
+            changes.make(Commands.FIELD);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -338,15 +344,9 @@ public final class Circles {
         guard.enter();
         try {
             int id = find(handle);
-            Limits.force(x, y);
-            simulation.expect(2);
-            handles.fields().ensure(CircleField.FORCE_X, id + 1);
-            handles.fields().ensure(CircleField.FORCE_Y, id + 1);
-            simulation.snapshots().forget();
-            guard.changing = true;
-            enter(CircleField.FORCE_X, id, Forces.bits(x));
-            enter(CircleField.FORCE_Y, id, Forces.bits(y));
-            guard.changing = false;
+            changes.begin(2);
+            changes.setForce(id, x, y);
+            changes.make(Commands.FIELD);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -400,10 +400,13 @@ public final class Circles {
 
     /** An operation makes what was read or saved out of date. */
     void forget(int operation) {
-        if (operation == Commands.VELOCITY || operation == Commands.IMPULSE) {
-            last.forgetVelocities();
-        } else if (operation != Commands.RESTITUTION) {
-            last.forgetCircles();
+        switch (operation) {
+            case Commands.VELOCITY, Commands.IMPULSE -> last.forgetVelocities();
+            case Commands.REMOVE -> simulation.changed();
+            case Commands.RESTITUTION, Commands.FIELD -> {
+                // no read has them
+            }
+            default -> last.forgetCircles();
         }
         simulation.snapshots().forget();
     }

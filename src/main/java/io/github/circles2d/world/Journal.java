@@ -15,6 +15,30 @@ import java.nio.ByteOrder;
  * them; all other calls write a row of {@link LoggedCall} before they change the state. Without a log, a call costs a comparison.
  */
 public final class Journal {
+    /** How far a log has come, also when it has ended. */
+    public static final class Progress {
+        private final LogWriter log;
+
+        Progress(LogWriter log) {
+            this.log = log;
+        }
+
+        /** Steps in the log. */
+        public long steps() {
+            return log.steps();
+        }
+
+        /** Bytes of the log. */
+        public long bytes() {
+            return log.bytes();
+        }
+
+        /** Whether the log could not be written on. */
+        public boolean hasFailed() {
+            return log.failure() != null;
+        }
+    }
+
     private final Simulation simulation;
     private final Guard guard;
     private final Commands commands;
@@ -24,7 +48,6 @@ public final class Journal {
 
     private int hashEvery;
     private long sinceHash;
-    private long steps;
 
     /** Whether a step is in the log and is being made. If it stays true, the step was not made. */
     private boolean stepping;
@@ -46,8 +69,9 @@ public final class Journal {
      *
      * @param out where to; is not closed
      * @param every steps between two hashes
+     * @return tells how far the log has come; {@link #stop} ends it
      */
-    public void start(OutputStream out, int every) throws IOException {
+    public Progress start(OutputStream out, int every) throws IOException {
         guard.enter();
         try {
             if (log != null) {
@@ -61,11 +85,11 @@ public final class Journal {
             }
             hashEvery = every;
             sinceHash = 0;
-            steps = 0;
             logged = 0;
             stepping = false;
             log = writer;
             writeHash();
+            return new Progress(writer);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -94,21 +118,6 @@ public final class Journal {
         } finally {
             guard.user = null;
         }
-    }
-
-    /** Steps in the log. */
-    public long steps() {
-        return steps;
-    }
-
-    /** Bytes of the log; 0 if there is none. */
-    public long bytes() {
-        return log == null ? 0 : log.bytes();
-    }
-
-    /** Whether a log could not be written on. */
-    public boolean hasFailed() {
-        return log != null && log.failure() != null;
     }
 
     /** Writes the commands that wait and are not in the log. */
@@ -229,7 +238,7 @@ public final class Journal {
     void stepped(int count) {
         if (log != null) {
             stepping = false;
-            steps += count;
+            log.countSteps(count);
             sinceHash += count;
             if (sinceHash >= hashEvery) {
                 writeHash();

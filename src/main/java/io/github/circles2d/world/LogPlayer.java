@@ -17,6 +17,7 @@ public final class LogPlayer {
     /** Steps of the call that is being made that are still to come. */
     private int stepsLeft;
 
+    private boolean hasEnded;
     private long steps;
     private long equalUpTo;
     private long differsAt = -1;
@@ -31,11 +32,21 @@ public final class LogPlayer {
      */
     public LogPlayer(InputStream in, Simulation simulation) throws IOException {
         this.simulation = simulation;
+        simulation.check();
         log = new LogReader(in, LogPlayer::words);
-        if (log.next() != LogReader.Next.SNAPSHOT) {
-            throw LogReader.refused("it does not begin with a snapshot");
+        try {
+            if (log.next() != LogReader.Next.SNAPSHOT) {
+                throw LogReader.refused("it does not begin with a snapshot");
+            }
+            restore();
+        } catch (IllegalArgumentException e) {
+            throw placed(e);
         }
-        restore();
+    }
+
+    /** What is thrown for a log, with the step up to which it was played. */
+    private IllegalArgumentException placed(IllegalArgumentException e) {
+        return new IllegalArgumentException(e.getMessage() + ", after step " + steps, e);
     }
 
     /** The number of ints of a call; negative if there is no such call. */
@@ -77,24 +88,40 @@ public final class LogPlayer {
         return hash;
     }
 
-    /** Makes the calls up to the next step, that step, and the comparison behind it. Returns whether there was a step. */
-    public boolean step() throws IOException {
+    /** Makes the calls up to the next step. Returns whether there is a step. */
+    public boolean makeChanges() throws IOException {
         try {
-            while (stepsLeft == 0) {
-                if (!call()) {
-                    return false;
-                }
+            while (stepsLeft == 0 && !hasEnded) {
+                hasEnded = !call();
             }
+            return !hasEnded;
+        } catch (IllegalArgumentException e) {
+            throw placed(e);
+        }
+    }
+
+    /** Makes the step that {@link #makeChanges} has found, and the comparison behind it. */
+    public void makeStep() throws IOException {
+        try {
             simulation.step(timeStep, 1);
             steps++;
             stepsLeft--;
             while (stepsLeft == 0 && log.next() == LogReader.Next.CALL && log.number() == LoggedCall.HASH.number) {
                 call();
             }
-            return true;
         } catch (IllegalArgumentException e) {
-            throw new IllegalArgumentException(e.getMessage() + ", after step " + steps, e);
+            throw placed(e);
         }
+    }
+
+    /** Whether the end of the log has been read, and no step is left. */
+    public boolean hasEnded() {
+        return hasEnded;
+    }
+
+    /** Whether this is the world that is played in. */
+    public boolean plays(Simulation other) {
+        return simulation == other;
     }
 
     /** Makes one call. Returns whether there was one. */

@@ -1,8 +1,10 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Limits;
 import java.nio.Buffer;
 import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
@@ -36,7 +38,7 @@ public final class Readings {
     public void read(float[] circles) {
         guard.enter();
         try {
-            requireRoom("circles", circles.length, (long) CircleRow.STRIDE * handles.size());
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.size());
             simulation.settle();
             pipeline.readCircles(handles, circles);
         } catch (RuntimeException | Error e) {
@@ -68,7 +70,7 @@ public final class Readings {
     public void readById(float[] circles, long[] living) {
         guard.enter();
         try {
-            requireRoom("circles", circles.length, (long) CircleRow.STRIDE * handles.end());
+            requireRoom("circles", circles, (long) CircleRow.STRIDE * handles.end());
             requireRoom(living, handles.end());
             simulation.settle();
             pipeline.readCircles(handles, circles);
@@ -89,13 +91,46 @@ public final class Readings {
     public void readVelocitiesById(float[] velocities, long[] living) {
         guard.enter();
         try {
-            requireRoom("velocities", velocities.length, 2L * handles.end());
+            requireRoom("velocities", velocities, 2L * handles.end());
             requireRoom(living, handles.end());
             simulation.settle();
             pipeline.readVelocities(handles, velocities);
             spread(velocities, 2, living);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads kinds by id, and -1 where there is no circle; living takes a bit for each id, and may be null. */
+    public void readKindsById(int[] kinds, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("kinds", Limits.notNull("kinds", kinds).length, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < kinds.length; id++) {
+                boolean lives = id < handles.end() && handles.lives(id);
+                kinds[id] = lives ? handles.fields().getInt(CircleField.KIND, id) : -1;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
+    public void readTagsById(long[] tags, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("tags", tags, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < tags.length; id++) {
+                tags[id] = id < handles.end() ? handles.fields().get(CircleField.TAG, id) : 0;
+            }
+            mask.copy(handles);
+            copy(mask, living);
         } finally {
             guard.user = null;
         }
@@ -237,7 +272,7 @@ public final class Readings {
     public void readVelocities(float[] velocities) {
         guard.enter();
         try {
-            requireRoom("velocities", velocities.length, 2L * handles.size());
+            requireRoom("velocities", velocities, 2L * handles.size());
             simulation.settle();
             pipeline.readVelocities(handles, velocities);
         } catch (RuntimeException | Error e) {
@@ -264,7 +299,7 @@ public final class Readings {
     public void readHandles(long[] to) {
         guard.enter();
         try {
-            requireRoom("handles", to.length, handles.size());
+            requireRoom("handles", to, handles.size());
             int k = 0;
             for (int id = 0; id < handles.end(); id++) {
                 if (handles.lives(id)) {
@@ -338,7 +373,16 @@ public final class Readings {
         }
     }
 
+    private static void requireRoom(String what, float[] array, long needs) {
+        requireRoom(what, Limits.notNull(what, array).length, needs);
+    }
+
+    private static void requireRoom(String what, long[] array, long needs) {
+        requireRoom(what, Limits.notNull(what, array).length, needs);
+    }
+
     private static void requireRoom(String what, Buffer buffer, long needs) {
+        Limits.notNull(what, buffer);
         if (buffer.isReadOnly()) {
             throw new IllegalArgumentException(what + " is a read-only buffer");
         }

@@ -31,6 +31,7 @@ public final class Simulation implements AutoCloseable {
     final LastReading last;
     private final Kinds kinds;
     final Travels travels = new Travels(handles, commands);
+    final PreparedChanges changes;
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
@@ -70,6 +71,7 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
         kinds = new Kinds(this);
+        changes = new PreparedChanges(this);
         circles = new Circles(this);
         bulk = new BulkChanges(this);
         readings = new Readings(this);
@@ -299,6 +301,12 @@ public final class Simulation implements AutoCloseable {
         snapshots.forget();
         previousTimeStep = timeStep;
         guard.changing = false;
+    }
+
+    /** Checks that calls can be made: that nobody has closed the simulation, and that it has its state. */
+    public void check() {
+        guard.enter();
+        guard.user = null;
     }
 
     /** Waits until all steps that were asked for have been made. */

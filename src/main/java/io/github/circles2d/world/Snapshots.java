@@ -4,6 +4,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.SnapshotRing;
+import io.github.circles2d.world.model.Limits;
 import java.nio.ByteBuffer;
 
 /** Takes snapshots and restores them. A state that has been saved is not saved again until it changes. */
@@ -41,7 +42,7 @@ public final class Snapshots {
     public void write(ByteBuffer to) {
         guard.enter();
         try {
-            if (to.isReadOnly()) {
+            if (Limits.notNull("to", to).isReadOnly()) {
                 throw new IllegalArgumentException("the buffer is read-only");
             }
             save();
@@ -62,6 +63,7 @@ public final class Snapshots {
     public void restore(ByteBuffer from) {
         guard.enter();
         try {
+            Limits.notNull("from", from);
             savedCurrent = false;
             int length = SnapshotCodec.read(from, saved);
             makeRoom();

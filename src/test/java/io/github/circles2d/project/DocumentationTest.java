@@ -2,9 +2,15 @@ package io.github.circles2d.project;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Backend;
+import io.github.circles2d.Replay;
+import io.github.circles2d.World;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.StringWriter;
 import java.net.URI;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -80,6 +86,57 @@ class DocumentationTest {
                 "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
                         + code + "}}",
                 folder);
+    }
+
+    /** With keys and sticks that are scripted, the game runs, goes back, scores, and its log replays. */
+    @Test
+    void theWholeGameOfThePackageCompilesRunsAndReplays(@TempDir Path folder) throws Exception {
+        String page = read("src/main/java/io/github/circles2d/package-info.java");
+        String game = snippet(page, "final World world");
+        String code = "import io.github.circles2d.*; import java.io.*; import java.nio.*; import java.nio.file.*;\n"
+                + "public class Game {\n" + game
+                + "private int frames; private String shown;"
+                + " private boolean playing() { return frames++ < 400; }"
+                + " private boolean backKey() { return frames == 300; }"
+                + " private float secondsSinceTheLastFrame() { return 1 / 50f; }"
+                + " private float stickX() { return step < 200 ? 0 : -0.5f; }"
+                + " private void draw(float x, float y) { if (!(x > 0 && y > 0)) throw new AssertionError(); }"
+                + " private void show(String text) { shown = text; }"
+                + " public static String run(Path file) throws IOException {"
+                + " Game game = new Game(); game.world.add(40, 20, 3, Float.POSITIVE_INFINITY); game.play(file);"
+                + " return game.shown; } }";
+        assertCompiles("Game", code, folder);
+        Path log = folder.resolve("log");
+        String shown;
+        try (URLClassLoader loader =
+                new URLClassLoader(new URL[] {folder.toUri().toURL()})) {
+            shown = (String)
+                    loader.loadClass("Game").getMethod("run", Path.class).invoke(null, log);
+        }
+        Matcher end = Pattern.compile("([1-9]\\d*) points in (\\d+) steps").matcher(shown);
+        assertThat(end.matches()).as(shown).isTrue();
+        int steps = Integer.parseInt(end.group(2));
+        assertThat(steps).isBetween(470, 480);
+        try (World world = World.builder().backend(Backend.JVM).build();
+                InputStream in = Files.newInputStream(log)) {
+            Replay replay = new Replay(in, world).run();
+            assertThat(replay.difference()).isEqualTo("no difference in " + steps + " steps");
+        }
+    }
+
+    @Test
+    void theStatesBesideARewindCompileInAGame(@TempDir Path folder) throws IOException {
+        String code = snippet(
+                read("src/main/java/io/github/circles2d/Rewind.java"), "Rewind rewind = new Rewind(world, 600);\nGame");
+        String around = "abstract class GameState { abstract GameState copy(); abstract void set(GameState state); }\n"
+                + "class Game { World world = World.builder().build(); GameState game;\n";
+        assertCompiles("Game", "import io.github.circles2d.*;\n" + around + code + "}", folder);
+    }
+
+    /** The code of a page of Javadoc that begins so. */
+    private static String snippet(String page, String beginning) {
+        String text = page.replaceAll("(?m)^ \\* ?", "");
+        return first("(?s)<pre>\\{@code\\n(" + Pattern.quote(beginning) + ".*?)\\}</pre>", text);
     }
 
     private static void assertCompiles(String name, String code, Path folder) {
@@ -158,6 +215,7 @@ class DocumentationTest {
                 "bench/README.md",
                 "bench/results/README.md",
                 "docs/benchmarks.md",
+                "docs/coming-from.md",
                 "docs/determinism.md",
                 "docs/glossary.md",
                 "docs/how-to-extend.md",

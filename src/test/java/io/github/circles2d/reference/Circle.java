@@ -22,6 +22,7 @@ final class Circle {
     float restitution;
     int kind;
     int group;
+    long tag;
     final float[] force = new float[2];
 
     /** What acts in the next step alone. */

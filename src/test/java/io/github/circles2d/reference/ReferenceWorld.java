@@ -5,6 +5,7 @@ import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.WorldCalls;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -25,6 +26,7 @@ public final class ReferenceWorld implements WorldCalls {
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
     private static final long FIELD = 0x666965E5C2D1F01DL;
+    private static final int TAG_FIELD = 1;
     private static final int KIND_FIELD = 2;
     private static final int GROUP_FIELD = 3;
     private static final int FORCE_FIELDS = 4;
@@ -132,6 +134,17 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void addAll(float[] circles, float[] velocities, int[] kindsOfAll, long[] to) {
+        for (int i = 0; i < circles.length / 4; i++) {
+            float vx = velocities == null ? 0f : velocities[2 * i];
+            float vy = velocities == null ? 0f : velocities[2 * i + 1];
+            int kind = kindsOfAll == null ? 0 : kindsOfAll[i];
+            int at = 4 * i;
+            to[i] = add(circles[at], circles[at + 1], circles[at + 2], circles[at + 3], vx, vy, kind);
+        }
+    }
+
+    @Override
     public void remove(long handle) {
         events.removed(find(handle));
         forgetImpulses(find(handle));
@@ -229,6 +242,30 @@ public final class ReferenceWorld implements WorldCalls {
     }
 
     @Override
+    public void setTag(long handle, long tag) {
+        find(handle).tag = tag;
+    }
+
+    /** The kinds by id, and -1 where there is no circle. */
+    public void readKindsById(int[] to, long[] living) {
+        Arrays.fill(to, -1);
+        circles().forEach(c -> to[c.id] = c.kind);
+        readLiving(living);
+    }
+
+    /** The tags by id, and 0 where there is no circle. */
+    public void readTagsById(long[] to, long[] living) {
+        Arrays.fill(to, 0);
+        circles().forEach(c -> to[c.id] = c.tag);
+        readLiving(living);
+    }
+
+    private void readLiving(long[] to) {
+        Arrays.fill(to, 0);
+        circles().forEach(c -> to[c.id / 64] |= 1L << c.id);
+    }
+
+    @Override
     public void setResponse(int kindA, int kindB, Response response) {
         kinds.setResponse(kindA, kindB, response);
     }
@@ -316,6 +353,16 @@ public final class ReferenceWorld implements WorldCalls {
         return forEachThatLives(handles, count, k -> applyImpulse(handles[k], impulses[2 * k], impulses[2 * k + 1]));
     }
 
+    @Override
+    public int setForces(long[] handles, int count, float[] forces, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setForce(handles[k], forces[2 * k], forces[2 * k + 1]));
+    }
+
+    @Override
+    public int setKinds(long[] handles, int count, int[] kindsOfAll, StaleHandles stale) {
+        return forEachThatLives(handles, count, k -> setKind(handles[k], kindsOfAll[k]));
+    }
+
     /** Returns how many handles are stale. */
     private int forEachThatLives(long[] handles, int count, IntConsumer change) {
         int skipped = 0;
@@ -401,6 +448,7 @@ public final class ReferenceWorld implements WorldCalls {
         }
         sum += kinds.hash();
         for (Circle c : circles()) {
+            sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
             for (int a = 0; a < 2; a++) {
                 sum += hashOfField(FORCE_FIELDS + a, c.id, Float.floatToRawIntBits(c.force[a]));

@@ -193,6 +193,11 @@ public final class Commands {
         records[k + ADD_VY] = Float.floatToRawIntBits(vy);
     }
 
+    /** The restitution of the first circle that is prepared. */
+    public float preparedRestitution() {
+        return Float.intBitsToFloat(records[STRIDE * count + ADD_RESTITUTION]);
+    }
+
     /**
      * The radius of the first circle that is prepared.
      *
@@ -219,15 +224,6 @@ public final class Commands {
     public void admit(int id) {
         record(ADD, id);
         added++;
-    }
-
-    /**
-     * Records that a circle goes.
-     *
-     * @param id its id
-     */
-    public void remove(int id) {
-        record(REMOVE, id);
     }
 
     /**
@@ -299,6 +295,36 @@ public final class Commands {
     }
 
     /**
+     * Copies a new value of a field to where {@link #admitChanges} finds it, as {@link #prepareChange} does.
+     *
+     * @param ahead number of changes that are prepared and come before this one
+     * @param field a field that steps read
+     * @param id the circle's id
+     * @param value the value
+     */
+    public void prepareField(int ahead, CircleField field, int id, int value) {
+        prepareChange(ahead, FIELD, id, 0, 0);
+        int k = STRIDE * (count + ahead);
+        records[k + FIRST] = CircleField.OF_STEPS.indexOf(field);
+        records[k + SECOND] = value;
+    }
+
+    /** The operation of a change that is prepared, before which others are. */
+    public int preparedOperation(int ahead) {
+        return records[STRIDE * (count + ahead) + OPCODE];
+    }
+
+    /** The field of a change that is prepared, before which others are; its operation is {@link #FIELD}. */
+    public CircleField preparedField(int ahead) {
+        return CircleField.OF_STEPS.get(records[STRIDE * (count + ahead) + FIRST]);
+    }
+
+    /** The new value of that field. */
+    public int preparedValue(int ahead) {
+        return records[STRIDE * (count + ahead) + SECOND];
+    }
+
+    /**
      * The id of a change that is prepared.
      *
      * @param ahead number of changes that are prepared and come before it
@@ -329,13 +355,15 @@ public final class Commands {
     }
 
     /**
-     * Moves a change that is prepared to an earlier place, over the one that is there.
+     * Moves a change that is prepared to an earlier place, over the one that is there, or leaves it.
      *
      * @param from number of changes that come before it
      * @param to number of changes that are to come before it
      */
     public void advancePrepared(int from, int to) {
-        System.arraycopy(records, STRIDE * (count + from), records, STRIDE * (count + to), STRIDE);
+        if (from != to) {
+            System.arraycopy(records, STRIDE * (count + from), records, STRIDE * (count + to), STRIDE);
+        }
     }
 
     /**

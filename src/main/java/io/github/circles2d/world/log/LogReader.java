@@ -28,6 +28,9 @@ public final class LogReader {
     private ByteBuffer content = ByteBuffer.allocate(0);
     private int type = LogFormat.CALLS;
 
+    /** Bytes read. */
+    private long position;
+
     /**
      * Reads the header.
      *
@@ -37,8 +40,12 @@ public final class LogReader {
     public LogReader(InputStream in, IntUnaryOperator wordsOf) throws IOException {
         this.in = in;
         this.wordsOf = wordsOf;
-        ByteBuffer header = read(LogFormat.HEADER);
-        require(header.getInt() == LogFormat.MAGIC, "it does not begin as one");
+        byte[] magic = in.readNBytes(Integer.BYTES);
+        position = magic.length;
+        require(
+                magic.length == Integer.BYTES && littleEndian(magic).getInt() == LogFormat.MAGIC,
+                "it does not begin as one");
+        ByteBuffer header = read(LogFormat.HEADER - Integer.BYTES);
         int version = header.getInt();
         if (version != LogFormat.VERSION) {
             throw refused("its version is " + version + ", not " + LogFormat.VERSION);
@@ -73,7 +80,10 @@ public final class LogReader {
         content = read(length);
         CRC32C check = new CRC32C();
         check.update(content.duplicate());
-        require((int) check.getValue() == head.getInt(), "it is damaged: a check does not fit");
+        if ((int) check.getValue() != head.getInt()) {
+            throw new IllegalArgumentException(
+                    "this log is damaged: a check does not fit, in the " + length + " bytes before byte " + position);
+        }
     }
 
     /** The number of the next call. */
@@ -110,7 +120,14 @@ public final class LogReader {
 
     private ByteBuffer read(int length) throws IOException {
         byte[] bytes = in.readNBytes(length); // takes memory as bytes come
-        require(bytes.length == length, "it is cut");
+        position += bytes.length;
+        if (bytes.length < length) {
+            throw new IllegalArgumentException("this log is cut: it ends after " + position + " bytes");
+        }
+        return littleEndian(bytes);
+    }
+
+    private static ByteBuffer littleEndian(byte[] bytes) {
         return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 

@@ -16,6 +16,13 @@ public final class LogWriter {
     private final ByteBuffer head = ByteBuffer.allocate(LogFormat.BLOCK_HEAD).order(ByteOrder.LITTLE_ENDIAN);
     private final CRC32C check = new CRC32C();
     private long bytes;
+
+    /** Steps whose calls are in blocks that the stream has taken. */
+    private long steps;
+
+    /** Steps whose calls wait for the next block. */
+    private long waitingSteps;
+
     private Throwable failure;
 
     /** Whether a call is being written. If it stays true, writing has ended half-way, and the log is not to be trusted. */
@@ -47,9 +54,19 @@ public final class LogWriter {
         }
     }
 
-    /** Bytes written, those that wait included. */
+    /** Bytes written, those that wait included unless writing has failed. */
     public long bytes() {
-        return bytes + calls.position();
+        return failure == null ? bytes + calls.position() : bytes;
+    }
+
+    /** Steps written, those that wait included unless writing has failed. */
+    public long steps() {
+        return failure == null ? steps + waitingSteps : steps;
+    }
+
+    /** Counts steps, of which the last call was. */
+    public void countSteps(int count) {
+        waitingSteps += count;
     }
 
     /**
@@ -94,6 +111,10 @@ public final class LogWriter {
     private void flushCalls() {
         if (calls.position() > 0) {
             block(LogFormat.CALLS, calls.array(), calls.position());
+            if (failure == null) {
+                steps += waitingSteps;
+            }
+            waitingSteps = 0;
             calls.clear();
         }
     }

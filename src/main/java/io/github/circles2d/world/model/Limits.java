@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * The values that a world takes. Within these limits no sequence of calls can make a state that is not finite. Every check throws
- * an {@link IllegalArgumentException} that names the value and what is allowed.
+ * The values that a world takes. Within these limits no sequence of calls can make a state that is not finite. Every check of
+ * a number throws an {@link IllegalArgumentException} that names the value and what is allowed.
  */
 public final class Limits {
     /** Greatest magnitude of a coordinate. */
@@ -72,6 +72,21 @@ public final class Limits {
     public static final int CIRCLES = 100_000_000;
 
     private Limits() {}
+
+    /**
+     * Checks that an argument is there.
+     *
+     * @param what the public parameter
+     * @param value the argument
+     * @return the argument
+     * @throws NullPointerException if it is null
+     */
+    public static <T> T notNull(String what, T value) {
+        if (value == null) {
+            throw new NullPointerException(what + " must not be null");
+        }
+        return value;
+    }
 
     /**
      * Checks that a number lies in a range.

@@ -3,6 +3,7 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.world.BulkChanges;
 import io.github.circles2d.world.Figures;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Simulation;
@@ -383,7 +384,7 @@ final class Twins implements AutoCloseable {
 
     /** Makes a change of some circles at once, of which some may be gone, and now and then an explosion. */
     private void changeSome(Bounds bounds, SplittableRandom random) {
-        int operation = new int[] {Commands.POSITION, Commands.VELOCITY, Commands.IMPULSE}[random.nextInt(3)];
+        int call = random.nextInt(5);
         long[] some =
                 random.ints(5, 0, handles.length).mapToLong(id -> handles[id]).toArray();
         float[] values = new float[2 * some.length];
@@ -392,12 +393,20 @@ final class Twins implements AutoCloseable {
                     ? between(random, bounds.minX(), bounds.maxX())
                     : between(random, bounds.minY(), bounds.maxY());
         }
+        int[] kinds = random.ints(some.length, 0, 3).toArray();
         boolean explodes = random.nextInt(50) == 0;
         float reach = between(random, 0, bounds.maxX() - bounds.minX());
         for (Simulation simulation : simulations) {
-            simulation.bulk().set(operation, some, some.length, values, true);
+            BulkChanges bulk = simulation.bulk();
+            switch (call) {
+                case 0 -> bulk.setPositions(some, some.length, values, true);
+                case 1 -> bulk.setVelocities(some, some.length, values, true);
+                case 2 -> bulk.setForces(some, some.length, values, true);
+                case 3 -> bulk.setKinds(some, some.length, kinds, true);
+                default -> bulk.applyImpulses(some, some.length, values, true);
+            }
             if (explodes) {
-                simulation.bulk().explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
+                bulk.explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
             }
         }
     }

@@ -1,0 +1,166 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.Limits;
+import java.util.Arrays;
+
+/**
+ * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
+ * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many follow
+ * the same rules.
+ */
+final class PreparedChanges {
+    private final Simulation simulation;
+    private final HandleTable handles;
+    private final Commands commands;
+    private int count;
+
+    /** Positions of static circles, which travel there. */
+    private int travels;
+
+    /** A bit for each id, set if its circle is to be removed. Only valid if the call removes circles. */
+    private long[] leaving = new long[0];
+
+    PreparedChanges(Simulation simulation) {
+        this.simulation = simulation;
+        handles = simulation.handles;
+        commands = simulation.commands;
+    }
+
+    /** Begins a call of about so many changes. */
+    void begin(int changes) {
+        simulation.expect(changes);
+        count = 0;
+        travels = 0;
+    }
+
+    /** Prepares an operation with up to two values. */
+    void set(int operation, int id, float a, float b) {
+        simulation.circles().checkValues(operation, a, b);
+        setChecked(operation, id, a, b);
+    }
+
+    /** Prepares an operation whose values are in range. */
+    void setChecked(int operation, int id, float a, float b) {
+        commands.prepareChange(count++, operation, id, a, b);
+    }
+
+    /** Prepares a new position. A static circle travels there. */
+    void move(int id, float x, float y) {
+        set(Commands.POSITION, id, x, y);
+        if (handles.isStatic(id)) {
+            simulation.travels.ensure(id, travels++);
+        }
+    }
+
+    /** Prepares another force. */
+    void setForce(int id, float x, float y) {
+        Limits.force(x, y);
+        setField(CircleField.FORCE_X, id, Forces.bits(x));
+        setField(CircleField.FORCE_Y, id, Forces.bits(y));
+    }
+
+    /** Prepares another kind, and the restitution of the kind if it has one. */
+    void setKind(int id, int kind) {
+        setField(CircleField.KIND, id, KindTable.check(kind));
+        float restitution = simulation.kinds().restitution(kind, Float.NaN);
+        if (!Float.isNaN(restitution)) {
+            setChecked(Commands.RESTITUTION, id, restitution, 0);
+        }
+    }
+
+    private void setField(CircleField field, int id, int value) {
+        handles.fields().ensure(field, id + 1);
+        commands.prepareField(count++, field, id, value);
+    }
+
+    /** Prepares that a circle goes. Returns false if this has been prepared already. */
+    boolean remove(int id) {
+        if (count == 0) {
+            clearLeaving(IdMask.words(handles.end()));
+        }
+        long bit = 1L << id;
+        if ((leaving[id / Long.SIZE] & bit) != 0) {
+            return false;
+        }
+        leaving[id / Long.SIZE] |= bit;
+        setChecked(Commands.REMOVE, id, 0, 0);
+        return true;
+    }
+
+    private void clearLeaving(int words) {
+        if (leaving.length < words) {
+            leaving = new long[words + (words >> 1)];
+        } else {
+            Arrays.fill(leaving, 0, words, 0);
+        }
+    }
+
+    /**
+     * Makes all changes that are prepared.
+     *
+     * @param operation the operation of all of them, by which reads are forgotten; {@link Commands#FIELD} also if some are of restitutions
+     */
+    void make(int operation) {
+        if (travels < count) {
+            simulation.circles().forget(operation);
+        } else {
+            simulation.snapshots().forget(); // reads give the old places
+        }
+        if (travels > 0) {
+            recordTravels();
+        }
+        boolean ofPipelines = operation == Commands.VELOCITY || operation == Commands.IMPULSE;
+        simulation.guard.changing = true;
+        commands.admitChanges(ofPipelines ? count : changeAll());
+        simulation.guard.changing = false;
+    }
+
+    /** Changes what the host knows. Returns how many changes a pipeline has to know too; these come first then. */
+    private int changeAll() {
+        int recorded = 0;
+        for (int k = 0; k < count; k++) {
+            if (change(k)) {
+                commands.advancePrepared(k, recorded++);
+            }
+        }
+        return recorded;
+    }
+
+    private void recordTravels() {
+        for (int k = 0; k < count; k++) {
+            if (isTravel(k)) {
+                simulation.journal.travel(
+                        commands.preparedId(k), commands.preparedFirst(k), commands.preparedSecond(k));
+            }
+        }
+    }
+
+    private boolean isTravel(int k) {
+        return commands.preparedOperation(k) == Commands.POSITION && handles.isStatic(commands.preparedId(k));
+    }
+
+    /** Makes one change likewise. Returns whether a pipeline has to know it too. */
+    private boolean change(int k) {
+        int id = commands.preparedId(k);
+        switch (commands.preparedOperation(k)) {
+            case Commands.POSITION -> {
+                if (handles.isStatic(id)) {
+                    simulation.travels.set(id, commands.preparedFirst(k), commands.preparedSecond(k));
+                    return false;
+                }
+            }
+            case Commands.REMOVE -> handles.remove(id);
+            case Commands.RESTITUTION -> handles.setRestitution(id, commands.preparedFirst(k));
+            case Commands.FIELD -> handles.fields().set(commands.preparedField(k), id, commands.preparedValue(k));
+            default ->
+                throw new IllegalStateException(
+                        "no change of the host's is operation " + commands.preparedOperation(k));
+        }
+        return true;
+    }
+}

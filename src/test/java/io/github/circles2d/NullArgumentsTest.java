@@ -1,0 +1,162 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatNullPointerException;
+
+import java.io.ByteArrayInputStream;
+import java.io.OutputStream;
+import java.lang.reflect.Executable;
+import java.lang.reflect.Modifier;
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.LongBuffer;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** An argument that is null and must not be is refused by the name of its public parameter, and nothing has changed. */
+class NullArgumentsTest {
+    private final World world = WorldScenes.jvm().threads(1).build();
+
+    @AfterEach
+    void close() {
+        world.close();
+    }
+
+    /** By method: the name of a parameter, and a call in which it alone is null. */
+    private Map<String, Map<String, ThrowingCallable>> calls() {
+        long[] handles = {};
+        float[] values = {};
+        StaleHandles stale = StaleHandles.REFUSE;
+        FixedStep loop = new FixedStep(world, 1 / 60f);
+        Map<String, Map<String, ThrowingCallable>> calls = new TreeMap<>();
+        calls.put("World.addAll", Map.of("circles", () -> world.addAll(null, values, new int[0], handles)));
+        calls.put(
+                "World.removeAll",
+                Map.of(
+                        "handles", () -> world.removeAll(null, 0, stale),
+                        "stale", () -> world.removeAll(handles, 0, null)));
+        calls.put(
+                "World.setPositions",
+                Map.of(
+                        "handles", () -> world.setPositions(null, 0, values, stale),
+                        "positions", () -> world.setPositions(handles, 0, null, stale),
+                        "stale", () -> world.setPositions(handles, 0, values, null)));
+        calls.put(
+                "World.setVelocities",
+                Map.of(
+                        "handles", () -> world.setVelocities(null, 0, values, stale),
+                        "velocities", () -> world.setVelocities(handles, 0, null, stale),
+                        "stale", () -> world.setVelocities(handles, 0, values, null)));
+        calls.put(
+                "World.applyImpulses",
+                Map.of(
+                        "handles", () -> world.applyImpulses(null, 0, values, stale),
+                        "impulses", () -> world.applyImpulses(handles, 0, null, stale),
+                        "stale", () -> world.applyImpulses(handles, 0, values, null)));
+        calls.put(
+                "World.setForces",
+                Map.of(
+                        "handles", () -> world.setForces(null, 0, values, stale),
+                        "forces", () -> world.setForces(handles, 0, null, stale),
+                        "stale", () -> world.setForces(handles, 0, values, null)));
+        calls.put(
+                "World.setKinds",
+                Map.of(
+                        "handles", () -> world.setKinds(null, 0, new int[0], stale),
+                        "kinds", () -> world.setKinds(handles, 0, null, stale),
+                        "stale", () -> world.setKinds(handles, 0, new int[0], null)));
+        calls.put("World.setResponse", Map.of("response", () -> world.setResponse(0, 0, null)));
+        calls.put("World.read", Map.of("circles", () -> {
+            refusal(() -> world.read((FloatBuffer) null), "circles");
+            world.read((float[]) null);
+        }));
+        calls.put("World.readVelocities", Map.of("velocities", () -> {
+            refusal(() -> world.readVelocities((FloatBuffer) null), "velocities");
+            world.readVelocities((float[]) null);
+        }));
+        calls.put("World.readHandles", Map.of("handles", () -> {
+            refusal(() -> world.readHandles((LongBuffer) null), "handles");
+            world.readHandles((long[]) null);
+        }));
+        calls.put("World.readById", Map.of("circles", () -> world.readById(null, null)));
+        calls.put("World.readVelocitiesById", Map.of("velocities", () -> world.readVelocitiesById(null, null)));
+        calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
+        calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
+        calls.put("World.snapshot", Map.of("to", () -> world.snapshot(null)));
+        calls.put("World.restore", Map.of("from", () -> world.restore(null)));
+        calls.put("Builder.backend", Map.of("backend", () -> World.builder().backend(null)));
+        calls.put("Builder.device", Map.of("device", () -> World.builder().device(null)));
+        calls.put("FixedStep.FixedStep", Map.of("world", () -> new FixedStep(null, 1)));
+        calls.put("FixedStep.advanceReplay", Map.of("replay", () -> loop.advanceReplay(1, null)));
+        calls.put("Rewind.Rewind", Map.of("world", () -> new Rewind(null, 1)));
+        calls.put(
+                "Recording.Recording",
+                Map.of(
+                        "world", () -> new Recording(null, OutputStream.nullOutputStream(), 1),
+                        "out", () -> new Recording(world, null, 1)));
+        calls.put(
+                "Replay.Replay",
+                Map.of(
+                        "world", () -> new Replay(new ByteArrayInputStream(new byte[0]), null),
+                        "in", () -> new Replay(null, world)));
+        return calls;
+    }
+
+    /** Methods whose arguments may all be null. */
+    private static final Set<String> OPTIONAL =
+            Set.of("World.positionsById", "World.takePositionsById", "FixedStep.advance", "FixedStep.positions");
+
+    @Test
+    void aNullIsRefusedByTheNameOfItsParameter() {
+        world.add(0.5f, 0.5f, 0.1f, 1);
+        ByteBuffer before = RecordedCallsTest.snapshot(world);
+        calls().forEach((method, byParameter) -> byParameter.forEach((name, call) -> refusal(call, name)));
+        assertThat(RecordedCallsTest.snapshot(world)).isEqualTo(before);
+    }
+
+    private static void refusal(ThrowingCallable call, String name) {
+        assertThatNullPointerException().isThrownBy(call).withMessage(name + " must not be null");
+    }
+
+    @Test
+    void everyMethodThatTakesAnObjectIsAsked() {
+        Set<String> known = new TreeSet<>(calls().keySet());
+        known.addAll(OPTIONAL);
+        Set<String> all = Stream.of(
+                        World.class,
+                        World.Builder.class,
+                        Kind.class,
+                        FixedStep.class,
+                        Rewind.class,
+                        Recording.class,
+                        Replay.class)
+                .flatMap(type -> Stream.of(type.getConstructors(), type.getDeclaredMethods())
+                        .flatMap(Arrays::<Executable>stream)
+                        .filter(each -> Modifier.isPublic(each.getModifiers()))
+                        .filter(each ->
+                                !List.of(each.getParameterTypes()).stream().allMatch(Class::isPrimitive))
+                        .map(each -> type.getSimpleName() + "." + each.getName().replaceFirst(".*\\.", "")))
+                .collect(Collectors.toCollection(TreeSet::new));
+        assertThat(known).isEqualTo(all);
+    }
+
+    @Test
+    void theLengthsOfTheSameArraysAreNamedToo() {
+        long[] handles = {world.add(0.5f, 0.5f, 0.1f, 1)};
+        assertThat(world.setForces(handles, 1, new float[2], StaleHandles.REFUSE))
+                .isZero();
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> world.setForces(handles, 2, new float[4], StaleHandles.REFUSE))
+                .withMessage("count is 2, but must be from 0 to 1, the number of elements of handles");
+    }
+}
