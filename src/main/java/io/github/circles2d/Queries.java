@@ -1,7 +1,9 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.CategoryFilter;
 import io.github.circles2d.world.Searches;
 import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.QueryShape;
 
 /**
  * Questions about where the circles of a {@link World} are: which overlap a disc or a box, which is at a point, which are nearest,
@@ -72,8 +74,28 @@ public final class Queries {
 
     private final Searches searches;
 
+    /** Which circles are found; null for all. */
+    private final CategoryFilter filter;
+
     Queries(Searches searches) {
+        this(searches, null);
+    }
+
+    private Queries(Searches searches, CategoryFilter filter) {
         this.searches = searches;
+        this.filter = filter;
+    }
+
+    /**
+     * The same queries, of some circles alone: those whose kind's category ({@link Kind#setCategory}) has a bit of the mask. Nothing
+     * else decides: sensors, groups and masks of kinds make no difference. Kinds, and what they are, are taken as of each query. Keep
+     * the object to leave no garbage.
+     *
+     * @param mask the bits of the categories to find; with all bits those of every kind that has a category but 0, with none no circle
+     * @return queries with this mask, and with no other that this object may have
+     */
+    public Queries withMask(int mask) {
+        return new Queries(searches, searches.filter(mask));
     }
 
     // ---- overlaps
@@ -90,7 +112,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int overlapCircle(float x, float y, float radius, long[] handles) {
-        return searches.disc(x, y, radius, handles);
+        return searches.all(filter, QueryShape.DISC, x, y, radius, 0, 0, handles, null);
     }
 
     /**
@@ -104,7 +126,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int overlapCircle(float[] discs, int n, int[] ends, long[] handles) {
-        return searches.discs(discs, n, ends, handles);
+        return searches.all(filter, QueryShape.DISC, discs, n, ends, handles, null);
     }
 
     /**
@@ -119,7 +141,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int overlapBox(float minX, float minY, float maxX, float maxY, long[] handles) {
-        return searches.box(minX, minY, maxX, maxY, handles);
+        return searches.all(filter, QueryShape.BOX, minX, minY, maxX, maxY, 0, handles, null);
     }
 
     /**
@@ -133,7 +155,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int overlapBox(float[] boxes, int n, int[] ends, long[] handles) {
-        return searches.boxes(boxes, n, ends, handles);
+        return searches.all(filter, QueryShape.BOX, boxes, n, ends, handles, null);
     }
 
     // ---- points
@@ -149,7 +171,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite
      */
     public long pick(float x, float y) {
-        return searches.pick(x, y);
+        return searches.one(filter, QueryShape.POINT, x, y, 0, 0, 0, null);
     }
 
     /**
@@ -162,7 +184,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or an array is too short
      */
     public int pick(float[] points, int n, long[] handles) {
-        return searches.picks(points, n, handles);
+        return searches.one(filter, QueryShape.POINT, points, n, handles, null);
     }
 
     /**
@@ -179,7 +201,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int nearest(float x, float y, float within, int most, long[] handles, float[] distances) {
-        return searches.nearest(x, y, within, most, handles, distances);
+        return searches.nearest(filter, x, y, within, most, handles, distances);
     }
 
     /**
@@ -196,7 +218,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int nearest(float[] points, int n, float within, int most, long[] handles, float[] distances) {
-        return searches.nearest(points, n, within, most, handles, distances);
+        return searches.nearest(filter, points, n, within, most, handles, distances);
     }
 
     // ---- rays
@@ -215,7 +237,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or the array is too short
      */
     public long rayCast(float x, float y, float dx, float dy, float[] hit) {
-        return searches.cast(x, y, 0, dx, dy, hit);
+        return searches.one(filter, QueryShape.RAY, x, y, dx, dy, 0, hit);
     }
 
     /**
@@ -230,7 +252,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or an array is too short
      */
     public int rayCast(float[] rays, int n, long[] handles, float[] hits) {
-        return searches.casts(rays, n, Searches.RAY, handles, hits);
+        return searches.one(filter, QueryShape.RAY, rays, n, handles, hits);
     }
 
     /**
@@ -247,7 +269,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite
      */
     public int rayCastAll(float x, float y, float dx, float dy, long[] handles, float[] hits) {
-        return searches.castAll(x, y, 0, dx, dy, handles, hits);
+        return searches.all(filter, QueryShape.RAY, x, y, dx, dy, 0, handles, hits);
     }
 
     /**
@@ -262,7 +284,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or there are more than 2^31 - 1 results
      */
     public int rayCastAll(float[] rays, int n, int[] ends, long[] handles, float[] hits) {
-        return searches.castsAll(rays, n, Searches.RAY, ends, handles, hits);
+        return searches.all(filter, QueryShape.RAY, rays, n, ends, handles, hits);
     }
 
     // ---- casts of discs
@@ -281,7 +303,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or the array is too short
      */
     public long circleCast(float x, float y, float radius, float dx, float dy, float[] hit) {
-        return searches.cast(x, y, radius, dx, dy, hit);
+        return searches.one(filter, QueryShape.DISC_CAST, x, y, radius, dx, dy, hit);
     }
 
     /**
@@ -295,7 +317,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int circleCast(float[] casts, int n, long[] handles, float[] hits) {
-        return searches.casts(casts, n, Searches.DISC_CAST, handles, hits);
+        return searches.one(filter, QueryShape.DISC_CAST, casts, n, handles, hits);
     }
 
     /**
@@ -313,7 +335,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int circleCastAll(float x, float y, float radius, float dx, float dy, long[] handles, float[] hits) {
-        return searches.castAll(x, y, radius, dx, dy, handles, hits);
+        return searches.all(filter, QueryShape.DISC_CAST, x, y, radius, dx, dy, handles, hits);
     }
 
     /**
@@ -328,6 +350,6 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int circleCastAll(float[] casts, int n, int[] ends, long[] handles, float[] hits) {
-        return searches.castsAll(casts, n, Searches.DISC_CAST, ends, handles, hits);
+        return searches.all(filter, QueryShape.DISC_CAST, casts, n, ends, handles, hits);
     }
 }

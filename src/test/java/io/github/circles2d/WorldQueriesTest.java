@@ -390,17 +390,25 @@ class WorldQueriesTest {
             refused("maxY is -3.0, but must be from 2.0", () -> queries.overlapBox(1, 2, 3, -3, handles));
             refused("within is -1.0", () -> queries.nearest(0, 0, -1, 1, handles, null));
             refused("within is NaN", () -> queries.nearest(0, 0, Float.NaN, 1, handles, null));
-            refused("the greatest number of circles is 0", () -> queries.nearest(0, 0, 1, 0, handles, null));
+            refused("most is 0", () -> queries.nearest(0, 0, 1, 0, handles, null));
             refused("handles has room for 8 elements, but needs 9", () -> queries.nearest(0, 0, 1, 9, handles, null));
             refused("distances has room for 5", () -> queries.nearest(0, 0, 1, 6, handles, hit));
             refused("hit has room for 4 elements", () -> queries.rayCast(0, 0, 1, 1, new float[4]));
             refused("hits has room for 5 elements", () -> queries.rayCast(new float[8], 2, handles, hit));
             refused("handles has room for 8", () -> queries.rayCast(new float[40], 9, handles, null));
-            refused("the number of discs is 3, but", () -> queries.overlapCircle(new float[8], 3, new int[3], handles));
-            refused("the number of boxes is -1", () -> queries.overlapBox(new float[8], -1, new int[3], handles));
-            refused("the number of rays is 3", () -> queries.rayCastAll(new float[8], 3, new int[3], handles, null));
-            refused("the number of casts is 2", () -> queries.circleCast(new float[9], 2, handles, null));
-            refused("the number of points is 5", () -> queries.pick(new float[9], 5, handles));
+            refused(
+                    "n is 3, but must be from 0 to 2, as discs has",
+                    () -> queries.overlapCircle(new float[8], 3, new int[3], handles));
+            refused(
+                    "n is -1, but must be from 0 to 2, as boxes",
+                    () -> queries.overlapBox(new float[8], -1, new int[3], handles));
+            refused(
+                    "n is 3, but must be from 0 to 2, as rays",
+                    () -> queries.rayCastAll(new float[8], 3, new int[3], handles, null));
+            refused(
+                    "n is 2, but must be from 0 to 1, as casts",
+                    () -> queries.circleCast(new float[9], 2, handles, null));
+            refused("n is 5, but must be from 0 to 4, as points", () -> queries.pick(new float[9], 5, handles));
             refused("ends has room for 1", () -> queries.overlapCircle(new float[6], 2, new int[1], handles));
             assertThatNullPointerException()
                     .isThrownBy(() -> queries.overlapCircle(0, 0, 1, null))

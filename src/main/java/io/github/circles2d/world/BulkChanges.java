@@ -18,6 +18,7 @@ public final class BulkChanges {
     private final Commands commands;
 
     private final Explosion explosion = new Explosion();
+    private final CategoryFilter filter;
 
     /** A bit for each id, set while a call that removes it is prepared. */
     private long[] leaving = new long[0];
@@ -27,6 +28,7 @@ public final class BulkChanges {
         guard = simulation.guard;
         handles = simulation.handles;
         commands = simulation.commands;
+        filter = new CategoryFilter(simulation, 0);
     }
 
     /**
@@ -181,6 +183,8 @@ public final class BulkChanges {
     /**
      * Pushes the circles near a point away from it, by {@link Explosion}.
      *
+     * @param masked whether a mask says which circles
+     * @param mask then, the bits of the categories of their kinds
      * @param x x of the point
      * @param y y of the point
      * @param radius how far from the point a circle's edge may be for the whole impulse
@@ -188,17 +192,18 @@ public final class BulkChanges {
      * @param falloff over which distance the impulse then falls to 0
      * @return number of circles that got an impulse
      */
-    public int explode(float x, float y, float radius, float impulse, float falloff) {
+    public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         guard.enter();
         try {
             explosion.set(x, y, radius, impulse, falloff);
+            filter.setMask(mask);
             float[] circles = simulation.last.circles();
             simulation.expect(0);
             int changes = 0;
             int s = 0;
             for (int id = 0; id < handles.end(); id++) {
                 if (handles.lives(id)) {
-                    if (explosion.reaches(circles, s)) {
+                    if ((!masked || filter.admits(id)) && explosion.reaches(circles, s)) {
                         commands.prepareChange(
                                 changes++, Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                     }

@@ -397,7 +397,7 @@ final class Twins implements AutoCloseable {
         for (Simulation simulation : simulations) {
             simulation.bulk().set(operation, some, some.length, values, true);
             if (explodes) {
-                simulation.bulk().explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
+                simulation.bulk().explode(false, 0, values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
             }
         }
     }

@@ -1,0 +1,166 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.CircleTree;
+import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.queries.RemoteSearch;
+
+/**
+ * Answers queries on the device that has the circles, where that is the faster way: reading a million circles and building a tree
+ * takes a host 100 ms and more, a launch well under one.
+ *
+ * <p>The rule: the world has at least {@link #LEAST_CIRCLES} on a GPU; and the call is a batch of at least {@link #LEAST_BATCH}
+ * queries, or calls since the last change have not yet taken about as long as it would take to read all circles and build a tree. So
+ * whoever asks once or twice in a frame never pays for the tree, and whoever asks one by one a thousand times pays twice at most.
+ */
+final class DeviceAnswers {
+    private static final int LEAST_CIRCLES = 20_000;
+    private static final int LEAST_BATCH = 256;
+
+    /** A call takes about as long as it takes to read so many circles and build a tree of them. */
+    private static final int CIRCLES_A_CALL = 500;
+
+    /** What a method returns that leaves the queries to the host. */
+    static final int LEFT = -1;
+
+    private final Simulation simulation;
+    private final HandleTable handles;
+    private final CastSearch hits = new CastSearch(new CircleTree());
+    private RemoteSearch search;
+
+    /** Whether the rule is left out, for tests. */
+    private boolean always;
+
+    /** Calls since circles were in the state before {@link #changes}. */
+    private int calls;
+
+    private long changes;
+
+    DeviceAnswers(Simulation simulation) {
+        this.simulation = simulation;
+        handles = simulation.handles;
+    }
+
+    /** Answers on any device, whether or not it is the faster way. */
+    void always() {
+        always = true;
+    }
+
+    /** Whether the device answers such a batch. Checks all of its queries if so. */
+    private boolean takes(QueryBatch batch) {
+        search = null;
+        if (batch.n == 0 || !always && (handles.size() < LEAST_CIRCLES || !isWorthAnotherCall(batch.n))) {
+            return false;
+        }
+        for (int q = 0; q < batch.n; q++) {
+            batch.check(q);
+        }
+        simulation.settle();
+        search = simulation.pipeline.search();
+        return search != null && (always || search.pays()) && search.show(simulation.last.changes());
+    }
+
+    private boolean isWorthAnotherCall(int n) {
+        if (changes != simulation.last.changes()) {
+            changes = simulation.last.changes();
+            calls = 0;
+        }
+        calls++;
+        return n >= LEAST_BATCH || calls <= handles.size() / CIRCLES_A_CALL;
+    }
+
+    private static int[] kinds(QueryBatch batch) {
+        return batch.filter == null ? null : batch.filter.kinds();
+    }
+
+    /** Answers queries that find all. Returns how many circles they find, or {@link #LEFT}. */
+    int all(QueryBatch batch) {
+        if (!takes(batch) || !search.count(batch.shape, batch.queries, batch.n, kinds(batch), batch.ends)) {
+            return LEFT;
+        }
+        int room = batch.room();
+        int total = 0;
+        int listed = 0;
+        for (int q = 0; q < batch.n; q++) {
+            listed += total < room ? 1 : 0;
+            total = batch.end(q, total, batch.ends[q]);
+        }
+        if (listed > 0 && !search.list(listed, batch.ends, batch.hits != null)) {
+            return LEFT;
+        }
+        int from = 0;
+        for (int q = 0; q < listed; q++) {
+            take(batch, q, from, Math.min(batch.ends[q], room));
+            from = batch.ends[q];
+        }
+        return total;
+    }
+
+    private void take(QueryBatch batch, int q, int from, int end) {
+        if (batch.hits != null && from < end) {
+            hits.aim(batch.shape, batch.queries, batch.at(q));
+        }
+        for (int k = from; k < end; k++) {
+            batch.handles[k] = handles.handle(search.id(k));
+            if (batch.hits != null) {
+                writeHit(batch, k, k);
+            }
+        }
+    }
+
+    private void writeHit(QueryBatch batch, int found, int k) {
+        hits.writeHit(search.distance(found), search.x(found), search.y(found), batch.hits, CastSearch.HIT_STRIDE * k);
+    }
+
+    /** Answers queries that find one circle each or none. Returns how many find one, or {@link #LEFT}. */
+    int one(QueryBatch batch) {
+        if (!takes(batch) || !search.few(batch.shape, batch.queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
+            return LEFT;
+        }
+        int count = 0;
+        for (int q = 0; q < batch.n; q++) {
+            int id = search.id(q);
+            batch.handles[q] = id < 0 ? 0 : handles.handle(id);
+            count += id < 0 ? 0 : 1;
+            if (batch.hits != null) {
+                hits.aim(batch.shape, batch.queries, batch.at(q));
+                if (id < 0) {
+                    hits.writeMiss(batch.hits, CastSearch.HIT_STRIDE * q);
+                } else {
+                    writeHit(batch, q, q);
+                }
+            }
+        }
+        return count;
+    }
+
+    /** Answers queries for the nearest. Returns how many circles they find, or {@link #LEFT}. */
+    int nearest(QueryBatch batch) {
+        int most = batch.most;
+        if (!takes(batch)
+                || !search.few(
+                        QueryShape.NEAREST,
+                        batch.queries,
+                        batch.n,
+                        batch.within,
+                        most,
+                        kinds(batch),
+                        batch.distances != null)) {
+            return LEFT;
+        }
+        int total = 0;
+        for (int q = 0; q < batch.n; q++) {
+            int count = 0;
+            while (count < most && search.id(most * q + count) >= 0) {
+                int found = most * q + count;
+                double distance = batch.distances == null ? 0 : search.distance(found);
+                batch.takeNearest(q, count, handles.handle(search.id(found)), distance);
+                count++;
+            }
+            batch.fillUp(q, count);
+            total += count;
+        }
+        return total;
+    }
+}
