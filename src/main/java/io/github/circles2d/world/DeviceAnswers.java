@@ -37,6 +37,9 @@ final class DeviceAnswers {
 
     private long changes;
 
+    /** Calls that were answered, whatever the state. */
+    private int answered;
+
     DeviceAnswers(Simulation simulation) {
         this.simulation = simulation;
         handles = simulation.handles;
@@ -45,6 +48,11 @@ final class DeviceAnswers {
     /** Answers on any device, whether or not it is the faster way. */
     void always() {
         always = true;
+    }
+
+    /** How many calls were answered. */
+    int answered() {
+        return answered;
     }
 
     /** Whether the device answers such a batch. Checks all of its queries if so. */
@@ -94,6 +102,7 @@ final class DeviceAnswers {
             take(batch, q, from, Math.min(batch.ends[q], room));
             from = batch.ends[q];
         }
+        answered++;
         return total;
     }
 
@@ -132,6 +141,7 @@ final class DeviceAnswers {
                 }
             }
         }
+        answered++;
         return count;
     }
 
@@ -161,6 +171,7 @@ final class DeviceAnswers {
             batch.fillUp(q, count);
             total += count;
         }
+        answered++;
         return total;
     }
 }

@@ -40,6 +40,11 @@ public final class Searches {
         device.always();
     }
 
+    /** How many calls the device has answered: for tests. */
+    int answeredOnDevice() {
+        return device.answered();
+    }
+
     /**
      * Finds all circles of a query.
      *

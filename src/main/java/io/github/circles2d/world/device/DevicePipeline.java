@@ -20,11 +20,13 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
+import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Map;
@@ -70,6 +72,11 @@ public final class DevicePipeline implements Pipeline {
     private final RequestedPositions requested;
     private final StepStatistics stats;
     private final Status status = new Status();
+
+    /** What searches the circles, from the first query on; null before, and if the device cannot. */
+    private DeviceSearch search;
+
+    private boolean searchOpened;
 
     private int slots;
     private int circles;
@@ -409,6 +416,19 @@ public final class DevicePipeline implements Pipeline {
         circles = from.circles;
         cachedPlaces = from.impulses;
         stats.loaded();
+    }
+
+    @Override
+    public RemoteSearch search() {
+        settle();
+        if (!searchOpened) {
+            searchOpened = true;
+            search = DeviceSearch.open(session, arrays);
+        }
+        if (search != null) {
+            search.expect(slots, circles);
+        }
+        return search;
     }
 
     @Override
