@@ -90,21 +90,24 @@ kernel void queries_place(global const int *homeId, global const float4 *homeCir
     id[place] = homeId[slot];
 }
 
+// The box around two boxes: least x, y, greatest x, y. Put together from numbers: Oclgrind 21.10 crashes on a vector of vectors.
+float4 enclosing(float4 a, float4 b) {
+    return (float4)(least(a.x, b.x), least(a.y, b.y), greatest(a.z, b.z), greatest(a.w, b.w));
+}
+
 // Boxes around circles, larger by what covers the rounding of the exact tests. Index space: a box a work-item.
 kernel void queries_boxCircles(global const float4 *circle, int circles, int boxes, global float4 *box) {
     int b = (int) get_global_id(0);
     if (b >= boxes) return;
-    float2 low = (float2)(INFINITY);
-    float2 high = (float2)(-INFINITY);
+    float4 around = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
     int end = min(CIRCLES_A_BOX * (b + 1), circles);
     for (int k = CIRCLES_A_BOX * b; k < end; k++) {
         float4 c = circle[k];
         float reachX = c.z + (fabs(c.x) + c.z) * TREE_MARGIN;
         float reachY = c.z + (fabs(c.y) + c.z) * TREE_MARGIN;
-        low = fmin(low, (float2)(c.x - reachX, c.y - reachY));
-        high = fmax(high, (float2)(c.x + reachX, c.y + reachY));
+        around = enclosing(around, (float4)(c.x - reachX, c.y - reachY, c.x + reachX, c.y + reachY));
     }
-    box[b] = (float4)(low, high);
+    box[b] = around;
 }
 
 // Boxes around boxes. below: where those of the level below begin, and how many there are. Index space: a box a work-item.
@@ -114,8 +117,7 @@ kernel void queries_boxBoxes(global float4 *box, int below, int boxesBelow, int 
     float4 around = box[below + BOXES_A_BOX * b];
     int end = min(BOXES_A_BOX * (b + 1), boxesBelow);
     for (int k = BOXES_A_BOX * b + 1; k < end; k++) {
-        float4 one = box[below + k];
-        around = (float4)(fmin(around.xy, one.xy), fmax(around.zw, one.zw));
+        around = enclosing(around, box[below + k]);
     }
     box[start + b] = around;
 }

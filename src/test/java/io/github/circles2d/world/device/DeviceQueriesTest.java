@@ -392,7 +392,9 @@ class DeviceQueriesTest {
             long[] handles = new long[5000];
             int[] ends = new int[1000];
             float[] discs = new float[3000];
-            Arrays.fill(discs, 200); // around the point (200, 200)
+            for (int q = 0; q < 1000; q++) {
+                discs[3 * q + 2] = 1000;
+            }
             assertThat(crowded.searches().all(null, QueryShape.DISC, discs, 3, ends, handles, null))
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).isOne();
