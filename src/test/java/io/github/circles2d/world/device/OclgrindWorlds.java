@@ -71,7 +71,9 @@ final class OclgrindWorlds {
                 kernels.addAll(persistent(Plans.PERSISTENT_CPU));
                 break;
             case "queries":
-                kernels.addAll(queries(Scenes.mixed(small ? 20 : 300, 3)));
+                // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
+                // wrote them.
+                kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
@@ -186,7 +188,10 @@ final class OclgrindWorlds {
             found += switch (shape) {
                 case POINT -> simulation.searches().one(filter, shape, numbers, 2, handles, null);
                 case NEAREST -> simulation.searches().nearest(filter, numbers, 2, 100, 3, handles, hits);
-                default -> simulation.searches().all(filter, shape, numbers, 2, new int[2], handles, hits);
+                default ->
+                    simulation
+                            .searches()
+                            .all(filter, shape, numbers, 2, new int[2], handles, shape.isCast() ? hits : null);
             };
         }
         return found;
