@@ -21,12 +21,14 @@ import io.github.circles2d.world.queries.QueryShape;
  * long target = queries.rayCast(40, 50, 100, 0, hit); // from (40, 50) to (140, 50)
  * }</pre>
  *
- * <p><b>Circles</b> are where they are now: changes that wait for the next step count (circles that were added, removed, moved or
- * resized). Static circles are found like all others, those that {@link World#setPosition} lets travel where they set out from; the
- * walls are not. Queries change nothing, and can be made at any time
- * between two steps.
+ * <p><b>Circles</b> are where they are now: behind all steps that were asked for, and with the changes that wait for the next one
+ * (circles that were added, removed, moved or resized, and kinds). Static circles are found like all others, those that
+ * {@link World#setPosition} lets travel where they set out from; sensors are found, too; the walls are not. Queries change nothing, and
+ * can be made at any time between two steps.
  *
- * <p><b>Results</b> are handles in the caller's arrays; nothing is allocated once the world's own arrays have grown. Their order is
+ * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
+ *
+ * <p><b>Results</b> are handles in the caller's arrays; on the JVM nothing is allocated once the world's own arrays have grown. Their order is
  * defined, and so is every bit: overlaps come by id, the lowest first; casts by distance, then by id; the nearest by distance,
  * then by id. A query that finds all circles returns how many there are. If the array is shorter, it holds the first of them; an
  * array of length 0 only counts.
@@ -44,6 +46,12 @@ import io.github.circles2d.world.queries.QueryShape;
  * calling thread; later ones use both. On an OpenCL device that waits for the steps and copies 16 bytes a circle, so make the
  * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
  * circle.
+ *
+ * <p><b>On a GPU</b> that has 20,000 circles or more, batches of 256 queries or more are answered there, and so are the first few other
+ * calls after a change: the index is built on the GPU, and only what is found comes to the host. The first of them compiles the
+ * searches, which may take a second. The index takes about 80 bytes a circle of the GPU's memory. The host answers if that is not
+ * there, if the GPU has no double precision, if a call finds more than four million circles, and if thousands of circles lie where one
+ * would if all were spread evenly.
  *
  * <p><b>Misuse:</b> coordinates, radii and lengths may be any finite floats, in the units of the world; radii are at least 0. A
  * query with other values throws an IllegalArgumentException that names the value (in a batch, the query too, and what the arrays

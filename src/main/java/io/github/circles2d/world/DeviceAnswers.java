@@ -29,6 +29,9 @@ final class DeviceAnswers {
     private final CastSearch hits = new CastSearch(new CircleTree());
     private RemoteSearch search;
 
+    /** By query: where its circles end. Not the caller's array, into which another thread may write. */
+    private int[] ends = new int[1];
+
     /** Whether the rule is left out, for tests. */
     private boolean always;
 
@@ -84,7 +87,10 @@ final class DeviceAnswers {
 
     /** Answers queries that find all. Returns how many circles they find, or {@link #LEFT}. */
     int all(QueryBatch batch) {
-        if (!takes(batch) || !search.count(batch.shape, batch.queries, batch.n, kinds(batch), batch.ends)) {
+        if (ends.length < batch.n) {
+            ends = new int[Math.max(batch.n, ends.length + (ends.length >> 1))];
+        }
+        if (!takes(batch) || !search.count(batch.shape, batch.queries, batch.n, kinds(batch), ends)) {
             return LEFT;
         }
         int room = batch.room();
@@ -92,15 +98,16 @@ final class DeviceAnswers {
         int listed = 0;
         for (int q = 0; q < batch.n; q++) {
             listed += total < room ? 1 : 0;
-            total = batch.end(q, total, batch.ends[q]);
+            total = batch.end(q, total, ends[q]);
+            ends[q] = total;
         }
-        if (listed > 0 && !search.list(listed, batch.ends, batch.hits != null)) {
+        if (listed > 0 && !search.list(listed, ends, batch.hits != null)) {
             return LEFT;
         }
         int from = 0;
         for (int q = 0; q < listed; q++) {
-            take(batch, q, from, Math.min(batch.ends[q], room));
-            from = batch.ends[q];
+            take(batch, q, from, Math.min(ends[q], room));
+            from = ends[q];
         }
         answered++;
         return total;

@@ -141,8 +141,9 @@ final class QueryBatch {
             throw new IllegalArgumentException("the queries up to this one find more than " + Integer.MAX_VALUE
                     + " circles, but must find less in one call");
         }
-        ends[q] = total + count;
-        return ends[q];
+        int end = total + count;
+        ends[q] = end;
+        return end;
     }
 
     /** Takes number k of the nearest of a query. */
