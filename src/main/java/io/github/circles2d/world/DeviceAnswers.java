@@ -7,19 +7,20 @@ import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.RemoteSearch;
 
 /**
- * Answers queries on the device that has the circles, where that is the faster way: reading a million circles and building a tree
- * takes a host 100 ms and more, a launch well under one.
+ * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to
+ * build a tree of them takes a host some 50 ms, and a call of the device a tenth of one.
  *
  * <p>The rule: the world has at least {@link #LEAST_CIRCLES} on a GPU; and the call is a batch of at least {@link #LEAST_BATCH}
- * queries, or calls since the last change have not yet taken about as long as it would take to read all circles and build a tree. So
- * whoever asks once or twice in a frame never pays for the tree, and whoever asks one by one a thousand times pays twice at most.
+ * queries, or smaller calls since the last change have not yet taken about as long as it would take to read all circles and build a
+ * tree. So whoever asks once or twice in a frame never pays for that, and whoever asks thousands of times one by one pays twice at
+ * most. The numbers are estimates, by what a transfer, a launch and a tree cost; no GPU has been measured for them.
  */
 final class DeviceAnswers {
     private static final int LEAST_CIRCLES = 20_000;
     private static final int LEAST_BATCH = 256;
 
     /** A call takes about as long as it takes to read so many circles and build a tree of them. */
-    private static final int CIRCLES_A_CALL = 500;
+    private static final int CIRCLES_A_CALL = 1000;
 
     /** What a method returns that leaves the queries to the host. */
     static final int LEFT = -1;
@@ -35,7 +36,7 @@ final class DeviceAnswers {
     /** Whether the rule is left out, for tests. */
     private boolean always;
 
-    /** Calls since circles were in the state before {@link #changes}. */
+    /** Calls of small batches in the state of {@link #changes}. */
     private int calls;
 
     private long changes;
@@ -77,8 +78,7 @@ final class DeviceAnswers {
             changes = simulation.last.changes();
             calls = 0;
         }
-        calls++;
-        return n >= LEAST_BATCH || calls <= handles.size() / CIRCLES_A_CALL;
+        return n >= LEAST_BATCH || ++calls <= handles.size() / CIRCLES_A_CALL;
     }
 
     private static int[] kinds(QueryBatch batch) {

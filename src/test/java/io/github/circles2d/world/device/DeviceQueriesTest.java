@@ -18,10 +18,14 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.queries.BruteForce;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.queries.RemoteSearch;
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Proxy;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -408,6 +412,55 @@ class DeviceQueriesTest {
                     .isEqualTo(15_000);
             assertThat(DeviceSearches.answered(crowded)).as("in a crowd").isOne();
         }
+    }
+
+    /** On a device that says of itself that it is worth while, as a GPU does. */
+    @Test
+    void aDeviceAnswersLargeBatchesInLargeWorldsAndTheFirstFewOtherCalls() {
+        int circles = 20_000;
+        WorldParameters parameters = new WorldParameters(new Bounds(0, 0, SIDE, SIDE), 0, 0, 0.5f, 4, 0);
+        Pipeline pipeline = new DevicePipeline(TestDevices.all().get(0), circles, false);
+        RemoteSearch search = overriding(RemoteSearch.class, "pays", () -> true, pipeline::search);
+        Pipeline gpu =
+                overriding(Pipeline.class, "search", () -> pipeline.search() == null ? null : search, () -> pipeline);
+        try (Simulation world = new Simulation(gpu, parameters)) {
+            for (int k = 1; k < circles; k++) {
+                world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+            }
+            float[] points = new float[2 * 256];
+            long[] handles = new long[256];
+            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            assertThat(DeviceSearches.answered(world)).as("a small world").isZero();
+            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            assertThat(DeviceSearches.answered(world)).as("a large batch").isOne();
+            for (int k = 0; k < 30; k++) {
+                assertThat(world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
+                        .isPositive();
+            }
+            assertThat(DeviceSearches.answered(world))
+                    .as("a call for 1,000 circles")
+                    .isEqualTo(21);
+            world.searches().one(null, QueryShape.POINT, points, 255, handles, null);
+            assertThat(DeviceSearches.answered(world)).isEqualTo(21);
+            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            assertThat(DeviceSearches.answered(world)).isEqualTo(22);
+            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
+            assertThat(DeviceSearches.answered(world)).as("after a change").isEqualTo(23);
+        }
+    }
+
+    /** An object whose methods are those of another, but one. */
+    private static <T> T overriding(Class<T> type, String method, Supplier<?> answer, Supplier<T> other) {
+        return type.cast(
+                Proxy.newProxyInstance(type.getClassLoader(), new Class<?>[] {type}, (proxy, called, arguments) -> {
+                    try {
+                        return called.getName().equals(method) ? answer.get() : called.invoke(other.get(), arguments);
+                    } catch (InvocationTargetException e) {
+                        throw e.getCause();
+                    }
+                }));
     }
 
     /** What a world holds for queries comes with the first of them, and the steps go on as without. */
