@@ -95,12 +95,12 @@ public final class Queries {
     }
 
     /**
-     * The same queries, of some circles alone: those whose kind's category ({@link Kind#setCategory}) has a bit of the mask. Nothing
-     * else decides: sensors, groups and masks of kinds make no difference. Kinds, and what they are, are taken as of each query. Keep
-     * the object to leave no garbage.
+     * The same queries of some circles alone: those whose kind's category ({@link Kind#setCategory}) has a bit of the mask. Nothing
+     * else decides; sensors, groups and the masks of kinds make no difference. The kind of a circle, and its category, count as they
+     * are at each query. Keep the object, so that a frame leaves no garbage.
      *
-     * @param mask the bits of the categories to find; with all bits those of every kind that has a category but 0, with none no circle
-     * @return queries with this mask, and with no other that this object may have
+     * @param mask the bits of the categories to find: -1 for all categories but 0, and 0 for no circle
+     * @return queries with this mask, in place of the one that this object may have
      */
     public Queries withMask(int mask) {
         return new Queries(searches, searches.filter(mask));

@@ -66,7 +66,7 @@ final class DeviceAnswers {
             return false;
         }
         for (int q = 0; q < batch.n; q++) {
-            batch.check(q);
+            batch.take(q);
         }
         simulation.settle();
         search = simulation.pipeline.search();

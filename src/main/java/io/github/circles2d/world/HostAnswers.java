@@ -25,9 +25,9 @@ final class HostAnswers {
         int room = batch.room();
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
-            int at = batch.check(q);
+            batch.take(q);
             show();
-            int count = search.all(batch.shape, batch.queries, at, batch.filter);
+            int count = search.all(batch.shape, batch.numbers, batch.filter);
             int end = batch.end(q, total, count);
             take(batch, total, Math.min(end, room));
             total = end;
@@ -48,11 +48,11 @@ final class HostAnswers {
     int one(QueryBatch batch) {
         int count = 0;
         for (int q = 0; q < batch.n; q++) {
-            int at = batch.check(q);
+            batch.take(q);
             show();
             int id = batch.shape == QueryShape.POINT
-                    ? search.pick(batch.queries, at, batch.filter)
-                    : search.first(batch.shape, batch.queries, at, batch.filter, batch.hits, CastSearch.HIT_STRIDE * q);
+                    ? search.pick(batch.numbers, batch.filter)
+                    : search.first(batch.shape, batch.numbers, batch.filter, batch.hits, CastSearch.HIT_STRIDE * q);
             batch.handles[q] = id < 0 ? 0 : handles.handle(id);
             count += id < 0 ? 0 : 1;
         }
@@ -63,9 +63,9 @@ final class HostAnswers {
     int nearest(QueryBatch batch) {
         int total = 0;
         for (int q = 0; q < batch.n; q++) {
-            int at = batch.check(q);
+            batch.take(q);
             show();
-            int count = search.nearest(batch.queries, at, batch.within, batch.most, batch.filter);
+            int count = search.nearest(batch.numbers, batch.within, batch.most, batch.filter);
             for (int k = 0; k < count; k++) {
                 batch.takeNearest(q, k, handles.handle(search.nearestId(k)), search.nearestDistance(k));
             }

@@ -32,6 +32,9 @@ final class QueryBatch {
     float[] hits;
     float[] distances;
 
+    /** The numbers of the query that is being answered. Another thread may write into the caller's. */
+    final float[] numbers = new float[QueryShape.MOST_NUMBERS];
+
     /** The query that is being answered, or {@link #NONE}. */
     int query = NONE;
 
@@ -122,11 +125,11 @@ final class QueryBatch {
         return shape.stride() * q;
     }
 
-    /** Goes on to a query and checks it. Returns where its numbers begin. */
-    int check(int q) {
+    /** Goes on to a query: takes its {@link #numbers} and checks them. */
+    void take(int q) {
         query = q;
-        shape.check(queries, at(q));
-        return at(q);
+        System.arraycopy(queries, at(q), numbers, 0, shape.stride());
+        shape.check(numbers, 0);
     }
 
     /** How many results of queries that find all there is room for. */

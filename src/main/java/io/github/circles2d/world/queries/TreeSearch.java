@@ -18,17 +18,16 @@ public final class TreeSearch {
     /**
      * Finds all circles of a query: what overlaps by id, what a path meets by distance, then by id.
      *
-     * @param queries has the query, of checked numbers
-     * @param at where it begins
+     * @param query its numbers, which have been checked
      * @param filter which circles count; null for all
      * @return the number of circles found, which {@link #id} and {@link #writeHit} give
      */
-    public int all(QueryShape shape, float[] queries, int at, IdFilter filter) {
+    public int all(QueryShape shape, float[] query, IdFilter filter) {
         return switch (shape) {
-            case DISC -> overlaps.disc(queries[at], queries[at + 1], queries[at + 2], filter);
-            case BOX -> overlaps.box(queries[at], queries[at + 1], queries[at + 2], queries[at + 3], filter);
+            case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
+            case BOX -> overlaps.box(query[0], query[1], query[2], query[3], filter);
             case RAY, DISC_CAST -> {
-                casts.aim(shape, queries, at);
+                casts.aim(shape, query, 0);
                 yield casts.all(filter);
             }
             default -> throw new IllegalArgumentException(shape + " does not find all");
@@ -46,8 +45,8 @@ public final class TreeSearch {
     }
 
     /** Finds the circle at a point; -1 if there is none. */
-    public int pick(float[] queries, int at, IdFilter filter) {
-        return overlaps.pick(queries[at], queries[at + 1], filter);
+    public int pick(float[] query, IdFilter filter) {
+        return overlaps.pick(query[0], query[1], filter);
     }
 
     /**
@@ -57,8 +56,8 @@ public final class TreeSearch {
      * @param to where in it
      * @return the id; -1 if there is none
      */
-    public int first(QueryShape shape, float[] queries, int at, IdFilter filter, float[] hits, int to) {
-        casts.aim(shape, queries, at);
+    public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
+        casts.aim(shape, query, 0);
         boolean hit = casts.first(filter);
         if (hits != null && hit) {
             casts.writeHit(0, hits, to);
@@ -75,8 +74,8 @@ public final class TreeSearch {
      * @param most how many to find
      * @return how many were found
      */
-    public int nearest(float[] queries, int at, float within, int most, IdFilter filter) {
-        return nearest.find(queries[at], queries[at + 1], within, most, filter);
+    public int nearest(float[] query, float within, int most, IdFilter filter) {
+        return nearest.find(query[0], query[1], within, most, filter);
     }
 
     /** The circle with a number from 0 to those that {@link #nearest} has found. */
