@@ -521,8 +521,10 @@ class WorldQueriesTest {
     @Test
     void aClosedWorldGivesNoQueries() {
         World world = tenByTen();
+        Queries queries = world.queries();
         world.close();
         assertThatIllegalStateException().isThrownBy(world::queries).withMessageContaining("closed");
+        assertThatIllegalStateException().isThrownBy(() -> queries.withMask(1)).withMessageContaining("closed");
     }
 
     @Test

@@ -61,19 +61,21 @@ final class DeviceAnswers {
 
     /** Whether the device answers such a batch. Checks all of its queries if so. */
     private boolean takes(QueryBatch batch) {
-        search = null;
-        if (batch.n == 0 || !always && (handles.size() < LEAST_CIRCLES || !isWorthAnotherCall(batch.n))) {
+        search = simulation.pipeline.search();
+        if (search == null || batch.n == 0 || !always && !isWorthIt(batch.n)) {
             return false;
         }
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);
         }
         simulation.settle();
-        search = simulation.pipeline.search();
-        return search != null && (always || search.pays()) && search.show(simulation.last.changes());
+        return search.show(simulation.last.changes());
     }
 
-    private boolean isWorthAnotherCall(int n) {
+    private boolean isWorthIt(int n) {
+        if (handles.size() < LEAST_CIRCLES || !search.pays()) {
+            return false;
+        }
         if (changes != simulation.last.changes()) {
             changes = simulation.last.changes();
             calls = 0;

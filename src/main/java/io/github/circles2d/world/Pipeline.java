@@ -148,9 +148,9 @@ public interface Pipeline extends AutoCloseable {
     void load(SavedState from);
 
     /**
-     * Searches the circles as of now where they are. All steps have been finished.
+     * What searches the circles where they are.
      *
-     * @return null if only the host can search them
+     * @return always the same; null if only the host can search them
      */
     default RemoteSearch search() {
         return null;

@@ -32,6 +32,7 @@ public final class Searches {
 
     /** Admits the circles whose kind's category has a bit of a mask. */
     public CategoryFilter filter(int mask) {
+        requireOpen();
         return new CategoryFilter(simulation, mask);
     }
 

@@ -70,13 +70,9 @@ public final class DevicePipeline implements Pipeline {
 
     private final Readback readback;
     private final RequestedPositions requested;
+    private final DeviceSearch search;
     private final StepStatistics stats;
     private final Status status = new Status();
-
-    /** What searches the circles, from the first query on; null before, and if the device cannot. */
-    private DeviceSearch search;
-
-    private boolean searchOpened;
 
     private int slots;
     private int circles;
@@ -131,6 +127,7 @@ public final class DevicePipeline implements Pipeline {
             load(kernels);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
+            search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
             stats = new StepStatistics(kernels, arrays);
             status.write(arrays);
         } catch (RuntimeException | Error e) {
@@ -420,14 +417,6 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public RemoteSearch search() {
-        settle();
-        if (!searchOpened) {
-            searchOpened = true;
-            search = DeviceSearch.open(session, arrays);
-        }
-        if (search != null) {
-            search.expect(slots, circles);
-        }
         return search;
     }
 

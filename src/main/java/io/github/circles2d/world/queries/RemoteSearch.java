@@ -13,7 +13,7 @@ public interface RemoteSearch {
     boolean pays();
 
     /**
-     * Searches the circles as of now from here on.
+     * Searches the circles as of now from here on. All steps have been finished.
      *
      * @param state another number whenever circles have changed
      * @return whether it can

@@ -421,8 +421,7 @@ class DeviceQueriesTest {
         WorldParameters parameters = new WorldParameters(new Bounds(0, 0, SIDE, SIDE), 0, 0, 0.5f, 4, 0);
         Pipeline pipeline = new DevicePipeline(TestDevices.all().get(0), circles, false);
         RemoteSearch search = overriding(RemoteSearch.class, "pays", () -> true, pipeline::search);
-        Pipeline gpu =
-                overriding(Pipeline.class, "search", () -> pipeline.search() == null ? null : search, () -> pipeline);
+        Pipeline gpu = overriding(Pipeline.class, "search", () -> search, () -> pipeline);
         try (Simulation world = new Simulation(gpu, parameters)) {
             for (int k = 1; k < circles; k++) {
                 world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);

@@ -14,6 +14,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.RemoteSearch;
+import java.util.function.IntSupplier;
 
 /**
  * Searches on a device; {@code kernels/world/queries/Search.cl}. They find in double precision what the searches of the host find, and
@@ -36,10 +37,19 @@ public final class DeviceSearch implements RemoteSearch {
 
     private final Session session;
     private final DeviceArrays arrays;
-    private final DeviceTree tree;
-    private final Kernel count;
-    private final Kernel list;
-    private final Kernel few;
+    private final IntSupplier slots;
+    private final IntSupplier circles;
+
+    /** Null before the first search. */
+    private DeviceTree tree;
+
+    private Kernel count;
+    private Kernel list;
+    private Kernel few;
+
+    /** Whether the compiler has refused the searches. */
+    private boolean refused;
+
     private DeviceBuffer words;
     private DeviceBuffer ends;
     private DeviceBuffer ids;
@@ -47,8 +57,6 @@ public final class DeviceSearch implements RemoteSearch {
     private HostBuffer hostWords;
     private HostBuffer hostIds;
     private HostBuffer hostPlaces;
-    private int slots;
-    private int circles;
 
     /** Which state the tree shows, and whether it can be searched. */
     private long shown = NONE;
@@ -60,29 +68,33 @@ public final class DeviceSearch implements RemoteSearch {
 
     private boolean countedFiltered;
 
-    private DeviceSearch(Session session, DeviceArrays arrays, StageKernels kernels) {
+    /**
+     * Searches the circles of a device; takes no memory before the first search.
+     *
+     * @param slots gives how many slots have circles
+     * @param circles gives how many circles there are
+     */
+    public DeviceSearch(Session session, DeviceArrays arrays, IntSupplier slots, IntSupplier circles) {
         this.session = session;
         this.arrays = arrays;
-        tree = new DeviceTree(session, kernels, arrays);
-        count = kernels.plain("queries_count");
-        list = kernels.plain("queries_list");
-        few = kernels.plain("queries_few");
+        this.slots = slots;
+        this.circles = circles;
     }
 
-    /**
-     * Compiles the searches, which takes a moment.
-     *
-     * @return null if the device has no double precision, no memory for this, or a compiler that refuses it
-     */
-    public static DeviceSearch open(Session session, DeviceArrays arrays) {
-        if (!session.device().doublePrecision()) {
-            return null;
+    /** Compiles the searches, which takes a moment. Returns false if the compiler refuses them. */
+    private boolean open() {
+        if (tree == null && !refused) {
+            try {
+                StageKernels kernels = new StageKernels(session, source(), StageKernels.USUAL_GROUPS);
+                count = kernels.plain("queries_count");
+                list = kernels.plain("queries_list");
+                few = kernels.plain("queries_few");
+                tree = new DeviceTree(session, kernels, arrays);
+            } catch (KernelBuildException e) {
+                refused = true;
+            }
         }
-        try {
-            return new DeviceSearch(session, arrays, new StageKernels(session, source(), StageKernels.USUAL_GROUPS));
-        } catch (KernelBuildException | DeviceMemoryException e) {
-            return null;
-        }
+        return !refused;
     }
 
     private static KernelSource source() {
@@ -93,12 +105,6 @@ public final class DeviceSearch implements RemoteSearch {
         return DeviceTree.define(source.define("KIND_WORDS", KIND_WORDS));
     }
 
-    /** Takes how many circles there are, in how many slots. */
-    public void expect(int slotsAtHome, int circlesAtHome) {
-        slots = slotsAtHome;
-        circles = circlesAtHome;
-    }
-
     @Override
     public boolean pays() {
         return session.device().kind() == Device.Kind.GPU;
@@ -106,12 +112,12 @@ public final class DeviceSearch implements RemoteSearch {
 
     @Override
     public boolean show(long state) {
-        if (circles == 0) {
+        if (circles.getAsInt() == 0 || !session.device().doublePrecision()) {
             return false;
         }
         if (shown != state) {
             shown = NONE;
-            usable = did(() -> tree.build(slots, circles));
+            usable = did(() -> open() && tree.build(slots.getAsInt(), circles.getAsInt()));
             shown = state;
         }
         return usable;
