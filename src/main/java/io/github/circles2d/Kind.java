@@ -55,7 +55,7 @@ public final class Kind {
     }
 
     /**
-     * Sets what the kind is, for the masks of others.
+     * Sets what the kind is, for the masks of others and of queries ({@link Queries#withMask}).
      *
      * @param category any bits; a kind without any is met by no mask
      * @return this

@@ -1,7 +1,9 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.CategoryFilter;
 import io.github.circles2d.world.Searches;
 import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.QueryShape;
 
 /**
  * Questions about where the circles of a {@link World} are: which overlap a disc or a box, which is at a point, which are nearest,
@@ -19,12 +21,14 @@ import io.github.circles2d.world.queries.CastSearch;
  * long target = queries.rayCast(40, 50, 100, 0, hit); // from (40, 50) to (140, 50)
  * }</pre>
  *
- * <p><b>Circles</b> are where they are now: changes that wait for the next step count (circles that were added, removed, moved or
- * resized). Static circles are found like all others, those that {@link World#setPosition} lets travel where they set out from; the
- * walls are not. Queries change nothing, and can be made at any time
- * between two steps.
+ * <p><b>Circles</b> are where they are now: behind all steps that were asked for, and with the changes that wait for the next one
+ * (circles that were added, removed, moved or resized, and kinds). Static circles are found like all others, those that
+ * {@link World#setPosition} lets travel where they set out from; sensors are found, too; the walls are not. Queries change nothing, and
+ * can be made at any time between two steps.
  *
- * <p><b>Results</b> are handles in the caller's arrays; nothing is allocated once the world's own arrays have grown. Their order is
+ * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
+ *
+ * <p><b>Results</b> are handles in the caller's arrays; on the JVM nothing is allocated once the world's own arrays have grown. Their order is
  * defined, and so is every bit: overlaps come by id, the lowest first; casts by distance, then by id; the nearest by distance,
  * then by id. A query that finds all circles returns how many there are. If the array is shorter, it holds the first of them; an
  * array of length 0 only counts.
@@ -42,6 +46,12 @@ import io.github.circles2d.world.queries.CastSearch;
  * calling thread; later ones use both. On an OpenCL device that waits for the steps and copies 16 bytes a circle, so make the
  * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
  * circle.
+ *
+ * <p><b>On a GPU</b> that has 20,000 circles or more, batches of 256 queries or more are answered there, and so are the first few other
+ * calls after a change: the index is built on the GPU, and only what is found comes to the host. The first of them compiles the
+ * searches, which may take a second. The index takes about 80 bytes a circle of the GPU's memory. The host answers if that is not
+ * there, if the GPU has no double precision, if a call finds more than four million circles, and if thousands of circles lie where one
+ * would if all were spread evenly.
  *
  * <p><b>Misuse:</b> coordinates, radii and lengths may be any finite floats, in the units of the world; radii are at least 0. A
  * query with other values throws an IllegalArgumentException that names the value (in a batch, the query too, and what the arrays
@@ -72,8 +82,28 @@ public final class Queries {
 
     private final Searches searches;
 
+    /** Which circles are found; null for all. */
+    private final CategoryFilter filter;
+
     Queries(Searches searches) {
+        this(searches, null);
+    }
+
+    private Queries(Searches searches, CategoryFilter filter) {
         this.searches = searches;
+        this.filter = filter;
+    }
+
+    /**
+     * The same queries of some circles alone: those whose kind's category ({@link Kind#setCategory}) has a bit of the mask. Nothing
+     * else decides; sensors, groups and the masks of kinds make no difference. The kind of a circle, and its category, count as they
+     * are at each query. Keep the object, so that a frame leaves no garbage.
+     *
+     * @param mask the bits of the categories to find: -1 for all categories but 0, and 0 for no circle
+     * @return queries with this mask, in place of the one that this object may have
+     */
+    public Queries withMask(int mask) {
+        return new Queries(searches, searches.filter(mask));
     }
 
     // ---- overlaps
@@ -90,7 +120,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int overlapCircle(float x, float y, float radius, long[] handles) {
-        return searches.disc(x, y, radius, handles);
+        return searches.all(filter, QueryShape.DISC, x, y, radius, 0, 0, handles, null);
     }
 
     /**
@@ -104,7 +134,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int overlapCircle(float[] discs, int n, int[] ends, long[] handles) {
-        return searches.discs(discs, n, ends, handles);
+        return searches.all(filter, QueryShape.DISC, discs, n, ends, handles, null);
     }
 
     /**
@@ -119,7 +149,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int overlapBox(float minX, float minY, float maxX, float maxY, long[] handles) {
-        return searches.box(minX, minY, maxX, maxY, handles);
+        return searches.all(filter, QueryShape.BOX, minX, minY, maxX, maxY, 0, handles, null);
     }
 
     /**
@@ -133,7 +163,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int overlapBox(float[] boxes, int n, int[] ends, long[] handles) {
-        return searches.boxes(boxes, n, ends, handles);
+        return searches.all(filter, QueryShape.BOX, boxes, n, ends, handles, null);
     }
 
     // ---- points
@@ -149,7 +179,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite
      */
     public long pick(float x, float y) {
-        return searches.pick(x, y);
+        return searches.one(filter, QueryShape.POINT, x, y, 0, 0, 0, null);
     }
 
     /**
@@ -162,7 +192,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or an array is too short
      */
     public int pick(float[] points, int n, long[] handles) {
-        return searches.picks(points, n, handles);
+        return searches.one(filter, QueryShape.POINT, points, n, handles, null);
     }
 
     /**
@@ -179,7 +209,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int nearest(float x, float y, float within, int most, long[] handles, float[] distances) {
-        return searches.nearest(x, y, within, most, handles, distances);
+        return searches.nearest(filter, x, y, within, most, handles, distances);
     }
 
     /**
@@ -196,7 +226,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int nearest(float[] points, int n, float within, int most, long[] handles, float[] distances) {
-        return searches.nearest(points, n, within, most, handles, distances);
+        return searches.nearest(filter, points, n, within, most, handles, distances);
     }
 
     // ---- rays
@@ -215,7 +245,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or the array is too short
      */
     public long rayCast(float x, float y, float dx, float dy, float[] hit) {
-        return searches.cast(x, y, 0, dx, dy, hit);
+        return searches.one(filter, QueryShape.RAY, x, y, dx, dy, 0, hit);
     }
 
     /**
@@ -230,7 +260,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or an array is too short
      */
     public int rayCast(float[] rays, int n, long[] handles, float[] hits) {
-        return searches.casts(rays, n, Searches.RAY, handles, hits);
+        return searches.one(filter, QueryShape.RAY, rays, n, handles, hits);
     }
 
     /**
@@ -247,7 +277,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite
      */
     public int rayCastAll(float x, float y, float dx, float dy, long[] handles, float[] hits) {
-        return searches.castAll(x, y, 0, dx, dy, handles, hits);
+        return searches.all(filter, QueryShape.RAY, x, y, dx, dy, 0, handles, hits);
     }
 
     /**
@@ -262,7 +292,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is not finite, or there are more than 2^31 - 1 results
      */
     public int rayCastAll(float[] rays, int n, int[] ends, long[] handles, float[] hits) {
-        return searches.castsAll(rays, n, Searches.RAY, ends, handles, hits);
+        return searches.all(filter, QueryShape.RAY, rays, n, ends, handles, hits);
     }
 
     // ---- casts of discs
@@ -281,7 +311,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or the array is too short
      */
     public long circleCast(float x, float y, float radius, float dx, float dy, float[] hit) {
-        return searches.cast(x, y, radius, dx, dy, hit);
+        return searches.one(filter, QueryShape.DISC_CAST, x, y, radius, dx, dy, hit);
     }
 
     /**
@@ -295,7 +325,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or an array is too short
      */
     public int circleCast(float[] casts, int n, long[] handles, float[] hits) {
-        return searches.casts(casts, n, Searches.DISC_CAST, handles, hits);
+        return searches.one(filter, QueryShape.DISC_CAST, casts, n, handles, hits);
     }
 
     /**
@@ -313,7 +343,7 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range
      */
     public int circleCastAll(float x, float y, float radius, float dx, float dy, long[] handles, float[] hits) {
-        return searches.castAll(x, y, radius, dx, dy, handles, hits);
+        return searches.all(filter, QueryShape.DISC_CAST, x, y, radius, dx, dy, handles, hits);
     }
 
     /**
@@ -328,6 +358,6 @@ public final class Queries {
      * @throws IllegalArgumentException if a value is out of range, or there are more than 2^31 - 1 results
      */
     public int circleCastAll(float[] casts, int n, int[] ends, long[] handles, float[] hits) {
-        return searches.castsAll(casts, n, Searches.DISC_CAST, ends, handles, hits);
+        return searches.all(filter, QueryShape.DISC_CAST, casts, n, ends, handles, hits);
     }
 }

@@ -544,7 +544,24 @@ public final class World implements AutoCloseable {
      * @throws IllegalArgumentException where a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff) {
-        return simulation.bulk().explode(x, y, radius, impulse, falloff);
+        return simulation.bulk().explode(false, 0, x, y, radius, impulse, falloff);
+    }
+
+    /**
+     * Pushes some of the circles near a point away from it, as {@link #explode(float, float, float, float, float)} does: those whose
+     * kind's category ({@link Kind#setCategory}) has a bit of a mask, as {@link Queries#withMask} finds them.
+     *
+     * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
+     * @param y y of the point, likewise
+     * @param radius a length, 0 to 1e10
+     * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
+     * @param falloff a length, 0 to 1e10
+     * @param mask the bits of the categories to push
+     * @return the number of circles that got an impulse
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
+        return simulation.bulk().explode(true, mask, x, y, radius, impulse, falloff);
     }
 
     // ---- the world
@@ -1088,6 +1105,7 @@ public final class World implements AutoCloseable {
      * @return always the same object; its calls follow the rules of this class
      */
     public Queries queries() {
+        simulation.searches().requireOpen();
         return queries;
     }
 

@@ -4,6 +4,7 @@ import java.nio.ByteBuffer;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Consumer;
 
 /**
@@ -26,7 +27,7 @@ final class MemoryEnds {
         float[] more = circles(2 * CIRCLES);
         ByteBuffer larger = snapshotOf(2 * CIRCLES);
         ByteBuffer room = ByteBuffer.allocate(larger.limit());
-        Map<String, Consumer<World>> calls = Map.of(
+        Map<String, Consumer<World>> calls = new TreeMap<>(Map.of(
                 "hash after addAll",
                         world -> {
                             world.addAll(more, null);
@@ -44,7 +45,8 @@ final class MemoryEnds {
                             world.requestPositions();
                             world.takePositions();
                         },
-                "stats", World::stats);
+                "stats", World::stats));
+        calls.put("queries", world -> world.queries().overlapBox(0, 0, 100, 100, new long[0]));
         calls.forEach((name, call) -> {
             for (int spare : SPARES) {
                 check(name + " with " + spare + " bytes", call, spare);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.world.queries.BruteForce;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntPredicate;
 
 /** Compares the queries of a world with a look at every circle that it reads. */
 final class QueryComparison {
@@ -14,13 +15,31 @@ final class QueryComparison {
     private final long[] handles;
     private final BruteForce truth;
 
+    /** Of all circles. */
     QueryComparison(World world) {
-        queries = world.queries();
-        handles = new long[world.size()];
-        world.readHandles(handles);
-        float[] circles = new float[4 * handles.length];
+        this(world, world.queries(), kind -> true);
+    }
+
+    /** Of the circles that a mask admits. */
+    QueryComparison(World world, int mask) {
+        this(world, world.queries().withMask(mask), kind -> (world.kind(kind).category() & mask) != 0);
+    }
+
+    private QueryComparison(World world, Queries queries, IntPredicate kinds) {
+        this.queries = queries;
+        long[] all = new long[world.size()];
+        world.readHandles(all);
+        float[] circles = new float[4 * all.length];
         world.read(circles);
-        truth = new BruteForce(circles, handles.length);
+        int n = 0;
+        for (int k = 0; k < all.length; k++) {
+            if (kinds.test(world.kindOf(all[k]))) {
+                System.arraycopy(circles, 4 * k, circles, 4 * n, 4);
+                all[n++] = all[k];
+            }
+        }
+        handles = Arrays.copyOf(all, n);
+        truth = new BruteForce(circles, n);
     }
 
     /** Makes each single query, in a box or on a path from one point to another; returns how many circles it has compared. */

@@ -81,6 +81,9 @@ class RecordedCallsTest {
             }),
             change("explode(float, float, float, float, float)", (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0)),
             change(
+                    "explode(float, float, float, float, float, int)",
+                    (w, a, b) -> w.explode(0.4f, 0.4f, 1, 0.1f, 0, 1)),
+            change(
                     "add(float, float, float, float, float, float, int)",
                     (w, a, b) -> w.add(0.5f, 0.8f, 0.1f, 2, 1, -1, 3)),
             change("setKind(long, int)", (w, a, b) -> w.setKind(a, 200)),

@@ -385,7 +385,20 @@ class ReferenceFuzzTest {
             float radius = random.nextInt(4) == 0 ? 0f : value(0f, size);
             float falloff = random.nextInt(4) == 0 ? 0f : value(0f, size);
             float impulse = speed() * (random.nextBoolean() ? 1f : 10f);
-            bothGive("explode", c -> c.explode(x, y, radius, impulse, falloff));
+            int mask = random.nextInt(5) - 1;
+            boolean masked = random.nextBoolean();
+            bothGive(
+                    "explode",
+                    c -> masked
+                            ? c.explode(x, y, radius, impulse, falloff, mask)
+                            : c.explode(x, y, radius, impulse, falloff));
+            query(mask);
+        }
+
+        /** Queries of some circles alone, of which the world says itself what they are. */
+        private void query(int mask) {
+            float radius = value(0f, size);
+            new QueryComparison(world, mask).compare(x(), y(), radius, x(), y());
         }
 
         private void setGravity() {

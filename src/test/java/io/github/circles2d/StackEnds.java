@@ -96,6 +96,11 @@ final class StackEnds {
                 Call.read("readKindsById", world -> world.readKindsById(kinds, null)),
                 Call.read("positionsById", world -> world.positionsById(null)),
                 Call.read("snapshot", world -> world.snapshot(snapshot.clear())),
+                Call.read("queries", world -> {
+                    world.queries().overlapBox(0, 0, 9, 9, one.clone());
+                    world.queries().withMask(1).nearest(new float[] {5, 5}, 1, 9, 1, one.clone(), null);
+                    world.queries().rayCastAll(0, 0, 9, 9, one.clone(), null);
+                }),
                 Call.read("stats", World::stats));
         List<Call> changes = List.of(
                 Call.change("add", world -> world.add(5, 8, 0.6f, 1)),

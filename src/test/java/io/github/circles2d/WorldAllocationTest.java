@@ -182,8 +182,14 @@ class WorldAllocationTest {
         }
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene))) {
             Queries queries = world.queries();
+            Queries some = queries.withMask(1);
             Runnable frame = () -> {
                 world.step(scene.timeStep());
+                consume(world.explode(0.5f, 0.5f, 0.1f, 0, 0, 1));
+                consume(some.pick(0.5f, 0.5f)
+                        + some.overlapCircle(numbers, batch, ends, found)
+                        + some.rayCast(numbers, batch, found, hits)
+                        + some.nearest(numbers, batch, 0.1f, 9, found, hits));
                 int sum = queries.overlapCircle(0.5f, 0.5f, 0.2f, found)
                         + queries.overlapBox(0.2f, 0.2f, 0.8f, 0.8f, found)
                         + queries.nearest(0.5f, 0.5f, Float.POSITIVE_INFINITY, 200, found, hits)

@@ -83,6 +83,8 @@ public interface WorldCalls {
 
     int explode(float x, float y, float radius, float impulse, float falloff);
 
+    int explode(float x, float y, float radius, float impulse, float falloff, int mask);
+
     void setGravity(float x, float y);
 
     void setBounds(float minX, float minY, float maxX, float maxY);

@@ -502,7 +502,9 @@ class WorldFuzzTest {
             float toY = random.nextInt(4) == 0 ? y : value(model.minY, model.maxY);
             last = "query " + x + " " + y + " " + radius + " " + toX + " " + toY;
             boolean bad = bad(x) || bad(y) || bad(radius) || radius < 0 || bad(toX - x) || bad(toY - y);
-            ask(bad, () -> new QueryComparison(world).compare(x, y, radius, toX, toY));
+            QueryComparison comparison =
+                    random.nextBoolean() ? new QueryComparison(world) : new QueryComparison(world, random.nextInt(8));
+            ask(bad, () -> comparison.compare(x, y, radius, toX, toY));
         }
 
         private void impulse() {
@@ -578,7 +580,10 @@ class WorldFuzzTest {
             float impulse = value(-speed(), speed());
             last = "explode " + x + " " + y + " " + radius + " " + impulse + " " + falloff;
             ask(bad(x) || bad(y) || !(radius >= 0) || !(falloff >= 0) || bad(impulse) || bad(radius + falloff), () -> {
-                assertThat(world.explode(x, y, radius, impulse, falloff)).isBetween(0, model.circles.size());
+                int pushed = random.nextBoolean()
+                        ? world.explode(x, y, radius, impulse, falloff)
+                        : world.explode(x, y, radius, impulse, falloff, random.nextInt(8));
+                assertThat(pushed).isBetween(0, model.circles.size());
             });
         }
 

@@ -200,6 +200,79 @@ class WorldQueriesTest {
         }
     }
 
+    // ---- masks
+    // -------------------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @MethodSource("backEnds")
+    void aMaskFindsTheCirclesOfItsCategoriesAsTheyAreNow(World.Builder builder) {
+        Scene scene = Scenes.mixed(500, Scenes.SEED);
+        builder.bounds(scene.minX(), scene.minY(), scene.maxX(), scene.maxY())
+                .gravity(scene.gravityX(), scene.gravityY());
+        Random random = new Random(6);
+        try (World world = WorldScenes.world(scene, builder)) {
+            long[] living = new long[scene.size()];
+            world.readHandles(living);
+            int compared = 0;
+            for (int frame = 0; frame < 6; frame++) {
+                for (int k = 0; k < 40; k++) {
+                    world.setKind(living[random.nextInt(living.length)], random.nextInt(8));
+                }
+                world.kind(random.nextInt(8))
+                        .setCategory(random.nextInt(16))
+                        .setSensor(random.nextBoolean())
+                        .setMask(random.nextInt());
+                for (int mask : new int[] {0, 1, 2, 5, 8, -1}) {
+                    QueryComparison comparison = new QueryComparison(world, mask);
+                    float radius = (scene.maxX() - scene.minX()) * 0.1f;
+                    compared += comparison.compare(
+                            x(scene, random), y(scene, random), radius, x(scene, random), y(scene, random));
+                }
+                if (frame % 2 == 0) {
+                    world.step(scene.timeStep());
+                }
+            }
+            assertThat(compared).isGreaterThan(500);
+        }
+    }
+
+    @Test
+    void aMaskAloneDecidesAndSensorsAreFoundLikeOthers() {
+        try (World world = tenByTen()) {
+            long ball = world.add(2, 5, 1, 1);
+            long sensor = world.add(8, 5, 1, 1, 0, 0, 3);
+            world.kind(3).setSensor(true).setCategory(4).setMask(0);
+            Queries all = world.queries();
+            Queries sensors = all.withMask(4);
+            assertThat(all.pick(8, 5)).isEqualTo(sensor);
+            assertThat(sensors.pick(8, 5)).isEqualTo(sensor);
+            assertThat(sensors.pick(2, 5)).isZero();
+            assertThat(all.withMask(~4).pick(8, 5)).isZero();
+            assertThat(sensors.withMask(1).pick(2, 5)).as("another mask").isEqualTo(ball);
+            world.kind(0).setCategory(0);
+            assertThat(all.withMask(-1).pick(2, 5)).as("in no category").isZero();
+            assertThat(all.pick(2, 5)).isEqualTo(ball);
+            world.setKind(ball, 3);
+            assertThat(sensors.pick(2, 5)).isEqualTo(ball);
+        }
+    }
+
+    @Test
+    void anExplosionWithAMaskPushesTheCirclesOfItsCategories() {
+        try (World world = tenByTen()) {
+            long left = world.add(4, 5, 0.5f, 1);
+            long right = world.add(6, 5, 0.5f, 1, 0, 0, 9);
+            world.kind(9).setCategory(2);
+            assertThat(world.explode(5, 5, 3, 1, 0, 2)).isOne();
+            assertThat(world.vx(left)).isZero();
+            assertThat(world.vx(right)).isEqualTo(1);
+            assertThat(world.explode(5, 5, 3, 1, 0, 1)).isOne();
+            assertThat(world.vx(left)).isEqualTo(-1);
+            assertThat(world.explode(5, 5, 3, 1, 0, 4)).isZero();
+            assertThat(world.explode(5, 5, 3, 1, 0, 3)).isEqualTo(2);
+        }
+    }
+
     // ---- batches
     // -----------------------------------------------------------------------------------------------------
 
@@ -390,22 +463,68 @@ class WorldQueriesTest {
             refused("maxY is -3.0, but must be from 2.0", () -> queries.overlapBox(1, 2, 3, -3, handles));
             refused("within is -1.0", () -> queries.nearest(0, 0, -1, 1, handles, null));
             refused("within is NaN", () -> queries.nearest(0, 0, Float.NaN, 1, handles, null));
-            refused("the greatest number of circles is 0", () -> queries.nearest(0, 0, 1, 0, handles, null));
+            refused("most is 0", () -> queries.nearest(0, 0, 1, 0, handles, null));
             refused("handles has room for 8 elements, but needs 9", () -> queries.nearest(0, 0, 1, 9, handles, null));
             refused("distances has room for 5", () -> queries.nearest(0, 0, 1, 6, handles, hit));
             refused("hit has room for 4 elements", () -> queries.rayCast(0, 0, 1, 1, new float[4]));
             refused("hits has room for 5 elements", () -> queries.rayCast(new float[8], 2, handles, hit));
             refused("handles has room for 8", () -> queries.rayCast(new float[40], 9, handles, null));
-            refused("the number of discs is 3, but", () -> queries.overlapCircle(new float[8], 3, new int[3], handles));
-            refused("the number of boxes is -1", () -> queries.overlapBox(new float[8], -1, new int[3], handles));
-            refused("the number of rays is 3", () -> queries.rayCastAll(new float[8], 3, new int[3], handles, null));
-            refused("the number of casts is 2", () -> queries.circleCast(new float[9], 2, handles, null));
-            refused("the number of points is 5", () -> queries.pick(new float[9], 5, handles));
+            refused(
+                    "n is 3, but must be from 0 to 2, as discs has",
+                    () -> queries.overlapCircle(new float[8], 3, new int[3], handles));
+            refused(
+                    "n is -1, but must be from 0 to 2, as boxes",
+                    () -> queries.overlapBox(new float[8], -1, new int[3], handles));
+            refused(
+                    "n is 3, but must be from 0 to 2, as rays",
+                    () -> queries.rayCastAll(new float[8], 3, new int[3], handles, null));
+            refused(
+                    "n is 2, but must be from 0 to 1, as casts",
+                    () -> queries.circleCast(new float[9], 2, handles, null));
+            refused("n is 5, but must be from 0 to 4, as points", () -> queries.pick(new float[9], 5, handles));
             refused("ends has room for 1", () -> queries.overlapCircle(new float[6], 2, new int[1], handles));
-            assertThatNullPointerException()
-                    .isThrownBy(() -> queries.overlapCircle(0, 0, 1, null))
-                    .withMessage("handles");
+            refused("hits has room for 4", () -> queries.circleCast(new float[5], 1, handles, new float[4]));
+            refused("handles has room for 8", () -> queries.pick(new float[20], 9, handles));
         }
+    }
+
+    @Test
+    void arraysThatAreNullAreNamed() {
+        try (World world = tenByTen()) {
+            Queries queries = world.queries();
+            isNamed("handles", () -> queries.overlapCircle(0, 0, 1, null));
+            isNamed("handles", () -> queries.overlapBox(0, 0, 1, 1, null));
+            isNamed("handles", () -> queries.nearest(0, 0, 1, 1, null, null));
+            isNamed("handles", () -> queries.rayCastAll(0, 0, 1, 1, null, hit));
+            isNamed("handles", () -> queries.circleCastAll(0, 0, 1, 1, 1, null, hit));
+            isNamed("discs", () -> queries.overlapCircle(null, 1, new int[1], handles));
+            isNamed("ends", () -> queries.overlapCircle(new float[3], 1, null, handles));
+            isNamed("handles", () -> queries.overlapCircle(new float[3], 1, new int[1], null));
+            isNamed("boxes", () -> queries.overlapBox(null, 1, new int[1], handles));
+            isNamed("points", () -> queries.pick(null, 1, handles));
+            isNamed("handles", () -> queries.pick(new float[2], 1, null));
+            isNamed("points", () -> queries.nearest(null, 1, 1, 1, handles, null));
+            isNamed("rays", () -> queries.rayCast(null, 1, handles, null));
+            isNamed("handles", () -> queries.rayCast(new float[4], 1, null, null));
+            isNamed("rays", () -> queries.rayCastAll(null, 1, new int[1], handles, null));
+            isNamed("ends", () -> queries.rayCastAll(new float[4], 1, null, handles, null));
+            isNamed("casts", () -> queries.circleCast(null, 1, handles, null));
+            isNamed("casts", () -> queries.circleCastAll(null, 1, new int[1], handles, null));
+            assertThat(queries.pick(0, 0)).as("after all that").isZero();
+        }
+    }
+
+    private static void isNamed(String parameter, Runnable call) {
+        assertThatNullPointerException().isThrownBy(call::run).withMessage(parameter);
+    }
+
+    @Test
+    void aClosedWorldGivesNoQueries() {
+        World world = tenByTen();
+        Queries queries = world.queries();
+        world.close();
+        assertThatIllegalStateException().isThrownBy(world::queries).withMessageContaining("closed");
+        assertThatIllegalStateException().isThrownBy(() -> queries.withMask(1)).withMessageContaining("closed");
     }
 
     @Test

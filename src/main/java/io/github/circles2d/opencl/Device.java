@@ -30,6 +30,7 @@ public final class Device {
     private final long maxBufferBytes;
     private final long localMemoryBytes;
     private final boolean correctlyRounded;
+    private final boolean doublePrecision;
 
     Device(String platform, CLDevice handle) {
         this.handle = handle;
@@ -50,6 +51,7 @@ public final class Device {
         maxBufferBytes = handle.getMaxMemAllocSize();
         localMemoryBytes = handle.getLocalMemSize();
         correctlyRounded = handle.getSingleFPConfig().contains(CLDevice.FpConfig.CorrectlyRoundedDivideSqrt);
+        doublePrecision = handle.isDoubleSupportedKHR();
     }
 
     CLDevice handle() {
@@ -172,6 +174,15 @@ public final class Device {
      */
     public boolean correctlyRounded() {
         return correctlyRounded;
+    }
+
+    /**
+     * Tells whether the device computes in double precision, which OpenCL then requires to round correctly.
+     *
+     * @return true if it does
+     */
+    public boolean doublePrecision() {
+        return doublePrecision;
     }
 
     /** Returns one line for people: name, kind, compute units, memory, platform and driver. */

@@ -39,6 +39,7 @@ public final class BulkChanges {
     private final HandleTable handles;
     private final PreparedChanges changes;
     private final Explosion explosion = new Explosion();
+    private final CategoryFilter filter;
 
     private final Call<Void> removal;
     private final Call<float[]> positions;
@@ -73,6 +74,7 @@ public final class BulkChanges {
             changes.setKind(id, values[i]);
             return true;
         });
+        filter = new CategoryFilter(simulation, 0);
     }
 
     private static Call<float[]> ofTwo(String values, int operation, Preparation<float[]> preparation) {
@@ -183,6 +185,8 @@ public final class BulkChanges {
     /**
      * Pushes the circles near a point away from it, by {@link Explosion}.
      *
+     * @param masked whether a mask says which circles
+     * @param mask then, the bits of the categories of their kinds
      * @param x x of the point
      * @param y y of the point
      * @param radius how far from the point a circle's edge may be for the whole impulse
@@ -190,17 +194,18 @@ public final class BulkChanges {
      * @param falloff over which distance the impulse then falls to 0
      * @return number of circles that got an impulse
      */
-    public int explode(float x, float y, float radius, float impulse, float falloff) {
+    public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         guard.enter();
         try {
             explosion.set(x, y, radius, impulse, falloff);
+            filter.setMask(mask);
             float[] circles = simulation.last.circles();
             changes.begin(0);
             int pushed = 0;
             int s = 0;
             for (int id = 0; id < handles.end(); id++) {
                 if (handles.lives(id)) {
-                    if (explosion.reaches(circles, s)) {
+                    if ((!masked || filter.admits(id)) && explosion.reaches(circles, s)) {
                         changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
                         pushed++;
                     }

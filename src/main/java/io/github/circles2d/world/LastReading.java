@@ -13,6 +13,9 @@ final class LastReading {
     private boolean circlesCurrent;
     private boolean velocitiesCurrent;
 
+    /** How often circles have changed. */
+    private long changes;
+
     /** How often circles have been read. */
     private long number;
 
@@ -32,6 +35,7 @@ final class LastReading {
     /** Circles have come, gone or changed. */
     void forgetCircles() {
         circlesCurrent = false;
+        changes++;
     }
 
     /** Velocities have changed. */
@@ -55,6 +59,15 @@ final class LastReading {
             number++;
         }
         return circles;
+    }
+
+    /**
+     * Which state circles are in.
+     *
+     * @return a greater number whenever circles have changed
+     */
+    long changes() {
+        return changes;
     }
 
     /**

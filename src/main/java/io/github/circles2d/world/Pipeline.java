@@ -10,6 +10,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
 import java.util.Map;
 
@@ -145,6 +146,15 @@ public interface Pipeline extends AutoCloseable {
      * @param from the state, for which room has been made; not kept
      */
     void load(SavedState from);
+
+    /**
+     * What searches the circles where they are.
+     *
+     * @return always the same; null if only the host can search them
+     */
+    default RemoteSearch search() {
+        return null;
+    }
 
     /**
      * Pairs whose distance the broad phase tested in the last step.

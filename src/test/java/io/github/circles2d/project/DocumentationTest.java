@@ -139,6 +139,16 @@ class DocumentationTest {
         return first("(?s)<pre>\\{@code\\n(" + Pattern.quote(beginning) + ".*?)\\}</pre>", text);
     }
 
+    @Test
+    void theMasksOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
+        String code = first("(?s)```java\\n(int enemy .*?)```", read("README.md"));
+        assertCompiles(
+                "Game",
+                "import io.github.circles2d.*;\nclass Game { void frame(World world, float x, float y) {\n" + code
+                        + "}}",
+                folder);
+    }
+
     private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();

@@ -59,7 +59,7 @@ final class Kinds {
         return Float.intBitsToFloat(get(kind, field));
     }
 
-    private int get(int kind, int field) {
+    int get(int kind, int field) {
         return values.getOrDefault(new Field(kind, field), AT_FIRST.get(field));
     }
 

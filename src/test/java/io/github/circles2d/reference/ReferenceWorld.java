@@ -378,8 +378,20 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public int explode(float x, float y, float radius, float impulse, float falloff) {
+        return explode(circles(), x, y, radius, impulse, falloff);
+    }
+
+    @Override
+    public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
+        List<Circle> some = circles().stream()
+                .filter(c -> (kinds.get(c.kind, Kinds.CATEGORY) & mask) != 0)
+                .toList();
+        return explode(some, x, y, radius, impulse, falloff);
+    }
+
+    private int explode(List<Circle> circles, float x, float y, float radius, float impulse, float falloff) {
         int pushed = 0;
-        for (Circle c : circles()) {
+        for (Circle c : circles) {
             float[] d = {c.base[0] - x, c.base[1] - y};
             float distance = Numbers.length(d[0], d[1]);
             float gap = Numbers.max(distance - c.radius, 0f);

@@ -20,11 +20,13 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
+import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
 import java.util.List;
 import java.util.Map;
@@ -68,6 +70,7 @@ public final class DevicePipeline implements Pipeline {
 
     private final Readback readback;
     private final RequestedPositions requested;
+    private final DeviceSearch search;
     private final StepStatistics stats;
     private final Status status = new Status();
 
@@ -124,6 +127,7 @@ public final class DevicePipeline implements Pipeline {
             load(kernels);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
+            search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
             stats = new StepStatistics(kernels, arrays);
             status.write(arrays);
         } catch (RuntimeException | Error e) {
@@ -409,6 +413,11 @@ public final class DevicePipeline implements Pipeline {
         circles = from.circles;
         cachedPlaces = from.impulses;
         stats.loaded();
+    }
+
+    @Override
+    public RemoteSearch search() {
+        return search;
     }
 
     @Override

@@ -57,6 +57,11 @@ public final class CastSearch {
         unitY = length == 0 ? 0 : dy / length;
     }
 
+    /** Describes the path of a query, likewise. */
+    public void aim(QueryShape shape, float[] queries, int at) {
+        aim(queries[at], queries[at + 1], shape.radius(queries, at), shape.dx(queries, at), shape.dy(queries, at));
+    }
+
     /**
      * Finds the first circle that the disc touches, and of several at the same distance that of the lowest id.
      *
@@ -160,17 +165,30 @@ public final class CastSearch {
      * @param at where the first of them goes
      */
     public void writeHit(int k, float[] to, int at) {
-        double x = startX + unitX * found.distance(k);
-        double y = startY + unitY * found.distance(k);
-        double nx = x - tree.x[found.place(k)];
-        double ny = y - tree.y[found.place(k)];
+        writeHit(found.distance(k), tree.x[found.place(k)], tree.y[found.place(k)], to, at);
+    }
+
+    /**
+     * Writes where a circle is hit that another search has found on the path.
+     *
+     * @param distance how far the disc has moved by then
+     * @param circleX x of the circle
+     * @param circleY y of the circle
+     * @param to takes {@link #HIT_STRIDE} elements
+     * @param at where the first of them goes
+     */
+    public void writeHit(double distance, float circleX, float circleY, float[] to, int at) {
+        double x = startX + unitX * distance;
+        double y = startY + unitY * distance;
+        double nx = x - circleX;
+        double ny = y - circleY;
         double norm = Math.sqrt(nx * nx + ny * ny);
         if (norm == 0) {
             nx = 0 - unitX;
             ny = length == 0 ? 1 : 0 - unitY;
             norm = 1;
         }
-        write(to, at, found.distance(k), x, y, nx / norm, ny / norm);
+        write(to, at, distance, x, y, nx / norm, ny / norm);
     }
 
     /** Writes where the disc ends if it hits nothing: the length of its path, its end, and a normal of 0. */

@@ -13,10 +13,10 @@ import io.github.circles2d.world.model.CircleRow;
  */
 public final class CircleTree {
     /** Circles that share a box of level 0. */
-    static final int CIRCLES_A_BOX = 16;
+    public static final int CIRCLES_A_BOX = 16;
 
     /** Boxes that share a box of the next level. */
-    static final int BOXES_A_BOX = 4;
+    public static final int BOXES_A_BOX = 4;
 
     /** At least the levels that 100 million circles need. */
     static final int LEVELS = 14;
@@ -28,7 +28,8 @@ public final class CircleTree {
     static final int MAX_X = 2;
     static final int MAX_Y = 3;
 
-    private static final float MARGIN = 0x1p-21f;
+    /** What a box is larger by than its circles, by the share of their coordinates and radii. */
+    public static final float MARGIN = 0x1p-21f;
 
     private final HilbertOrder hilbertOrder = new HilbertOrder();
 

@@ -6,13 +6,19 @@ import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.CategoryFilter;
+import io.github.circles2d.world.DeviceSearches;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.Simulation;
+import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.QueryShape;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
@@ -63,6 +69,11 @@ final class OclgrindWorlds {
                 break;
             case "PERSISTENT_CPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_CPU));
+                break;
+            case "queries":
+                // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
+                // wrote them.
+                kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
@@ -144,6 +155,47 @@ final class OclgrindWorlds {
             twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }
+    }
+
+    /** Queries on the device: of each shape, of all circles and of some. */
+    private Set<String> queries(Scene scene) {
+        DevicePipeline pipeline = pipeline(Plans.COLOURS);
+        try (Simulation simulation = DeviceSearches.always(SimulationScenes.simulation(scene, 1, pipeline));
+                Simulation host = SimulationScenes.simulation(scene, 1, jvm())) {
+            float[] numbers = new float[2 * QueryShape.MOST_NUMBERS];
+            for (int k = 0; k < numbers.length; k++) {
+                numbers[k] = (scene.maxX() - scene.minX()) * (k + 1) / (numbers.length + 1);
+            }
+            int found = 0;
+            for (QueryShape shape : QueryShape.values()) {
+                found += query(simulation, shape, numbers);
+                if (query(host, shape, numbers) != query(simulation, shape, numbers)) {
+                    throw new IllegalStateException("the host finds other circles by " + shape);
+                }
+            }
+            if (found == 0 || DeviceSearches.answered(simulation) != 4 * QueryShape.values().length) {
+                throw new IllegalStateException("the device has not found anything");
+            }
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    private static int query(Simulation simulation, QueryShape shape, float[] numbers) {
+        long[] handles = new long[1000];
+        float[] hits = new float[CastSearch.HIT_STRIDE * handles.length];
+        int found = 0;
+        for (CategoryFilter filter :
+                new CategoryFilter[] {null, simulation.searches().filter(1)}) {
+            found += switch (shape) {
+                case POINT -> simulation.searches().one(filter, shape, numbers, 2, handles, null);
+                case NEAREST -> simulation.searches().nearest(filter, numbers, 2, 100, 3, handles, hits);
+                default ->
+                    simulation
+                            .searches()
+                            .all(filter, shape, numbers, 2, new int[2], handles, shape.isCast() ? hits : null);
+            };
+        }
+        return found;
     }
 
     private static Pipeline jvm() {

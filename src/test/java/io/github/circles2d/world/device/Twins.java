@@ -406,7 +406,7 @@ final class Twins implements AutoCloseable {
                 default -> bulk.applyImpulses(some, some.length, values, true);
             }
             if (explodes) {
-                bulk.explode(values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
+                bulk.explode(false, 0, values[0], values[1], 0.3f * reach, reach, 0.7f * reach);
             }
         }
     }

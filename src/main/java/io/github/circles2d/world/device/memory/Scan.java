@@ -20,7 +20,7 @@ public final class Scan {
     }
 
     /** Number of elements that the arrays of a scan need room for. */
-    static int padded(int elements) {
+    public static int padded(int elements) {
         return (elements + EACH - 1) / EACH * EACH;
     }
 

@@ -1,0 +1,123 @@
+// uses: world/shared/Real.cl world/stages/Scan.cl
+// A tree of boxes over the circles at home, for queries, as the Java class CircleTree has on the host: sixteen circles in a row share
+// a box, four boxes in a row share a box of the next level, up to one. The circles are sorted by cells of a grid over all of them,
+// in the order of a Hilbert curve. Within a cell they lie in the order in which work-items met; no query's answer depends on it.
+// From the host: TREE_MARGIN, CIRCLES_A_BOX, BOXES_A_BOX, MOST_IN_A_CELL, and EXTENT_ITEMS, the work-items that measure the extent.
+
+// In extent: least x, least y, greatest x, greatest y, the last two negated, each as sortable bits; whether a cell is crowded.
+#define LEAST_X 0
+#define LEAST_Y 1
+#define GREATEST_X 2
+#define GREATEST_Y 3
+#define CELL_CROWDED 4
+
+// Ints in the order of the floats, and back.
+int sortable(float f) {
+    int bits = as_int(f);
+    return bits ^ ((bits >> 31) & INT_MAX);
+}
+
+float unsorted(int bits) { return as_float(bits ^ ((bits >> 31) & INT_MAX)); }
+
+// Measures the extent of the centres. Index space: EXTENT_ITEMS work-items.
+kernel void queries_extent(global const int *homeId, global const float4 *homeCircle, int slots, global int *extent) {
+    local int found[4];
+    int item = (int) get_local_id(0);
+    if (item < 4) found[item] = INT_MAX;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int4 own = (int4)(INT_MAX);
+    for (int slot = (int) get_global_id(0); slot < slots; slot += (int) get_global_size(0)) {
+        if (homeId[slot] < 0) continue;
+        float4 c = homeCircle[slot];
+        own = min(own, (int4)(sortable(c.x), sortable(c.y), sortable(-c.x), sortable(-c.y)));
+    }
+    atomic_min(&found[LEAST_X], own.x);
+    atomic_min(&found[LEAST_Y], own.y);
+    atomic_min(&found[GREATEST_X], own.z);
+    atomic_min(&found[GREATEST_Y], own.w);
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (item == 0) {
+        for (int k = 0; k < 4; k++) atomic_min(&extent[k], found[k]);
+    }
+}
+
+// The cell of a coordinate out of 2^bits cells between two coordinates.
+int cellBetween(float at, float low, float high, int bits) {
+    float width = high - low;
+    if (!(width > 0.0f)) return 0;
+    return clamp((int) ((at - low) / width * (float) (1 << bits)), 0, (1 << bits) - 1);
+}
+
+// The place of a cell on a Hilbert curve through 2^bits columns and rows.
+int hilbertPlace(int column, int row, int bits) {
+    int place = 0;
+    for (int bit = bits - 1; bit >= 0; bit--) {
+        int right = column >> bit & 1;
+        int upper = row >> bit & 1;
+        place = place << 2 | (3 * right ^ upper);
+        if (upper == 0) {
+            int from = right ? ~column : column;
+            column = right ? ~row : row;
+            row = from;
+        }
+    }
+    return place;
+}
+
+// Counts the circles of each cell. Index space: a slot at home a work-item.
+kernel void queries_tally(global const int *homeId, global const float4 *homeCircle, int slots, int bits,
+                          global int *extent, global int *cellOf, global int *rank, global int *tally) {
+    int slot = (int) get_global_id(0);
+    if (slot >= slots || homeId[slot] < 0) return;
+    float4 c = homeCircle[slot];
+    int column = cellBetween(c.x, unsorted(extent[LEAST_X]), -unsorted(extent[GREATEST_X]), bits);
+    int row = cellBetween(c.y, unsorted(extent[LEAST_Y]), -unsorted(extent[GREATEST_Y]), bits);
+    int place = hilbertPlace(column, row, bits);
+    int before = atomic_inc(&tally[place]);
+    cellOf[slot] = place;
+    rank[slot] = before;
+    if (before == MOST_IN_A_CELL) extent[CELL_CROWDED] = 1;
+}
+
+// Sorts the circles: x, y, radius and id. Index space: a slot at home a work-item.
+kernel void queries_place(global const int *homeId, global const float4 *homeCircle, int slots,
+                          global const int *cellOf, global const int *rank, global const int *cellStart,
+                          global float4 *circle, global int *id) {
+    int slot = (int) get_global_id(0);
+    if (slot >= slots || homeId[slot] < 0) return;
+    int place = cellStart[cellOf[slot]] + rank[slot];
+    circle[place] = homeCircle[slot];
+    id[place] = homeId[slot];
+}
+
+// The box around two boxes: least x, y, greatest x, y. Put together from numbers: Oclgrind 21.10 crashes on a vector of vectors.
+float4 enclosing(float4 a, float4 b) {
+    return (float4)(least(a.x, b.x), least(a.y, b.y), greatest(a.z, b.z), greatest(a.w, b.w));
+}
+
+// Boxes around circles, larger by what covers the rounding of the exact tests. Index space: a box a work-item.
+kernel void queries_boxCircles(global const float4 *circle, int circles, int boxes, global float4 *box) {
+    int b = (int) get_global_id(0);
+    if (b >= boxes) return;
+    float4 around = (float4)(INFINITY, INFINITY, -INFINITY, -INFINITY);
+    int end = min(CIRCLES_A_BOX * (b + 1), circles);
+    for (int k = CIRCLES_A_BOX * b; k < end; k++) {
+        float4 c = circle[k];
+        float reachX = c.z + (fabs(c.x) + c.z) * TREE_MARGIN;
+        float reachY = c.z + (fabs(c.y) + c.z) * TREE_MARGIN;
+        around = enclosing(around, (float4)(c.x - reachX, c.y - reachY, c.x + reachX, c.y + reachY));
+    }
+    box[b] = around;
+}
+
+// Boxes around boxes. below: where those of the level below begin, and how many there are. Index space: a box a work-item.
+kernel void queries_boxBoxes(global float4 *box, int below, int boxesBelow, int start, int boxes) {
+    int b = (int) get_global_id(0);
+    if (b >= boxes) return;
+    float4 around = box[below + BOXES_A_BOX * b];
+    int end = min(BOXES_A_BOX * (b + 1), boxesBelow);
+    for (int k = BOXES_A_BOX * b + 1; k < end; k++) {
+        around = enclosing(around, box[below + k]);
+    }
+    box[start + b] = around;
+}

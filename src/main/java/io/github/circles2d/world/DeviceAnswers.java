@@ -1,0 +1,186 @@
+package io.github.circles2d.world;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.CircleTree;
+import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.queries.RemoteSearch;
+
+/**
+ * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to
+ * build a tree of them takes a host some 50 ms, and a call of the device a tenth of one.
+ *
+ * <p>The rule: the world has at least {@link #LEAST_CIRCLES} on a GPU; and the call is a batch of at least {@link #LEAST_BATCH}
+ * queries, or smaller calls since the last change have not yet taken about as long as it would take to read all circles and build a
+ * tree. So whoever asks once or twice in a frame never pays for that, and whoever asks thousands of times one by one pays twice at
+ * most. The numbers are estimates, by what a transfer, a launch and a tree cost; no GPU has been measured for them.
+ */
+final class DeviceAnswers {
+    private static final int LEAST_CIRCLES = 20_000;
+    private static final int LEAST_BATCH = 256;
+
+    /** A call takes about as long as it takes to read so many circles and build a tree of them. */
+    private static final int CIRCLES_A_CALL = 1000;
+
+    /** What a method returns that leaves the queries to the host. */
+    static final int LEFT = -1;
+
+    private final Simulation simulation;
+    private final HandleTable handles;
+    private final CastSearch hits = new CastSearch(new CircleTree());
+    private RemoteSearch search;
+
+    /** By query: where its circles end. Not the caller's array, into which another thread may write. */
+    private int[] ends = new int[1];
+
+    /** Whether the rule is left out, for tests. */
+    private boolean always;
+
+    /** Calls of small batches in the state of {@link #changes}. */
+    private int calls;
+
+    private long changes;
+
+    /** Calls that were answered, whatever the state. */
+    private int answered;
+
+    DeviceAnswers(Simulation simulation) {
+        this.simulation = simulation;
+        handles = simulation.handles;
+    }
+
+    /** Answers on any device, whether or not it is the faster way. */
+    void always() {
+        always = true;
+    }
+
+    /** How many calls were answered. */
+    int answered() {
+        return answered;
+    }
+
+    /** Whether the device answers such a batch. Checks all of its queries if so. */
+    private boolean takes(QueryBatch batch) {
+        search = simulation.pipeline.search();
+        if (search == null || batch.n == 0 || !always && !isWorthIt(batch.n)) {
+            return false;
+        }
+        for (int q = 0; q < batch.n; q++) {
+            batch.take(q);
+        }
+        simulation.settle();
+        return search.show(simulation.last.changes());
+    }
+
+    private boolean isWorthIt(int n) {
+        if (handles.size() < LEAST_CIRCLES || !search.pays()) {
+            return false;
+        }
+        if (changes != simulation.last.changes()) {
+            changes = simulation.last.changes();
+            calls = 0;
+        }
+        return n >= LEAST_BATCH || ++calls <= handles.size() / CIRCLES_A_CALL;
+    }
+
+    private static int[] kinds(QueryBatch batch) {
+        return batch.filter == null ? null : batch.filter.kinds();
+    }
+
+    /** Answers queries that find all. Returns how many circles they find, or {@link #LEFT}. */
+    int all(QueryBatch batch) {
+        if (ends.length < batch.n) {
+            ends = new int[Math.max(batch.n, ends.length + (ends.length >> 1))];
+        }
+        if (!takes(batch) || !search.count(batch.shape, batch.queries, batch.n, kinds(batch), ends)) {
+            return LEFT;
+        }
+        int room = batch.room();
+        int total = 0;
+        int listed = 0;
+        for (int q = 0; q < batch.n; q++) {
+            listed += total < room ? 1 : 0;
+            total = batch.end(q, total, ends[q]);
+            ends[q] = total;
+        }
+        if (listed > 0 && !search.list(listed, ends, batch.hits != null)) {
+            return LEFT;
+        }
+        int from = 0;
+        for (int q = 0; q < listed; q++) {
+            take(batch, q, from, Math.min(ends[q], room));
+            from = ends[q];
+        }
+        answered++;
+        return total;
+    }
+
+    private void take(QueryBatch batch, int q, int from, int end) {
+        if (batch.hits != null && from < end) {
+            hits.aim(batch.shape, batch.queries, batch.at(q));
+        }
+        for (int k = from; k < end; k++) {
+            batch.handles[k] = handles.handle(search.id(k));
+            if (batch.hits != null) {
+                writeHit(batch, k, k);
+            }
+        }
+    }
+
+    private void writeHit(QueryBatch batch, int found, int k) {
+        hits.writeHit(search.distance(found), search.x(found), search.y(found), batch.hits, CastSearch.HIT_STRIDE * k);
+    }
+
+    /** Answers queries that find one circle each or none. Returns how many find one, or {@link #LEFT}. */
+    int one(QueryBatch batch) {
+        if (!takes(batch) || !search.few(batch.shape, batch.queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
+            return LEFT;
+        }
+        int count = 0;
+        for (int q = 0; q < batch.n; q++) {
+            int id = search.id(q);
+            batch.handles[q] = id < 0 ? 0 : handles.handle(id);
+            count += id < 0 ? 0 : 1;
+            if (batch.hits != null) {
+                hits.aim(batch.shape, batch.queries, batch.at(q));
+                if (id < 0) {
+                    hits.writeMiss(batch.hits, CastSearch.HIT_STRIDE * q);
+                } else {
+                    writeHit(batch, q, q);
+                }
+            }
+        }
+        answered++;
+        return count;
+    }
+
+    /** Answers queries for the nearest. Returns how many circles they find, or {@link #LEFT}. */
+    int nearest(QueryBatch batch) {
+        int most = batch.most;
+        if (!takes(batch)
+                || !search.few(
+                        QueryShape.NEAREST,
+                        batch.queries,
+                        batch.n,
+                        batch.within,
+                        most,
+                        kinds(batch),
+                        batch.distances != null)) {
+            return LEFT;
+        }
+        int total = 0;
+        for (int q = 0; q < batch.n; q++) {
+            int count = 0;
+            while (count < most && search.id(most * q + count) >= 0) {
+                int found = most * q + count;
+                double distance = batch.distances == null ? 0 : search.distance(found);
+                batch.takeNearest(q, count, handles.handle(search.id(found)), distance);
+                count++;
+            }
+            batch.fillUp(q, count);
+            total += count;
+        }
+        answered++;
+        return total;
+    }
+}

@@ -1,0 +1,90 @@
+package io.github.circles2d.world.queries;
+
+/** The searches in a tree of circles, by the shape of the query. */
+public final class TreeSearch {
+    private final CircleTree tree = new CircleTree();
+    private final OverlapSearch overlaps = new OverlapSearch(tree);
+    private final NearestSearch nearest = new NearestSearch(tree);
+    private final CastSearch casts = new CastSearch(tree);
+
+    /** No circles. */
+    public TreeSearch() {}
+
+    /** Takes the place of the circles before; see {@link CircleTree#build}. */
+    public void build(float[] circles, int[] ids, int n) {
+        tree.build(circles, ids, n);
+    }
+
+    /**
+     * Finds all circles of a query: what overlaps by id, what a path meets by distance, then by id.
+     *
+     * @param query its numbers, which have been checked
+     * @param filter which circles count; null for all
+     * @return the number of circles found, which {@link #id} and {@link #writeHit} give
+     */
+    public int all(QueryShape shape, float[] query, IdFilter filter) {
+        return switch (shape) {
+            case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
+            case BOX -> overlaps.box(query[0], query[1], query[2], query[3], filter);
+            case RAY, DISC_CAST -> {
+                casts.aim(shape, query, 0);
+                yield casts.all(filter);
+            }
+            default -> throw new IllegalArgumentException(shape + " does not find all");
+        };
+    }
+
+    /** The circle with a number from 0 to those that {@link #all} has found. */
+    public int id(QueryShape shape, int k) {
+        return shape.isCast() ? casts.id(k) : overlaps.id(k);
+    }
+
+    /** Writes the hit with a number from 0 to those that {@link #all} has found. */
+    public void writeHit(int k, float[] to, int at) {
+        casts.writeHit(k, to, at);
+    }
+
+    /** Finds the circle at a point; -1 if there is none. */
+    public int pick(float[] query, IdFilter filter) {
+        return overlaps.pick(query[0], query[1], filter);
+    }
+
+    /**
+     * Finds the first circle that a path meets.
+     *
+     * @param hits takes the hit, or the end of the path; may be null
+     * @param to where in it
+     * @return the id; -1 if there is none
+     */
+    public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
+        casts.aim(shape, query, 0);
+        boolean hit = casts.first(filter);
+        if (hits != null && hit) {
+            casts.writeHit(0, hits, to);
+        } else if (hits != null) {
+            casts.writeMiss(hits, to);
+        }
+        return hit ? casts.id(0) : -1;
+    }
+
+    /**
+     * Finds the circles nearest to a point, of which {@link #nearestId} and {@link #nearestDistance} tell.
+     *
+     * @param within greatest distance
+     * @param most how many to find
+     * @return how many were found
+     */
+    public int nearest(float[] query, float within, int most, IdFilter filter) {
+        return nearest.find(query[0], query[1], within, most, filter);
+    }
+
+    /** The circle with a number from 0 to those that {@link #nearest} has found. */
+    public int nearestId(int k) {
+        return nearest.id(k);
+    }
+
+    /** Its distance. */
+    public double nearestDistance(int k) {
+        return nearest.distance(k);
+    }
+}
