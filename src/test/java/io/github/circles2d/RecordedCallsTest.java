@@ -130,6 +130,7 @@ class RecordedCallsTest {
             "read",
             "readById",
             "readHandles",
+            "readLoadsById",
             "readVelocities",
             "readVelocitiesById",
             "report",

@@ -332,7 +332,7 @@ public final class Readings {
         }
     }
 
-    private static void requireRoom(long[] living, int ids) {
+    static void requireRoom(long[] living, int ids) {
         if (living != null) {
             requireRoom("living", living.length, IdMask.words(ids));
         }
@@ -345,7 +345,7 @@ public final class Readings {
         requireRoom(what, buffer.remaining(), needs);
     }
 
-    private static void requireRoom(String what, long has, long needs) {
+    static void requireRoom(String what, long has, long needs) {
         if (has < needs) {
             throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
         }
