@@ -11,7 +11,7 @@ final class ExplodeTool implements Tool {
     private static final float CORE = 0.25f;
 
     /** Of the speed that is high in the world, for a circle of usual mass. */
-    private static final float SPEED = 1.3f;
+    private static final float SPEED = 0.9f;
 
     private static final int FRAMES = 24;
 

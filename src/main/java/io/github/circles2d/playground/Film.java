@@ -8,11 +8,11 @@ import java.nio.file.Path;
 
 /** The short film of the README: circles are poured into a basin, and blown up. It ends as it began, so it can run for ever. */
 final class Film {
-    private static final int WIDTH = 480;
-    private static final int HEIGHT = 300;
+    private static final int WIDTH = 448;
+    private static final int HEIGHT = 280;
 
     /** Steps of a frame; the film runs as fast as the world. */
-    private static final int STEPS = 4;
+    private static final int STEPS = 3;
 
     private static final int FRAMES_A_SECOND = 60 / STEPS;
     private static final int FRAMES = 6 * FRAMES_A_SECOND;

@@ -38,7 +38,7 @@ record Grain(float radius, float density, float highSpeed) {
         double extent = Math.min(arena.width(), arena.height());
         double gravity = Math.hypot(world.gravityX(), world.gravityY());
         double fall = Math.sqrt(2 * gravity * extent);
-        double high = Math.max(0.7 * fall, count == 0 ? 0 : 2 * speeds / count);
+        double high = Math.max(fall, count == 0 ? 0 : 2 * speeds / count);
         return new Grain(
                 (float) (count == 0 ? extent * PART : radii / count),
                 (float) (count == 0 ? 1 : masses / squares),

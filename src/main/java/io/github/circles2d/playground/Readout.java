@@ -26,13 +26,16 @@ final class Readout {
         world.readVelocitiesById(velocities, null);
         if (paint.needsLoads()) {
             world.readLoadsById(loads, null);
+            for (int id = 0; id < ids; id++) {
+                shades.note(loads[2 * id + 1], circles[4 * id + 2]);
+            }
+            shades.scalePressure();
         }
         frame.arena = Arena.of(world);
         frame.ensure(world.size());
         copy(frame, positions, ids, paint);
         measure(world, ids);
         frame.energy = energy;
-        shades.endFrame();
     }
 
     private void copy(Frame frame, FloatBuffer positions, int ids, PaintMode paint) {

@@ -36,24 +36,30 @@ final class Shades {
         return CONTACTS[Math.min((int) count, CONTACTS.length - 1)];
     }
 
-    /** The colour of a force on a circle of a radius, beside the pressures of the frames before. */
     int pressure(float force, float radius) {
-        double pressure = force / (2 * Math.PI * radius);
-        if (pressure > 0) {
-            sum += pressure;
-            pressed++;
-        }
-        return PRESSURE.colour(meanPressure > 0 ? pressure / (PRESSURE_RANGE * meanPressure) : 0);
+        return PRESSURE.colour(meanPressure > 0 ? perLength(force, radius) / (PRESSURE_RANGE * meanPressure) : 0);
     }
 
-    /** Ends a frame: the scale of pressures follows what there is, slowly. */
-    void endFrame() {
+    /** Takes note of a force on a circle, before colours are asked for. */
+    void note(float force, float radius) {
+        if (force > 0) {
+            sum += perLength(force, radius);
+            pressed++;
+        }
+    }
+
+    /** All forces of a frame have been noted: the scale follows what there is, slowly. */
+    void scalePressure() {
         if (pressed > 0) {
             double mean = sum / pressed;
             meanPressure = meanPressure == 0 ? mean : meanPressure + NEWEST * (mean - meanPressure);
         }
         sum = 0;
         pressed = 0;
+    }
+
+    private static double perLength(float force, float radius) {
+        return force / (2 * Math.PI * radius);
     }
 
     /** The colours that a legend shows, from little to much. */
