@@ -5,13 +5,13 @@ import java.util.List;
 
 /** An explosion at each click, and a ring that runs out from it. */
 final class ExplodeTool implements Tool {
-    private static final float REACH = 14;
+    private static final float REACH = 18;
 
     /** Part of the reach in which the whole impulse acts. */
     private static final float CORE = 0.25f;
 
     /** Of the speed that is high in the world, for a circle of usual mass. */
-    private static final float SPEED = 0.9f;
+    private static final float SPEED = 2;
 
     private static final int FRAMES = 24;
 

@@ -18,7 +18,7 @@ final class Film {
     private static final int FRAMES = 6 * FRAMES_A_SECOND;
     private static final int POURED = FRAMES * 55 / 100;
     private static final int[] BLASTS = {FRAMES * 64 / 100, FRAMES * 80 / 100};
-    private static final float[][] PLACES = {{62, 8}, {100, 6}};
+    private static final float[][] PLACES = {{66, 6}, {112, 2}};
 
     private Film() {}
 
@@ -49,7 +49,7 @@ final class Film {
     private static void act(Session session, int k) {
         if (k < POURED) {
             double sway = Math.sin(k * 0.09);
-            session.moveMouse((float) (78 + 22 * sway), 92);
+            session.moveMouse((float) (78 + 20 * sway), 90);
         }
         if (k == 0 || k == POURED) {
             session.pour(k == 0);

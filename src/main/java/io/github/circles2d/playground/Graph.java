@@ -5,11 +5,17 @@ import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
+import java.util.Arrays;
 
-/** A line of the last values of a figure, on a panel. Its scale follows the greatest value, slowly when that falls. */
+/** A line of the last values of a figure, on a panel. Its scale follows the great values, slowly when they fall; rare peaks are cut off. */
 final class Graph {
     private static final double FALL = 0.02;
     private static final int HEAD = 24;
+
+    /** The part of the values that the scale has room for. */
+    private static final double COMMON = 0.97;
+
+    private static final double MARGIN = 1.15;
 
     private final String title;
     private final Color colour;
@@ -35,11 +41,9 @@ final class Graph {
     }
 
     private void scale(float[] values) {
-        double greatest = 0;
-        for (float value : values) {
-            greatest = Math.max(greatest, value);
-        }
-        greatest *= 1.08;
+        float[] sorted = values.clone();
+        Arrays.sort(sorted);
+        double greatest = sorted.length == 0 ? 0 : MARGIN * sorted[(int) (COMMON * (sorted.length - 1))];
         boolean far = greatest < top * 1e-3;
         top = greatest >= top || far ? greatest : top + FALL * (greatest - top);
     }

@@ -38,7 +38,7 @@ final class Hud {
     void paint(Graphics2D g, int width, int height, Frame frame, boolean graphs) {
         rate.tick(System.nanoTime());
         smooth(g);
-        paintFigures(g, frame);
+        int bottom = paintFigures(g, frame);
         if (graphs) {
             int left = width - MARGIN - GRAPH_WIDTH;
             steps.paint(g, left, MARGIN, GRAPH_WIDTH, GRAPH_HEIGHT, frame.stepTimes, format("%.2f", frame.stepMillis));
@@ -51,8 +51,8 @@ final class Hud {
                     frame.energies,
                     format("%.3g", frame.energy));
         }
-        paintLegend(g, height, frame.paint);
-        paintMessage(g, width, height, frame);
+        paintLegend(g, bottom + 8, frame.paint);
+        paintMessage(g, width, frame);
     }
 
     /** The lines of the panel. */
@@ -68,7 +68,8 @@ final class Hud {
                 format("hash %016x at step %,d", frame.hash, frame.hashStep));
     }
 
-    private void paintFigures(Graphics2D g, Frame frame) {
+    /** Returns where the panel ends. */
+    private int paintFigures(Graphics2D g, Frame frame) {
         List<String> lines = lines(frame);
         int widest = 0;
         for (int k = 0; k < lines.size(); k++) {
@@ -82,13 +83,14 @@ final class Hud {
             g.setColor(remark ? Theme.WARM : k < 2 ? Theme.TEXT : Theme.FAINT);
             g.drawString(lines.get(k), MARGIN + PAD, MARGIN + PAD + 8 + k * LINE);
         }
+        return MARGIN + lines.size() * LINE + PAD + 2;
     }
 
     private static java.awt.Font font(int line) {
         return line == 0 ? Theme.bold(SIZE) : line == 3 ? Theme.digits(SIZE - 1) : Theme.font(SIZE);
     }
 
-    private static void paintLegend(Graphics2D g, int height, PaintMode mode) {
+    private static void paintLegend(Graphics2D g, int top, PaintMode mode) {
         int[] colours = Shades.legend(mode);
         if (colours.length == 0) {
             return;
@@ -97,7 +99,6 @@ final class Hud {
         FontMetrics metrics = g.getFontMetrics();
         int bar = 132;
         String label = mode.label();
-        int top = height - MARGIN - 26;
         panel(g, MARGIN, top, metrics.stringWidth(label) + bar + 3 * PAD, 26);
         g.setColor(Theme.FAINT);
         g.drawString(label, MARGIN + PAD, top + 18);
@@ -110,18 +111,19 @@ final class Hud {
         }
     }
 
-    private static void paintMessage(Graphics2D g, int width, int height, Frame frame) {
+    private static void paintMessage(Graphics2D g, int width, Frame frame) {
         if (frame.message.isEmpty()) {
             return;
         }
         g.setFont(Theme.font(SIZE));
         FontMetrics metrics = g.getFontMetrics();
-        String text = cut(frame.message, metrics, width - 4 * MARGIN);
+        String text = cut(frame.message, metrics, width - 2 * (MARGIN + PAD));
         int wide = metrics.stringWidth(text) + 2 * PAD;
-        int top = height - MARGIN - 64;
-        panel(g, (width - wide) / 2, top, wide, 28);
+        int left = Math.max((width - wide) / 2, MARGIN);
+        int top = MARGIN + 130;
+        panel(g, left, top, wide, 28);
         g.setColor(Theme.WARM);
-        g.drawString(text, (width - wide) / 2 + PAD, top + 19);
+        g.drawString(text, left + PAD, top + 19);
     }
 
     private static String cut(String text, FontMetrics metrics, int room) {

@@ -12,9 +12,12 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
+import javax.swing.border.Border;
 
 /** The menus: files, stages, the course of time, back ends, and what is shown. */
 final class Menus {
+    private static final Border ROOM = BorderFactory.createEmptyBorder(4, 10, 4, 14);
+
     private final JMenuBar bar = new JMenuBar();
     private final Map<Backend, JRadioButtonMenuItem> backends = new EnumMap<>(Backend.class);
 
@@ -95,6 +98,7 @@ final class Menus {
         ButtonGroup group = new ButtonGroup();
         for (Backend backend : new Backend[] {Backend.JVM, Backend.OPENCL_CPU, Backend.OPENCL_GPU}) {
             JRadioButtonMenuItem item = new JRadioButtonMenuItem(backend.toString());
+            item.setBorder(ROOM);
             item.setEnabled(switcher.has(backend));
             item.addActionListener(event -> switcher.to(backend));
             group.add(item);
@@ -112,6 +116,7 @@ final class Menus {
 
     private static void item(JMenu menu, String text, String key, Runnable action) {
         JMenuItem item = new JMenuItem(text);
+        item.setBorder(ROOM);
         if (key != null) {
             item.setAccelerator(KeyStroke.getKeyStroke(key.replace("ctrl ", "control ")));
         }

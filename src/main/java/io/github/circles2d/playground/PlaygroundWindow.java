@@ -70,6 +70,8 @@ final class PlaygroundWindow {
 
     /** Shows the window of a loop that has been started; returns at once. */
     static void show(SessionLoop loop, int width, int height) {
+        // Swing asks the desktop for smooth text, and many have no answer.
+        System.setProperty("awt.useSystemAAFontSettings", System.getProperty("awt.useSystemAAFontSettings", "on"));
         BackendSwitch backends = new BackendSwitch(loop);
         EventQueue.invokeLater(() -> new PlaygroundWindow(loop, backends, width, height));
     }

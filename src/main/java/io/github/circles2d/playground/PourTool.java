@@ -7,13 +7,13 @@ import java.util.Random;
 final class PourTool implements Tool {
     static final int GREATEST_WORLD = 200_000;
 
-    private static final float REACH = 5;
-    private static final int TRIES = 16;
+    private static final float REACH = 6;
+    private static final int TRIES = 24;
     private static final float LEAST_SIZE = 0.8f;
     private static final float SPREAD = 0.4f;
 
     /** Radii a second, along gravity. */
-    private static final float SPEED = 40;
+    private static final float SPEED = 90;
 
     private final Random random = new Random(1);
     private final float[] discs = new float[3 * TRIES];

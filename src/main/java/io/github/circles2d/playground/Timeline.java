@@ -49,6 +49,11 @@ final class Timeline {
         return step - 1;
     }
 
+    /** Memory of the past. */
+    long bytes() {
+        return rewind.bytes();
+    }
+
     /** How many steps there are to go back by. */
     int stepsBefore(int step) {
         return rewind.has(step - 1) ? step - rewind.oldest() : 0;

@@ -101,11 +101,11 @@ final class WindowProgram {
         float x = ask(s -> s.world().x(ball));
         float y = ask(s -> s.world().y(ball));
         mouse(MouseEvent.MOUSE_PRESSED, x, y);
-        mouse(MouseEvent.MOUSE_DRAGGED, x - 20, y + 50);
-        say("a circle comes along", becomesTrue(() -> ask(s -> s.world().y(ball)) > y + 30));
+        mouse(MouseEvent.MOUSE_DRAGGED, x, y + 25);
+        say("a circle comes along", becomesTrue(() -> ask(s -> s.world().y(ball)) > y + 15));
         save("3-grabbed");
-        mouse(MouseEvent.MOUSE_RELEASED, x - 20, y + 50);
-        say("and falls when it is let go", becomesTrue(() -> ask(s -> s.world().y(ball)) < y + 10));
+        mouse(MouseEvent.MOUSE_RELEASED, x, y + 25);
+        say("and falls when it is let go", becomesTrue(() -> ask(s -> s.world().y(ball)) < y + 5));
     }
 
     private void pour() throws Exception {
