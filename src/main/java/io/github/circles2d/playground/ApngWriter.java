@@ -14,13 +14,13 @@ import java.util.zip.DeflaterOutputStream;
 
 /**
  * Writes pictures as an animated PNG that runs for ever, with a palette (PNG specification, third edition). Each picture has only the
- * box in which it differs from the one before, and there only the pixels that differ; the others are transparent.
+ * box in which it differs from the one before, and, if that is shorter, there only the pixels that differ; the others are transparent.
  */
 final class ApngWriter {
     private static final byte[] SIGNATURE = {(byte) 0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
 
     /** Few enough that a picture compresses well. The last number is that of transparent pixels. */
-    private static final int COLOURS = 48;
+    private static final int COLOURS = 32;
 
     private static final int BIT_DEPTH = 8;
     private static final int WITH_PALETTE = 3;
@@ -104,7 +104,11 @@ final class ApngWriter {
             top = Math.min(top, bottom - 1);
         }
         chunk(out, "fcTL", control(left, top, right - left, bottom - top));
-        byte[] data = deflate(before, now, clear, left, top, right, bottom);
+        byte[] data = deflate(null, now, clear, left, top, right, bottom);
+        if (before != null) {
+            byte[] changes = deflate(before, now, clear, left, top, right, bottom);
+            data = changes.length < data.length ? changes : data;
+        }
         if (before == null) {
             chunk(out, "IDAT", data);
         } else {

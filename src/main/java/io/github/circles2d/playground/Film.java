@@ -6,10 +6,10 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 
-/** The short film of the README: circles are poured into a basin, and blown up. It ends as it began, so it can run for ever. */
+/** The short film of the README: circles are poured into a basin, and blown up, twice. Then it begins again. */
 final class Film {
-    private static final int WIDTH = 448;
-    private static final int HEIGHT = 280;
+    private static final int WIDTH = 432;
+    private static final int HEIGHT = 270;
 
     /** Steps of a frame; the film runs as fast as the world. */
     private static final int STEPS = 3;
@@ -18,7 +18,7 @@ final class Film {
     private static final int FRAMES = 6 * FRAMES_A_SECOND;
     private static final int POURED = FRAMES * 55 / 100;
     private static final int[] BLASTS = {FRAMES * 64 / 100, FRAMES * 80 / 100};
-    private static final float[][] PLACES = {{66, 6}, {112, 2}};
+    private static final float[][] PLACES = {{64, 4}, {106, 2}};
 
     private Film() {}
 

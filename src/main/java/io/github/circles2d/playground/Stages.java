@@ -62,8 +62,8 @@ final class Stages {
         line(world, 4, 72, 62, 52, 0.8f);
         line(world, 156, 60, 92, 40, 0.8f);
         arc(world, 62, 22, 24, 200, 340, 0.8f);
-        heap(world, 6, 76, 56, 98, 0.5f, 0.9f, 2);
-        heap(world, 104, 64, 154, 98, 0.5f, 0.9f, 3);
+        heap(world, 6, 76, 56, 98, 0.7f, 1.1f, 2);
+        heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3);
         world.add(62, 7, 5, 60);
         world.add(120, 8, 7, 110);
     }

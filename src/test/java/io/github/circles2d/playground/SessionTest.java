@@ -128,7 +128,7 @@ class SessionTest {
             colours[mode.ordinal()] = Arrays.copyOf(frame.colour, frame.circles);
             assertThat(Arrays.stream(colours[mode.ordinal()]).distinct().count())
                     .as("colours of " + mode)
-                    .isGreaterThan(4);
+                    .isGreaterThan(3);
             assertThat(colours[mode.ordinal()]).contains(Theme.STATIC);
         }
         assertThat(colours[0]).isNotEqualTo(colours[1]);

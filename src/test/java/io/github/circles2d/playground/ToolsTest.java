@@ -84,7 +84,7 @@ class ToolsTest {
 
     @Test
     void pouringAddsCirclesInsideTheWallsThatOverlapNothing() {
-        world().add(80, 60, 6, 40);
+        world().add(80, 60, 2, 4);
         Tool pour = new PourTool();
         pour.press(sandbox, 80, 60, 1);
         sandbox.stepOnce(() -> {

@@ -49,6 +49,9 @@ final class WindowProgram {
     }
 
     private void run() throws Exception {
+        if (folder != null) {
+            java.nio.file.Files.createDirectories(folder);
+        }
         loop = new SessionLoop(() -> new Session(Stages.named("sandbox"), Backend.JVM));
         loop.start();
         PlaygroundWindow.show(loop, 1100, 700);

@@ -26,7 +26,7 @@ class LauncherTest {
     void helpNamesEveryCommandAndAnUnknownCommandIsAWrongCall() throws Exception {
         FakeMachine machine = new FakeMachine(folder);
         FakeMachine.Result help = machine.launch("help");
-        assertThat(help.output).contains("demo", "test", "bench", "doctor", "calibrate");
+        assertThat(help.output).contains("demo", "play", "test", "bench", "doctor", "calibrate");
         assertThat(help.status).isZero();
         FakeMachine.Result unknown = machine.launch("frobnicate");
         assertThat(unknown.output).contains("unknown command: frobnicate", "usage:");
@@ -208,6 +208,19 @@ class LauncherTest {
         assertThat(machine.calls())
                 .contains("CirclesTest --frames 5 --png own.png")
                 .doesNotContain("circles2d.png");
+    }
+
+    @Test
+    void thePlaygroundGetsItsArgumentsAndTellsItselfWhatToDoWithoutADisplay() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        machine.set("DISPLAY", "");
+        machine.set("JAVA_STATUS", "1");
+        FakeMachine.Result play = machine.launch("play", "--scene", "pegs");
+        assertThat(machine.calls()).contains("io.github.circles2d.playground.Playground --scene pegs");
+        assertThat(play.status).isEqualTo(1);
+        machine.set("JAVA_STATUS", "0");
+        assertThat(machine.launch("play", "--film", "film.png").status).isZero();
+        assertThat(machine.calls()).contains("Playground --film film.png").doesNotContain("apt-get");
     }
 
     @Test
