@@ -64,6 +64,10 @@ final class Hand {
         pressed = false;
     }
 
+    boolean isPressed() {
+        return pressed;
+    }
+
     /** An explosion where the mouse is, whatever the tool. */
     void explode(Sandbox sandbox) {
         tools.get(ToolKind.EXPLODE).press(sandbox, x, y, brush);

@@ -52,6 +52,7 @@ final class PlaygroundWindow {
         frame.setVisible(true);
         canvas.requestFocusInWindow();
         loop.onFrame(this::requestShow);
+        loop.onEnd(() -> EventQueue.invokeLater(frame::dispose));
     }
 
     /** Why no window can be shown here, or the empty string. */

@@ -87,9 +87,7 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes a saved world in place of what is; all stays as it is if the file has none. */
     void open(Path file) throws IOException {
-        world.restore(ByteBuffer.wrap(Files.readAllBytes(file)));
-        grain = Grain.of(world);
-        begin(0);
+        load(Stage.saved(file.getFileName().toString(), Files.readAllBytes(file)), stats.backend());
     }
 
     /** Makes the steps that are due, and tells how many. */

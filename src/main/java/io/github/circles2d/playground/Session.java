@@ -189,7 +189,8 @@ final class Session implements AutoCloseable {
     }
 
     void moveMouse(float x, float y) {
-        use(() -> hand.move(sandbox, x, y));
+        hand.move(sandbox, x, y);
+        touched |= hand.isPressed();
     }
 
     void release() {
@@ -299,12 +300,13 @@ final class Session implements AutoCloseable {
         }
     }
 
-    /** After a failure of the device, whose state is lost: the stage from the start, on the JVM. */
-    void recover(RuntimeException failure) {
+    /** After a failure that has cost the state: the stage from the start, on the JVM; if memory was short, one that needs none. */
+    void recover(Throwable failure) {
         hand.letGo(sandbox);
-        sandbox.load(sandbox.stage(), Backend.JVM);
+        boolean small = failure instanceof OutOfMemoryError;
+        sandbox.load(small ? Stages.named("empty") : sandbox.stage(), Backend.JVM);
         restarted();
-        say("the back end failed (" + failure.getMessage() + "): from the start on the JVM");
+        say("from the start on the JVM, after a failure: " + (small ? "too little memory" : failure.getMessage()));
     }
 
     @Override

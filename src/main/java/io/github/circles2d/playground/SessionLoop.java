@@ -27,6 +27,7 @@ final class SessionLoop {
     private final CompletableFuture<Void> opened = new CompletableFuture<>();
     private final Thread thread = new Thread(this::run, "circles2d-playground");
     private volatile Runnable onFrame = () -> {};
+    private volatile Runnable onEnd = () -> {};
     private volatile boolean stopping;
 
     /** Opens the session on the thread that uses it. */
@@ -62,6 +63,11 @@ final class SessionLoop {
         onFrame = listener;
     }
 
+    /** Is told when the loop has ended, by its thread. */
+    void onEnd(Runnable listener) {
+        onEnd = listener;
+    }
+
     /** The newest frame, for the one thread that shows frames. */
     Frame latest() {
         return frames.latest();
@@ -85,6 +91,8 @@ final class SessionLoop {
             if (!opened.completeExceptionally(e)) {
                 throw e;
             }
+        } finally {
+            onEnd.run();
         }
     }
 
@@ -102,7 +110,7 @@ final class SessionLoop {
             }
             try {
                 publish(session, seconds);
-            } catch (RuntimeException e) {
+            } catch (RuntimeException | OutOfMemoryError e) {
                 session.recover(e);
             }
             waitUntil(now + FRAME_NANOS);

@@ -3,6 +3,7 @@ package io.github.circles2d.playground;
 import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.SceneLoader;
+import java.nio.ByteBuffer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 
@@ -19,6 +20,11 @@ record Stage(String name, boolean published, Supplier<World.Builder> builder, Co
     /** A scene with published numbers, which is made when it is needed. */
     static Stage of(String name, Supplier<Scene> scene) {
         return new Stage(name, true, () -> builder(scene.get()), world -> fill(world, scene.get()));
+    }
+
+    /** A world that was saved. */
+    static Stage saved(String name, byte[] snapshot) {
+        return new Stage(name, false, World::builder, world -> world.restore(ByteBuffer.wrap(snapshot)));
     }
 
     private static World.Builder builder(Scene scene) {

@@ -59,6 +59,7 @@ class PlaygroundWindowTest {
                         "and erased: true",
                         "the wheel zooms in: true",
                         "home shows all: true",
+                        "a picture is in the clipboard: true",
                         "main ends")
                 .doesNotContain("Exception");
         assertThat(result.exitStatus()).as(result.output()).isZero();

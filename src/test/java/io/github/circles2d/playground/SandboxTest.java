@@ -88,6 +88,7 @@ class SandboxTest {
             sandbox.save(file);
             other.open(file);
             assertThat(other.world().hash()).isEqualTo(sandbox.world().hash());
+            assertThat(other.stage().name()).isEqualTo("world.circles2d");
             assertThat(other.grain().radius()).isEqualTo(sandbox.grain().radius());
             steps(sandbox, 25);
             steps(other, 25);

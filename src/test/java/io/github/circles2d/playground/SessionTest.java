@@ -181,5 +181,15 @@ class SessionTest {
         frames(1);
         assertThat(frame.message).contains("the device is gone");
         assertThat(step()).isLessThan(3);
+        assertThat(frame.stage).isEqualTo("pegs");
+    }
+
+    @Test
+    void ifMemoryIsShortAnEmptyWorldComes() {
+        frames(5);
+        session.recover(new OutOfMemoryError());
+        frames(1);
+        assertThat(frame.message).contains("too little memory");
+        assertThat(frame.circles).isZero();
     }
 }

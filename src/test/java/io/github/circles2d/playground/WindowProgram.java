@@ -3,9 +3,11 @@ package io.github.circles2d.playground;
 import io.github.circles2d.Backend;
 import java.awt.Component;
 import java.awt.Frame;
+import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
+import java.awt.datatransfer.DataFlavor;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -66,6 +68,7 @@ final class WindowProgram {
         switchBackends();
         drawAndErase();
         look();
+        copy();
         saveTheRest();
         window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING));
         loop.join();
@@ -191,6 +194,13 @@ final class WindowProgram {
         save("8-zoomed");
         key(KeyEvent.VK_HOME);
         say("home shows all", onEventThread(() -> canvas.camera().scale()) == scale);
+    }
+
+    private void copy() throws Exception {
+        SwingUtilities.invokeAndWait(
+                () -> window.getJMenuBar().getMenu(0).getItem(4).doClick());
+        Image picture = (Image) Toolkit.getDefaultToolkit().getSystemClipboard().getData(DataFlavor.imageFlavor);
+        say("a picture is in the clipboard", picture.getWidth(null) == canvas.getWidth());
     }
 
     private void saveTheRest() throws Exception {
