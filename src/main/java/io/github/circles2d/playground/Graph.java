@@ -12,17 +12,17 @@ final class Graph {
     private static final double FALL = 0.02;
     private static final int HEAD = 24;
 
-    /** The part of the values that the scale has room for. */
-    private static final double COMMON = 0.97;
-
     private static final double MARGIN = 1.15;
 
     private final String title;
     private final Color colour;
+    private final double common;
     private double top;
 
-    Graph(String title, Color colour) {
+    /** A graph whose scale has room for this part of the values, 0 to 1. */
+    Graph(String title, Color colour, double common) {
         this.title = title;
+        this.common = common;
         this.colour = colour;
     }
 
@@ -43,7 +43,7 @@ final class Graph {
     private void scale(float[] values) {
         float[] sorted = values.clone();
         Arrays.sort(sorted);
-        double greatest = sorted.length == 0 ? 0 : MARGIN * sorted[(int) (COMMON * (sorted.length - 1))];
+        double greatest = sorted.length == 0 ? 0 : MARGIN * sorted[(int) (common * (sorted.length - 1))];
         boolean far = greatest < top * 1e-3;
         top = greatest >= top || far ? greatest : top + FALL * (greatest - top);
     }

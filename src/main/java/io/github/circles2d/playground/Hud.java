@@ -19,8 +19,8 @@ final class Hud {
     private static final int GRAPH_WIDTH = 240;
     private static final int GRAPH_HEIGHT = 74;
 
-    private final Graph steps = new Graph("ms a step", Theme.ACCENT);
-    private final Graph energy = new Graph("energy", Theme.WARM);
+    private final Graph steps = new Graph("ms a step", Theme.ACCENT, 0.97);
+    private final Graph energy = new Graph("energy", Theme.WARM, 1);
     private final FrameRate rate = new FrameRate();
 
     /** Draws how far the tool in hand reaches. */

@@ -61,6 +61,7 @@ final class Menus {
             UIManager.put(kind + ".acceleratorFont", Theme.font(12));
             UIManager.put(kind + ".borderPainted", false);
         }
+        UIManager.put("RadioButtonMenuItem.checkIcon", new Dot());
         UIManager.put("PopupMenu.border", BorderFactory.createLineBorder(Theme.LINE));
         UIManager.put("Separator.foreground", Theme.LINE);
         UIManager.put("Separator.background", Theme.BAR);

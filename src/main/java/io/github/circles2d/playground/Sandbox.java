@@ -13,6 +13,9 @@ import java.nio.file.Path;
 final class Sandbox implements AutoCloseable {
     static final float TIME_STEP = 1 / 60f;
 
+    /** A processor is left to the window: threads that wait for each other would wait for it too. */
+    private static final int THREADS = Math.min(Math.max(Runtime.getRuntime().availableProcessors() - 1, 1), 16);
+
     private World world;
     private WorldStats stats;
     private FixedStep loop;
@@ -28,7 +31,7 @@ final class Sandbox implements AutoCloseable {
 
     /** Takes a stage in place of what is. If it cannot be opened, all stays as it is. */
     void load(Stage next, Backend backend) {
-        World opened = next.builder().get().backend(backend).build();
+        World opened = next.builder().get().backend(backend).threads(THREADS).build();
         try {
             next.circles().accept(opened);
             WorldStats figures = opened.stats();
@@ -47,6 +50,7 @@ final class Sandbox implements AutoCloseable {
     void switchTo(Backend backend) {
         World next = World.builder()
                 .backend(backend)
+                .threads(THREADS)
                 .capacity(Math.max(world.size(), 1))
                 .build();
         try {

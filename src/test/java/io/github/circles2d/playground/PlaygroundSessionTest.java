@@ -9,7 +9,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** The course of time, colours and figures, as a person meets them. */
-class SessionTest {
+class PlaygroundSessionTest {
     private static final float FRAME = 1 / 60f;
 
     private final Session session = new Session(Stages.named("pegs"), Backend.JVM);
