@@ -1,14 +1,12 @@
 package io.github.circles2d.playground;
 
-import java.awt.Component;
+import java.awt.FileDialog;
 import java.awt.Toolkit;
 import java.awt.image.BufferedImage;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
-import javax.swing.JFileChooser;
-import javax.swing.filechooser.FileNameExtensionFilter;
+import javax.swing.JOptionPane;
 
 /** Worlds and pictures in files, and pictures in the clipboard. Belongs to the event thread; the loop reads and writes worlds. */
 final class Files {
@@ -17,10 +15,10 @@ final class Files {
 
     private final PlaygroundCanvas canvas;
     private final SessionLoop loop;
-    private final Component parent;
-    private File folder;
+    private final java.awt.Frame parent;
+    private String folder;
 
-    Files(Component parent, PlaygroundCanvas canvas, SessionLoop loop) {
+    Files(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop) {
         this.parent = parent;
         this.canvas = canvas;
         this.loop = loop;
@@ -73,17 +71,28 @@ final class Files {
         loop.ask(session -> session.say(text));
     }
 
+    /** Asks with the desktop's own dialog, which asks before it has a file replaced; not if the ending is missing. */
     private Path choose(String title, String ending, boolean toSave) {
-        JFileChooser chooser = new JFileChooser(folder);
-        chooser.setDialogTitle(title);
-        chooser.setFileFilter(new FileNameExtensionFilter("*." + ending, ending));
-        int answer = toSave ? chooser.showSaveDialog(parent) : chooser.showOpenDialog(parent);
-        if (answer != JFileChooser.APPROVE_OPTION) {
+        FileDialog dialog = new FileDialog(parent, title, toSave ? FileDialog.SAVE : FileDialog.LOAD);
+        dialog.setDirectory(folder);
+        dialog.setFilenameFilter((where, name) -> name.endsWith("." + ending));
+        dialog.setVisible(true);
+        String name = dialog.getFile();
+        folder = dialog.getDirectory();
+        dialog.dispose();
+        if (name == null) {
             return null;
         }
-        folder = chooser.getCurrentDirectory();
-        File chosen = chooser.getSelectedFile();
-        boolean bare = chosen.getName().indexOf('.') < 0;
-        return toSave && bare ? Path.of(chosen + "." + ending) : chosen.toPath();
+        if (!toSave || name.indexOf('.') >= 0) {
+            return Path.of(folder, name);
+        }
+        Path file = Path.of(folder, name + "." + ending);
+        return file.toFile().exists() && !mayReplace(file) ? null : file;
+    }
+
+    private boolean mayReplace(Path file) {
+        String question = "Replace " + file.getFileName() + "?";
+        return JOptionPane.showConfirmDialog(parent, question, "Save", JOptionPane.OK_CANCEL_OPTION)
+                == JOptionPane.OK_OPTION;
     }
 }

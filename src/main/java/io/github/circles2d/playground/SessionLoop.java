@@ -98,6 +98,7 @@ final class SessionLoop {
 
     private void run(Session session) {
         long last = System.nanoTime();
+        long due = last;
         while (!stopping) {
             long now = System.nanoTime();
             float seconds = Math.min((now - last) / 1e9f, LONGEST_FRAME);
@@ -113,7 +114,8 @@ final class SessionLoop {
             } catch (RuntimeException | OutOfMemoryError e) {
                 session.recover(e);
             }
-            waitUntil(now + FRAME_NANOS);
+            due = Math.max(due, now - FRAME_NANOS) + FRAME_NANOS; // a frame that was late does not make all others late
+            waitUntil(due);
         }
     }
 

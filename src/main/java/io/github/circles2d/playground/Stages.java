@@ -114,7 +114,7 @@ final class Stages {
 
     /** Ten thousand. */
     private static void crowd(World world) {
-        heap(world, 1, 1, 159, 99, 0.46f, 0.6f, 9);
+        heap(world, 1, 1, 159, 99, 0.44f, 0.58f, 9);
     }
 
     /** Circles in rows, a little apart and a little out of line. */

@@ -58,6 +58,7 @@ class PlaygroundWindowTest {
                         "a line of circles is drawn: true",
                         "and erased: true",
                         "the wheel zooms in: true",
+                        "the right button moves the picture: true",
                         "home shows all: true",
                         "a picture is in the clipboard: true",
                         "main ends")

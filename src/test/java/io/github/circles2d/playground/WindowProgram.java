@@ -192,6 +192,13 @@ final class WindowProgram {
         }
         say("the wheel zooms in", onEventThread(() -> canvas.camera().scale()) > 2 * scale);
         save("8-zoomed");
+        double x = onEventThread(() -> canvas.camera().x());
+        drag(MouseEvent.MOUSE_PRESSED, 400);
+        drag(MouseEvent.MOUSE_DRAGGED, 300);
+        drag(MouseEvent.MOUSE_RELEASED, 300);
+        say(
+                "the right button moves the picture",
+                onEventThread(() -> canvas.camera().x()) > x);
         key(KeyEvent.VK_HOME);
         say("home shows all", onEventThread(() -> canvas.camera().scale()) == scale);
     }
@@ -225,6 +232,17 @@ final class WindowProgram {
             SwingUtilities.invokeAndWait(
                     () -> javax.swing.MenuSelectionManager.defaultManager().clearSelectedPath());
         }
+        SwingUtilities.invokeLater(
+                () -> window.getJMenuBar().getMenu(0).getItem(1).doClick());
+        Thread.sleep(1000);
+        save("14-dialog");
+        SwingUtilities.invokeAndWait(() -> {
+            for (java.awt.Window other : java.awt.Window.getWindows()) {
+                if (other != window) {
+                    other.dispose();
+                }
+            }
+        });
         ask(s -> {
             s.load(Stages.named("crowd"));
             return 0;
@@ -245,6 +263,12 @@ final class WindowProgram {
                     new MouseEvent(canvas, type, System.currentTimeMillis(), down, x, y, 1, false, button));
         });
         Thread.sleep(50);
+    }
+
+    /** With the right button. */
+    private void drag(int type, int x) throws Exception {
+        SwingUtilities.invokeAndWait(() -> canvas.dispatchEvent(
+                new MouseEvent(canvas, type, 0, InputEvent.BUTTON3_DOWN_MASK, x, 300, 1, false, MouseEvent.BUTTON3)));
     }
 
     private void wheel(float worldX, float worldY) throws Exception {
