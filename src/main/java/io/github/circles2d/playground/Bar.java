@@ -2,6 +2,7 @@ package io.github.circles2d.playground;
 
 import java.awt.FlowLayout;
 import java.util.EnumMap;
+import java.util.Locale;
 import java.util.Map;
 import javax.swing.Box;
 import javax.swing.JPanel;
@@ -29,7 +30,7 @@ final class Bar extends JPanel {
         slow = button("Slow", "slow motion: 1/2, 1/4, 1/8, 1/16 (S)", () -> loop.ask(Session::slower));
         add(Box.createHorizontalStrut(14));
         for (PaintMode mode : PaintMode.values()) {
-            String label = mode.label().substring(0, 1).toUpperCase(java.util.Locale.ROOT)
+            String label = mode.label().substring(0, 1).toUpperCase(Locale.ROOT)
                     + mode.label().substring(1);
             paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
         }

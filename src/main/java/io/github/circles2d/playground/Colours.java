@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /** The few colours that stand for all colours of some pictures, found by cutting the box of colours at medians (Heckbert, 1982). */
 final class Colours {
@@ -31,9 +32,7 @@ final class Colours {
             }
         }
         List<int[]> boxes = new ArrayList<>();
-        boxes.add(java.util.stream.IntStream.range(0, CELLS)
-                .filter(cell -> weight[cell] > 0)
-                .toArray());
+        boxes.add(IntStream.range(0, CELLS).filter(cell -> weight[cell] > 0).toArray());
         while (boxes.size() < count) {
             int[] widest = boxes.stream()
                     .filter(box -> box.length > 1)

@@ -4,6 +4,7 @@ import io.github.circles2d.Backend;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
 
 /** The short film of the README: circles are poured into a basin, and blown up, twice. Then it begins again. */
@@ -25,10 +26,10 @@ final class Film {
     /** Writes the film, and tells how many bytes it has. */
     static long write(Path file) throws IOException {
         BufferedImage[] pictures = render();
-        try (OutputStream out = java.nio.file.Files.newOutputStream(file)) {
+        try (OutputStream out = Files.newOutputStream(file)) {
             new ApngWriter(WIDTH, HEIGHT, FRAMES_A_SECOND).write(pictures, out);
         }
-        return java.nio.file.Files.size(file);
+        return Files.size(file);
     }
 
     private static BufferedImage[] render() {

@@ -2,6 +2,7 @@ package io.github.circles2d.playground;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Point;
@@ -86,7 +87,7 @@ final class Hud {
         return MARGIN + lines.size() * LINE + PAD + 2;
     }
 
-    private static java.awt.Font font(int line) {
+    private static Font font(int line) {
         return line == 0 ? Theme.bold(SIZE) : line == 3 ? Theme.digits(SIZE - 1) : Theme.font(SIZE);
     }
 

@@ -21,7 +21,7 @@ final class Menus {
     private final JMenuBar bar = new JMenuBar();
     private final Map<Backend, JRadioButtonMenuItem> backends = new EnumMap<>(Backend.class);
 
-    Menus(SessionLoop loop, PlaygroundCanvas canvas, Files files, BackendSwitch switcher, Runnable quit) {
+    Menus(SessionLoop loop, PlaygroundCanvas canvas, FileMenu files, BackendSwitch switcher, Runnable quit) {
         bar.setBackground(new Color(Theme.BAR.getRGB()));
         bar.setBorder(BorderFactory.createMatteBorder(0, 0, 1, 0, Theme.LINE));
         JMenu file = menu("File");

@@ -78,7 +78,7 @@ public final class Playground {
             }
             session.frame(0, frame);
         }
-        Files.write(picture(frame, options.width(), options.height()), file);
+        FileMenu.write(picture(frame, options.width(), options.height()), file);
     }
 
     /** All of a frame's arena, without text. */

@@ -30,7 +30,7 @@ final class PlaygroundWindow {
         Menus.prepare();
         canvas = new PlaygroundCanvas(loop, width, height);
         bar = new Bar(loop);
-        menus = new Menus(loop, canvas, new Files(frame, canvas, loop), backends, this::leave);
+        menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop), backends, this::leave);
         JPanel content = new JPanel(new BorderLayout());
         content.add(bar, BorderLayout.NORTH);
         content.add(canvas, BorderLayout.CENTER);
@@ -65,7 +65,9 @@ final class PlaygroundWindow {
                 | LinkageError
                 | InternalError e) { // none, unreachable, or a runtime without windows
             String reason = e.getMessage() == null ? "" : e.getMessage().strip();
-            return reason.isEmpty() ? "no display" : reason.lines().findFirst().orElseThrow();
+            return reason.isEmpty()
+                    ? "no display"
+                    : reason.lines().findFirst().orElseThrow().replaceAll("[\\p{Punct}\\s]+$", "");
         }
     }
 

@@ -9,20 +9,17 @@ import java.util.function.Consumer;
 /** What a person does to a sandbox, and what there is to be seen of it. Belongs to one thread, which is not that of the window. */
 final class Session implements AutoCloseable {
     private static final int MESSAGE_FRAMES = 300;
-    private static final int HASH_STEPS = 30;
     private static final float SLOWEST = 1 / 16f;
 
     /** Time that the steps of a frame may take. */
     private static final double FRAME_MILLIS = 14;
 
     private static final int MOST_STEPS = 4;
-    private static final double NEWEST = 0.1;
 
     private final Sandbox sandbox;
     private final Hand hand = new Hand();
     private final Readout readout = new Readout();
-    private final History stepTimes = new History();
-    private final History energies = new History();
+    private final Gauges gauges = new Gauges();
     private final Runnable beforeStep;
 
     private PaintMode paint = PaintMode.SPEED;
@@ -30,9 +27,6 @@ final class Session implements AutoCloseable {
     private boolean rewinding;
     private float speed = 1;
     private double stepsOwed;
-    private double stepMillis;
-    private long hash;
-    private int hashStep = -1;
     private boolean touched;
     private String message = "";
     private int messageFrames;
@@ -54,21 +48,18 @@ final class Session implements AutoCloseable {
     void frame(float seconds, Frame frame) {
         long start = System.nanoTime();
         int steps = move(seconds);
-        if (paused || rewinding) {
-            // What was done by hand is to be seen at once.
-            if (touched) {
-                sandbox.loop().reset();
-            }
+        if ((paused || rewinding) && touched) {
+            sandbox.loop().reset(); // what was done by hand is to be seen at once
         }
         sandbox.loop().positions(null); // waits for the steps
         if (steps > 0) {
-            note((System.nanoTime() - start) / 1e6 / steps);
+            gauges.noteStep((System.nanoTime() - start) / 1e6 / steps);
         }
         readout.fill(frame, sandbox, paint);
         if (steps > 0) {
-            energies.add(frame.energy);
+            gauges.noteEnergy(frame.energy);
         }
-        rehash(steps > 0);
+        gauges.rehash(sandbox, steps > 0, touched);
         describe(frame);
         touched = false;
     }
@@ -88,23 +79,9 @@ final class Session implements AutoCloseable {
         if (paused) {
             return 0;
         }
-        int most = (int) Math.min(Math.max(FRAME_MILLIS / Math.max(stepMillis, 1e-3), 1), MOST_STEPS);
+        int most = (int) Math.min(Math.max(FRAME_MILLIS / Math.max(gauges.stepMillis(), 1e-3), 1), MOST_STEPS);
         sandbox.loop().setMaxSteps(most);
         return sandbox.advance(seconds, beforeStep);
-    }
-
-    private void note(double millis) {
-        stepMillis = stepMillis == 0 ? millis : stepMillis + NEWEST * (millis - stepMillis);
-        stepTimes.add(millis);
-    }
-
-    /** The hash needs a look at the whole state, so a world that runs has one every now and then. */
-    private void rehash(boolean stepped) {
-        boolean due = stepped ? sandbox.step() >= hashStep + HASH_STEPS || sandbox.step() < hashStep : touched;
-        if (due || hashStep < 0) {
-            hash = world().hash();
-            hashStep = sandbox.step();
-        }
     }
 
     private void describe(Frame frame) {
@@ -112,9 +89,6 @@ final class Session implements AutoCloseable {
         frame.backend = sandbox.stats().backend();
         frame.device = sandbox.stats().device();
         frame.step = sandbox.step();
-        frame.hash = hash;
-        frame.hashStep = hashStep;
-        frame.stepMillis = stepMillis;
         frame.paused = paused;
         frame.rewinding = rewinding;
         frame.stepsToRewind = sandbox.stepsToRewind();
@@ -123,8 +97,7 @@ final class Session implements AutoCloseable {
         frame.paint = paint;
         frame.brush = hand.reach(sandbox);
         frame.marks = hand.marks(sandbox);
-        frame.stepTimes = stepTimes.values();
-        frame.energies = energies.values();
+        gauges.show(frame);
         messageFrames = Math.max(0, messageFrames - 1);
         frame.message = messageFrames > 0 ? message : "";
     }
@@ -141,7 +114,7 @@ final class Session implements AutoCloseable {
         long start = System.nanoTime();
         sandbox.stepOnce(beforeStep);
         world().finish();
-        note((System.nanoTime() - start) / 1e6);
+        gauges.noteStep((System.nanoTime() - start) / 1e6);
         touched = true;
     }
 
@@ -235,10 +208,8 @@ final class Session implements AutoCloseable {
         long before = world().hash();
         sandbox.switchTo(backend);
         sandbox.loop().setSpeed(speed);
-        stepTimes.clear();
-        stepMillis = 0;
-        hash = world().hash();
-        hashStep = sandbox.step();
+        gauges.forgetTimes();
+        long hash = gauges.hashNow(sandbox);
         touched = true;
         say(String.format(
                 "%s goes on from step %,d: hash %016x, %s",
@@ -261,10 +232,7 @@ final class Session implements AutoCloseable {
     }
 
     private void restarted() {
-        stepTimes.clear();
-        energies.clear();
-        stepMillis = 0;
-        hashStep = -1;
+        gauges.forget();
         rewinding = false;
         sandbox.loop().setSpeed(speed);
         touched = true;

@@ -4,6 +4,7 @@ import io.github.circles2d.World;
 import io.github.circles2d.scenes.Scenes;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Consumer;
 
 /** The stages of the menu: some to play with, and the published scenes. */
 final class Stages {
@@ -46,7 +47,7 @@ final class Stages {
                 .orElse(null);
     }
 
-    private static Stage own(String name, java.util.function.Consumer<World> circles) {
+    private static Stage own(String name, Consumer<World> circles) {
         return new Stage(
                 name,
                 false,

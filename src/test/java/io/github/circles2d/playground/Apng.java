@@ -5,6 +5,7 @@ import java.io.ByteArrayInputStream;
 import java.io.DataInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -122,10 +123,10 @@ final class Apng {
 
     /** Saves pictures of a film: {@code FILM FOLDER NUMBER...}. */
     public static void main(String[] arguments) throws IOException {
-        Apng film = new Apng(java.nio.file.Files.readAllBytes(Path.of(arguments[0])));
+        Apng film = new Apng(Files.readAllBytes(Path.of(arguments[0])));
         System.out.println(film.count + " pictures, " + film.seconds + " s");
         for (int k = 2; k < arguments.length; k++) {
-            Files.write(
+            FileMenu.write(
                     film.pictures.get(Integer.parseInt(arguments[k])),
                     Path.of(arguments[1], "film-" + arguments[k] + ".png"));
         }

@@ -1,6 +1,7 @@
 package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -8,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
@@ -45,7 +47,7 @@ class ApngWriterTest {
         Apng film = new Apng(write(pictures));
         assertThat(film.count).isEqualTo(12);
         assertThat(film.plays).as("for ever").isZero();
-        assertThat(film.seconds).isCloseTo(12 / 20.0, org.assertj.core.api.Assertions.within(1e-9));
+        assertThat(film.seconds).isCloseTo(12 / 20.0, within(1e-9));
         for (int k = 0; k < pictures.length; k++) {
             assertClose(film.pictures.get(k), pictures[k], 8);
         }
@@ -80,7 +82,7 @@ class ApngWriterTest {
 
     @Test
     void theFilmOfTheReadmeRunsSixSecondsAndIsSmall() throws Exception {
-        byte[] bytes = java.nio.file.Files.readAllBytes(Path.of("docs/playground.png"));
+        byte[] bytes = Files.readAllBytes(Path.of("docs/playground.png"));
         Apng film = new Apng(bytes);
         assertThat(bytes.length).isLessThan(1_500_000);
         assertThat(film.seconds).isBetween(5.5, 6.5);

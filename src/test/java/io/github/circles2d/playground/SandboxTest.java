@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 import io.github.circles2d.Backend;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -98,7 +99,7 @@ class SandboxTest {
 
     @Test
     void aFileThatIsNoWorldIsRefusedAndChangesNothing(@TempDir Path folder) throws Exception {
-        Path file = java.nio.file.Files.write(folder.resolve("world.circles2d"), new byte[100]);
+        Path file = Files.write(folder.resolve("world.circles2d"), new byte[100]);
         try (Sandbox sandbox = new Sandbox(Stages.named("pegs"), Backend.JVM)) {
             steps(sandbox, 5);
             long hash = sandbox.world().hash();

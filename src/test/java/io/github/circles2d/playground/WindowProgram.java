@@ -2,11 +2,13 @@ package io.github.circles2d.playground;
 
 import io.github.circles2d.Backend;
 import java.awt.Component;
-import java.awt.Frame;
+import java.awt.Container;
 import java.awt.Image;
+import java.awt.KeyboardFocusManager;
 import java.awt.Rectangle;
 import java.awt.Robot;
 import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -14,14 +16,17 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import java.awt.event.WindowEvent;
 import java.awt.image.BufferedImage;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Function;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
+import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 
 /**
@@ -52,12 +57,12 @@ final class WindowProgram {
 
     private void run() throws Exception {
         if (folder != null) {
-            java.nio.file.Files.createDirectories(folder);
+            Files.createDirectories(folder);
         }
         loop = new SessionLoop(() -> new Session(Stages.named("sandbox"), Backend.JVM));
         loop.start();
         PlaygroundWindow.show(loop, 1100, 700);
-        SwingUtilities.invokeAndWait(() -> window = (JFrame) Frame.getFrames()[0]);
+        SwingUtilities.invokeAndWait(() -> window = (JFrame) java.awt.Frame.getFrames()[0]);
         canvas = (PlaygroundCanvas) find(window.getContentPane(), PlaygroundCanvas.class);
         say("circles are lit", becomesTrue(this::isLit));
         save("1-start");
@@ -140,7 +145,7 @@ final class WindowProgram {
     }
 
     private double energy() throws Exception {
-        io.github.circles2d.playground.Frame frame = new io.github.circles2d.playground.Frame();
+        Frame frame = new Frame();
         return ask(s -> {
             s.frame(0, frame);
             return frame.energy;
@@ -230,14 +235,14 @@ final class WindowProgram {
             Thread.sleep(300);
             save("12-menu-" + menu);
             SwingUtilities.invokeAndWait(
-                    () -> javax.swing.MenuSelectionManager.defaultManager().clearSelectedPath());
+                    () -> MenuSelectionManager.defaultManager().clearSelectedPath());
         }
         SwingUtilities.invokeLater(
                 () -> window.getJMenuBar().getMenu(0).getItem(1).doClick());
         Thread.sleep(1000);
         save("14-dialog");
         SwingUtilities.invokeAndWait(() -> {
-            for (java.awt.Window other : java.awt.Window.getWindows()) {
+            for (Window other : Window.getWindows()) {
                 if (other != window) {
                     other.dispose();
                 }
@@ -296,7 +301,7 @@ final class WindowProgram {
 
     /** To the component, since without a window manager the window may not have the keyboard. */
     private void send(int type, int code) throws Exception {
-        SwingUtilities.invokeAndWait(() -> java.awt.KeyboardFocusManager.getCurrentKeyboardFocusManager()
+        SwingUtilities.invokeAndWait(() -> KeyboardFocusManager.getCurrentKeyboardFocusManager()
                 .redispatchEvent(
                         canvas,
                         new KeyEvent(canvas, type, System.currentTimeMillis(), 0, code, KeyEvent.CHAR_UNDEFINED)));
@@ -361,11 +366,11 @@ final class WindowProgram {
     private void save(String name) throws Exception {
         if (folder != null) {
             Thread.sleep(100);
-            Files.write(screen(), folder.resolve(name + ".png"));
+            FileMenu.write(screen(), folder.resolve(name + ".png"));
         }
     }
 
-    private static Component find(java.awt.Container container, Class<?> type) {
+    private static Component find(Container container, Class<?> type) {
         ArrayDeque<Component> open = new ArrayDeque<>();
         open.add(container);
         while (!open.isEmpty()) {
@@ -373,8 +378,8 @@ final class WindowProgram {
             if (type.isInstance(next)) {
                 return next;
             }
-            if (next instanceof java.awt.Container inner) {
-                open.addAll(java.util.List.of(inner.getComponents()));
+            if (next instanceof Container inner) {
+                open.addAll(List.of(inner.getComponents()));
             }
         }
         throw new IllegalStateException("there is no " + type);

@@ -9,7 +9,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
 
 /** Worlds and pictures in files, and pictures in the clipboard. Belongs to the event thread; the loop reads and writes worlds. */
-final class Files {
+final class FileMenu {
     private static final String WORLD = "circles2d";
     private static final String PICTURE = "png";
 
@@ -18,7 +18,7 @@ final class Files {
     private final java.awt.Frame parent;
     private String folder;
 
-    Files(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop) {
+    FileMenu(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop) {
         this.parent = parent;
         this.canvas = canvas;
         this.loop = loop;
