@@ -11,8 +11,8 @@ import javax.swing.JPanel;
 final class Bar extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private final Map<ToolKind, FlatButton> tools = new EnumMap<>(ToolKind.class);
-    private final Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
+    private final transient Map<ToolKind, FlatButton> tools = new EnumMap<>(ToolKind.class);
+    private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
     private final FlatButton pause;
     private final FlatButton slow;
 
