@@ -1,6 +1,7 @@
 package io.github.circles2d.playground;
 
 import io.github.circles2d.World;
+import java.nio.FloatBuffer;
 import java.util.List;
 
 /** A spring from the place where a circle was picked to the mouse. A static circle is moved along with the mouse. */
@@ -96,8 +97,11 @@ final class GrabTool implements Tool {
     public void mark(Sandbox sandbox, List<Mark> marks) {
         World world = sandbox.world();
         if (holds(world)) {
-            float x = world.x(held);
-            float y = world.y(held);
+            FloatBuffer shown = sandbox.loop().positions(null); // between two steps, as the circle is drawn
+            int at = 2 * World.id(held);
+            boolean between = at < shown.limit() && !Float.isNaN(shown.get(at));
+            float x = between ? shown.get(at) : world.x(held);
+            float y = between ? shown.get(at + 1) : world.y(held);
             marks.add(Mark.ring(x, y, world.radius(held), 1));
             marks.add(Mark.line(x + offsetX, y + offsetY, mouseX, mouseY));
         }
