@@ -850,6 +850,21 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Reads by id how hard every circle is pressed: by how many circles and walls, and the sum of the forces, without their directions,
+     * by which these do so. The forces are those at the end of the last step that the next one starts from. They hold piles up; a
+     * bounce, which is over at once, is none of them. The numbers are the same to the bit on every back end. The call copies the state,
+     * as {@link #snapshot} does.
+     *
+     * @param loads takes two elements an id: the number of circles and walls that press the circle, and the sum of their forces, mass
+     *     times length per second squared. All of it is written: elements without a circle become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readLoadsById(float[] loads, long[] living) {
+        simulation.loads().readById(loads, living);
+    }
+
+    /**
      * Reads x and y of every circle by id, as {@link #readById} does, into the memory of {@link #positions}.
      *
      * @param living takes a bit for each id, as with {@link #readById}; may be null

@@ -146,6 +146,7 @@ class RecordedCallsTest {
             "readById",
             "readHandles",
             "readKindsById",
+            "readLoadsById",
             "readTagsById",
             "readVelocities",
             "readVelocitiesById",

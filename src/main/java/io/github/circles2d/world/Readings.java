@@ -367,21 +367,21 @@ public final class Readings {
         }
     }
 
-    private static void requireRoom(long[] living, int ids) {
+    static void requireRoom(long[] living, int ids) {
         if (living != null) {
             requireRoom("living", living.length, IdMask.words(ids));
         }
     }
 
-    private static void requireRoom(String what, float[] array, long needs) {
+    static void requireRoom(String what, float[] array, long needs) {
         requireRoom(what, Limits.notNull(what, array).length, needs);
     }
 
-    private static void requireRoom(String what, long[] array, long needs) {
+    static void requireRoom(String what, long[] array, long needs) {
         requireRoom(what, Limits.notNull(what, array).length, needs);
     }
 
-    private static void requireRoom(String what, Buffer buffer, long needs) {
+    static void requireRoom(String what, Buffer buffer, long needs) {
         Limits.notNull(what, buffer);
         if (buffer.isReadOnly()) {
             throw new IllegalArgumentException(what + " is a read-only buffer");
@@ -389,7 +389,7 @@ public final class Readings {
         requireRoom(what, buffer.remaining(), needs);
     }
 
-    private static void requireRoom(String what, long has, long needs) {
+    static void requireRoom(String what, long has, long needs) {
         if (has < needs) {
             throw new IllegalArgumentException(what + " has room for " + has + " elements, but needs " + needs);
         }

@@ -35,6 +35,7 @@ public final class Simulation implements AutoCloseable {
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
+    private final Loads loads;
     private final Reports reports;
     private final Snapshots snapshots;
     final Journal journal;
@@ -75,6 +76,7 @@ public final class Simulation implements AutoCloseable {
         circles = new Circles(this);
         bulk = new BulkChanges(this);
         readings = new Readings(this);
+        loads = new Loads(this);
         reports = new Reports(this);
         snapshots = new Snapshots(this);
         journal = new Journal(this);
@@ -106,6 +108,11 @@ public final class Simulation implements AutoCloseable {
     /** The reads. */
     public Readings readings() {
         return readings;
+    }
+
+    /** The reads of how hard circles are pressed. */
+    public Loads loads() {
+        return loads;
     }
 
     /** The calls on events. */
@@ -227,6 +234,11 @@ public final class Simulation implements AutoCloseable {
         } finally {
             guard.user = null;
         }
+    }
+
+    /** The length of a sub-step of the last step; 0 before the first. */
+    float lastSubStep() {
+        return previousTimeStep / subSteps;
     }
 
     /** Makes steps. */

@@ -59,6 +59,7 @@ final class Rooms {
             entry("opencl"),
             entry("scenes"),
             entry("demo", "api", "scenes", "opencl"),
+            entry("playground", "api", "scenes", "opencl"),
             entry("tools", "api", "opencl"),
             entry("bench", "api", "scenes", "opencl"));
 
@@ -66,9 +67,9 @@ final class Rooms {
     private static final Map<String, Set<String>> RESERVED = Map.of(
             "com.nativelibs4java", Set.of("opencl"),
             "org.bridj", Set.of("opencl"),
-            "java.awt", Set.of("demo", "bench"),
-            "javax.swing", Set.of("demo"),
-            "javax.imageio", Set.of("demo"));
+            "java.awt", Set.of("demo", "playground", "bench"),
+            "javax.swing", Set.of("demo", "playground"),
+            "javax.imageio", Set.of("demo", "playground"));
 
     private static final Pattern COMMENT = Pattern.compile("/\\*.*?\\*/|//[^\\n]*", Pattern.DOTALL);
     private static final Pattern PACKAGE = Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);

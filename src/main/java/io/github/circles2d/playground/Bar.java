@@ -1,0 +1,54 @@
+package io.github.circles2d.playground;
+
+import java.awt.FlowLayout;
+import java.util.EnumMap;
+import java.util.Locale;
+import java.util.Map;
+import javax.swing.Box;
+import javax.swing.JPanel;
+
+/** The tools, the course of time and the colours, as buttons that show what is on. */
+final class Bar extends JPanel {
+    private static final long serialVersionUID = 1;
+
+    private final transient Map<ToolKind, FlatButton> tools = new EnumMap<>(ToolKind.class);
+    private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
+    private final FlatButton pause;
+    private final FlatButton slow;
+
+    Bar(SessionLoop loop) {
+        super(new FlowLayout(FlowLayout.LEFT, 6, 7));
+        setBackground(Theme.BAR);
+        for (ToolKind kind : ToolKind.values()) {
+            String tip = kind.purpose() + " (" + (kind.ordinal() + 1) + ")";
+            tools.put(kind, button(kind.label(), tip, () -> loop.ask(session -> session.setTool(kind))));
+        }
+        add(Box.createHorizontalStrut(14));
+        button("Back", "one step back (,); hold B to run backwards", () -> loop.ask(Session::stepBack));
+        pause = button("Pause", "stop and go on (space)", () -> loop.ask(Session::togglePause));
+        button("Step", "one step (.)", () -> loop.ask(Session::stepOnce));
+        slow = button("Slow", "slow motion: 1/2, 1/4, 1/8, 1/16 (S)", () -> loop.ask(Session::slower));
+        add(Box.createHorizontalStrut(14));
+        for (PaintMode mode : PaintMode.values()) {
+            String label = mode.label().substring(0, 1).toUpperCase(Locale.ROOT)
+                    + mode.label().substring(1);
+            paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
+        }
+    }
+
+    private FlatButton button(String text, String tip, Runnable action) {
+        FlatButton button = new FlatButton(text, tip, action);
+        add(button);
+        button.addActionListener(event -> button.setSelected(false)); // the next frame says whether it is on
+        return button;
+    }
+
+    /** Shows what a frame says. */
+    void show(Frame frame) {
+        tools.forEach((kind, button) -> button.setSelected(kind == frame.tool));
+        paints.forEach((mode, button) -> button.setSelected(mode == frame.paint));
+        pause.setSelected(frame.paused);
+        slow.setSelected(frame.speed < 1);
+        slow.setText(frame.speed < 1 ? "1/" + Math.round(1 / frame.speed) : "Slow");
+    }
+}

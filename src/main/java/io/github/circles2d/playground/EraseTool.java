@@ -1,0 +1,50 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.StaleHandles;
+import io.github.circles2d.World;
+
+/** Removes the circles that the way of the mouse touches. */
+final class EraseTool implements Tool {
+    private static final float REACH = 3;
+
+    private long[] found = new long[256];
+    private float reach;
+    private float lastX;
+    private float lastY;
+
+    @Override
+    public void press(Sandbox sandbox, float x, float y, float brush) {
+        reach = reach(sandbox.grain()) * brush;
+        lastX = x;
+        lastY = y;
+        erase(sandbox.world(), x, y);
+    }
+
+    @Override
+    public void drag(Sandbox sandbox, float x, float y) {
+        int parts = (int) Math.min(1 + Math.hypot(x - lastX, y - lastY) / reach, 1000);
+        for (int k = 1; k <= parts; k++) {
+            float share = (float) k / parts;
+            erase(sandbox.world(), lastX + (x - lastX) * share, lastY + (y - lastY) * share);
+        }
+        lastX = x;
+        lastY = y;
+    }
+
+    private void erase(World world, float x, float y) {
+        int count = world.queries().overlapCircle(x, y, reach, found);
+        if (count > found.length) {
+            found = new long[2 * count];
+            world.queries().overlapCircle(x, y, reach, found);
+        }
+        world.removeAll(found, count, StaleHandles.REFUSE);
+    }
+
+    @Override
+    public void release(Sandbox sandbox) {}
+
+    @Override
+    public float reach(Grain grain) {
+        return REACH * grain.radius();
+    }
+}

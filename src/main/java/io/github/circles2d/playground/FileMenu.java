@@ -1,0 +1,98 @@
+package io.github.circles2d.playground;
+
+import java.awt.FileDialog;
+import java.awt.Toolkit;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.swing.JOptionPane;
+
+/** Worlds and pictures in files, and pictures in the clipboard. Belongs to the event thread; the loop reads and writes worlds. */
+final class FileMenu {
+    private static final String WORLD = "circles2d";
+    private static final String PICTURE = "png";
+
+    private final PlaygroundCanvas canvas;
+    private final SessionLoop loop;
+    private final java.awt.Frame parent;
+    private String folder;
+
+    FileMenu(java.awt.Frame parent, PlaygroundCanvas canvas, SessionLoop loop) {
+        this.parent = parent;
+        this.canvas = canvas;
+        this.loop = loop;
+    }
+
+    void open() {
+        Path file = choose("Open world", WORLD, false);
+        if (file != null) {
+            loop.ask(session -> session.open(file));
+        }
+    }
+
+    void save() {
+        Path file = choose("Save world", WORLD, true);
+        if (file != null) {
+            loop.ask(session -> session.save(file));
+        }
+    }
+
+    void savePicture() {
+        BufferedImage picture = canvas.picture();
+        Path file = choose("Save picture", PICTURE, true);
+        if (file == null) {
+            return;
+        }
+        try {
+            write(picture, file);
+            say("saved " + file.getFileName());
+        } catch (IOException e) {
+            say("not saved: " + e.getMessage());
+        }
+    }
+
+    static void write(BufferedImage picture, Path file) throws IOException {
+        if (!ImageIO.write(picture, PICTURE, file.toFile())) {
+            throw new IOException("this Java runtime cannot write PNG files");
+        }
+    }
+
+    void copyPicture() {
+        try {
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new CopiedPicture(canvas.picture()), null);
+            say("the picture is in the clipboard");
+        } catch (IllegalStateException e) { // another program holds it
+            say("the clipboard is busy");
+        }
+    }
+
+    private void say(String text) {
+        loop.ask(session -> session.say(text));
+    }
+
+    /** Asks with the desktop's own dialog, which asks before it has a file replaced; not if the ending is missing. */
+    private Path choose(String title, String ending, boolean toSave) {
+        FileDialog dialog = new FileDialog(parent, title, toSave ? FileDialog.SAVE : FileDialog.LOAD);
+        dialog.setDirectory(folder);
+        dialog.setFilenameFilter((where, name) -> name.endsWith("." + ending));
+        dialog.setVisible(true);
+        String name = dialog.getFile();
+        folder = dialog.getDirectory();
+        dialog.dispose();
+        if (name == null) {
+            return null;
+        }
+        if (!toSave || name.indexOf('.') >= 0) {
+            return Path.of(folder, name);
+        }
+        Path file = Path.of(folder, name + "." + ending);
+        return file.toFile().exists() && !mayReplace(file) ? null : file;
+    }
+
+    private boolean mayReplace(Path file) {
+        String question = "Replace " + file.getFileName() + "?";
+        return JOptionPane.showConfirmDialog(parent, question, "Save", JOptionPane.OK_CANCEL_OPTION)
+                == JOptionPane.OK_OPTION;
+    }
+}

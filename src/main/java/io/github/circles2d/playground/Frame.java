@@ -1,0 +1,60 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.Backend;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * What a picture shows: circles with their colours, the figures beside them, and marks of the tools. The thread of the physics fills it,
+ * and hands it over; nobody changes it while it is shown.
+ */
+final class Frame {
+    /** Higher than those of the frames before. */
+    long number;
+
+    Arena arena = new Arena(0, 0, 1, 1);
+    int circles;
+    float[] x = new float[0];
+    float[] y = new float[0];
+    float[] radius = new float[0];
+    int[] colour = new int[0];
+    int[] rim = new int[0];
+
+    String stage = "";
+    Backend backend = Backend.JVM;
+    String device = "";
+    int step;
+    long hash;
+    int hashStep;
+    double stepMillis;
+    double energy;
+    boolean paused;
+    boolean rewinding;
+    int stepsToRewind;
+    float speed = 1;
+    ToolKind tool = ToolKind.GRAB;
+    PaintMode paint = PaintMode.SPEED;
+    double brush;
+    String message = "";
+    List<Mark> marks = List.of();
+
+    /** Milliseconds a step and energies, the newest last. */
+    float[] stepTimes = new float[0];
+
+    float[] energies = new float[0];
+
+    /** How many circles of no mass that is infinite there are. */
+    int movable;
+
+    /** Makes room for so many circles. */
+    void ensure(int count) {
+        if (x.length < count) {
+            int room = count + (count >> 1);
+            x = Arrays.copyOf(x, room);
+            y = Arrays.copyOf(y, room);
+            radius = Arrays.copyOf(radius, room);
+            colour = Arrays.copyOf(colour, room);
+            rim = Arrays.copyOf(rim, room);
+        }
+    }
+}

@@ -1,0 +1,109 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.World;
+import java.nio.FloatBuffer;
+import java.util.List;
+
+/** A spring from the place where a circle was picked to the mouse. A static circle is moved along with the mouse. */
+final class GrabTool implements Tool {
+    /** How many radii beside a circle a click may be. */
+    private static final float NEAR = 2;
+
+    /** Of the spring. */
+    private static final double HERTZ = 3;
+
+    /** A mouse farther away than this part of the arena pulls no harder. */
+    private static final double LONGEST = 0.25;
+
+    private long held;
+    private float offsetX;
+    private float offsetY;
+    private float mouseX;
+    private float mouseY;
+
+    @Override
+    public void press(Sandbox sandbox, float x, float y, float brush) {
+        World world = sandbox.world();
+        long[] found = {world.queries().pick(x, y)};
+        if (found[0] == 0) {
+            world.queries().nearest(x, y, NEAR * sandbox.grain().radius(), 1, found, null);
+        }
+        held = found[0];
+        if (held != 0) {
+            offsetX = x - world.x(held);
+            offsetY = y - world.y(held);
+        }
+        drag(sandbox, x, y);
+    }
+
+    @Override
+    public void drag(Sandbox sandbox, float x, float y) {
+        mouseX = x;
+        mouseY = y;
+    }
+
+    @Override
+    public void release(Sandbox sandbox) {
+        held = 0;
+    }
+
+    /** The circle that is held; 0 if there is none. */
+    long held() {
+        return held;
+    }
+
+    @Override
+    public void beforeStep(Sandbox sandbox) {
+        World world = sandbox.world();
+        if (!holds(world)) {
+            return;
+        }
+        double dx = (double) mouseX - offsetX - world.x(held);
+        double dy = (double) mouseY - offsetY - world.y(held);
+        float mass = world.mass(held);
+        if (mass == Float.POSITIVE_INFINITY) {
+            move(world, dx, dy);
+            return;
+        }
+        Arena arena = Arena.of(world);
+        double longest = LONGEST * Math.max(arena.width(), arena.height());
+        double cut = Math.min(1, longest / Math.max(Math.hypot(dx, dy), 1e-30));
+        double omega = 2 * Math.PI * HERTZ;
+        double ax = omega * omega * dx * cut - 2 * omega * world.vx(held) - world.gravityX();
+        double ay = omega * omega * dy * cut - 2 * omega * world.vy(held) - world.gravityY();
+        world.applyForce(held, force(mass * ax), force(mass * ay));
+    }
+
+    /** Not farther in a step than by a radius, so that it pushes a crowd and does not fly through it. */
+    private void move(World world, double dx, double dy) {
+        double part = Math.min(1, world.radius(held) / Math.max(Math.hypot(dx, dy), 1e-30));
+        float x = (float) (world.x(held) + dx * part);
+        float y = (float) (world.y(held) + dy * part);
+        world.setPosition(
+                held,
+                Math.min(Math.max(x, world.minX()), world.maxX()),
+                Math.min(Math.max(y, world.minY()), world.maxY()));
+    }
+
+    private static float force(double value) {
+        return (float) Math.min(Math.max(value, -1e18), 1e18);
+    }
+
+    private boolean holds(World world) {
+        return held != 0 && world.contains(held);
+    }
+
+    @Override
+    public void mark(Sandbox sandbox, List<Mark> marks) {
+        World world = sandbox.world();
+        if (holds(world)) {
+            FloatBuffer shown = sandbox.loop().positions(null); // between two steps, as the circle is drawn
+            int at = 2 * World.id(held);
+            boolean between = at < shown.limit() && !Float.isNaN(shown.get(at));
+            float x = between ? shown.get(at) : world.x(held);
+            float y = between ? shown.get(at + 1) : world.y(held);
+            marks.add(Mark.ring(x, y, world.radius(held), 1));
+            marks.add(Mark.line(x + offsetX, y + offsetY, mouseX, mouseY));
+        }
+    }
+}

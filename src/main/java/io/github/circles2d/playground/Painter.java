@@ -1,0 +1,66 @@
+package io.github.circles2d.playground;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+
+/** Paints the arena, the circles and the marks of the tools. One thread at a time; it keeps its raster between frames. */
+final class Painter {
+    private final Raster raster = new Raster();
+
+    /** Paints over (0, 0) to (width, height). If the transform scales, circles are filled in device pixels and stay sharp. */
+    void paint(Graphics2D g, int width, int height, Camera camera, Frame frame) {
+        double pixels = Math.max(g.getTransform().getScaleX(), 1e-3);
+        fill((int) Math.ceil(width * pixels), (int) Math.ceil(height * pixels), pixels, camera, frame);
+        AffineTransform given = g.getTransform();
+        g.scale(1 / pixels, 1 / pixels);
+        g.drawImage(raster.image(), 0, 0, null);
+        g.setTransform(given);
+        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        for (Mark mark : frame.marks) {
+            paint(g, mark, width, height, camera);
+        }
+    }
+
+    private void fill(int width, int height, double pixels, Camera given, Frame frame) {
+        raster.resize(width, height);
+        raster.clear(Theme.GROUND);
+        Camera camera = new Camera(given.x(), given.y(), given.scale() * pixels);
+        double left = camera.screenX(frame.arena.minX(), width);
+        double right = camera.screenX(frame.arena.maxX(), width);
+        double top = camera.screenY(frame.arena.maxY(), height);
+        double bottom = camera.screenY(frame.arena.minY(), height);
+        double wall = Math.max(1, Math.round(1.5 * pixels));
+        raster.box(left - wall, top - wall, right + wall, bottom + wall, Theme.WALL);
+        raster.box(left, top, right, bottom, Theme.ARENA);
+        for (int k = 0; k < frame.circles; k++) {
+            raster.disc(
+                    camera.screenX(frame.x[k], width),
+                    camera.screenY(frame.y[k], height),
+                    frame.radius[k] * camera.scale(),
+                    frame.colour[k],
+                    frame.rim[k]);
+        }
+    }
+
+    private static void paint(Graphics2D g, Mark mark, int width, int height, Camera camera) {
+        double x = camera.screenX(mark.x(), width);
+        double y = camera.screenY(mark.y(), height);
+        int opacity = Math.round(255 * Math.min(Math.max(mark.strength(), 0), 1));
+        g.setColor(new Color(Theme.WARM.getRed(), Theme.WARM.getGreen(), Theme.WARM.getBlue(), opacity));
+        g.setStroke(new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        if (mark.radius() > 0) {
+            double r = mark.radius() * camera.scale();
+            g.draw(new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r));
+        } else {
+            double toX = camera.screenX(mark.toX(), width);
+            double toY = camera.screenY(mark.toY(), height);
+            g.draw(new Line2D.Double(x, y, toX, toY));
+            g.fill(new Ellipse2D.Double(toX - 4, toY - 4, 8, 8));
+        }
+    }
+}

@@ -1,0 +1,126 @@
+package io.github.circles2d.playground;
+
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Point;
+import java.awt.Toolkit;
+import java.awt.image.BufferedImage;
+import javax.swing.JComponent;
+
+/** Shows the newest frame of a loop, and has the camera. Belongs to the event thread, which never waits for a step. */
+final class PlaygroundCanvas extends JComponent {
+    private static final long serialVersionUID = 1;
+
+    private final transient SessionLoop loop;
+    private final transient Painter painter = new Painter();
+    private final transient Hud hud = new Hud();
+    private transient Arena arena;
+    private transient Camera camera;
+    private transient Frame frame;
+
+    /** Whether all of the arena is shown, however large the window is. */
+    private boolean home = true;
+
+    private boolean graphs = true;
+    private boolean help;
+
+    /** Where the mouse is; null outside. */
+    private Point mouse;
+
+    PlaygroundCanvas(SessionLoop loop, int width, int height) {
+        this.loop = loop;
+        setOpaque(true);
+        setFocusable(true);
+        setPreferredSize(new Dimension(width, height));
+        refresh();
+    }
+
+    /** Takes the newest frame, which is the one to show until the next call. */
+    Frame refresh() {
+        frame = loop.latest();
+        if (!frame.arena.equals(arena)) {
+            arena = frame.arena;
+            home = true;
+        }
+        if (home) {
+            camera = Camera.home(arena, getWidth(), getHeight());
+        }
+        return frame;
+    }
+
+    Camera camera() {
+        return camera;
+    }
+
+    void zoom(double factor, double x, double y) {
+        look(camera.zoom(factor, x, y, getWidth(), getHeight()));
+    }
+
+    void pan(double dx, double dy) {
+        look(camera.pan(dx, dy));
+    }
+
+    private void look(Camera next) {
+        camera = next.clamp(arena, getWidth(), getHeight());
+        home = false;
+        repaint();
+    }
+
+    /** Shows all of the arena. */
+    void goHome() {
+        home = true;
+        camera = Camera.home(arena, getWidth(), getHeight());
+        repaint();
+    }
+
+    void toggleGraphs() {
+        graphs = !graphs;
+        repaint();
+    }
+
+    void toggleHelp() {
+        help = !help;
+        repaint();
+    }
+
+    void hideHelp() {
+        help = false;
+        repaint();
+    }
+
+    void setMouse(Point at) {
+        mouse = at;
+    }
+
+    float worldX(double x) {
+        return (float) camera.worldX(x, getWidth());
+    }
+
+    float worldY(double y) {
+        return (float) camera.worldY(y, getHeight());
+    }
+
+    /** The circles as they are shown, without the text over them. */
+    BufferedImage picture() {
+        BufferedImage picture = new BufferedImage(getWidth(), getHeight(), BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = picture.createGraphics();
+        painter.paint(g, getWidth(), getHeight(), camera, frame);
+        g.dispose();
+        return picture;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        refresh();
+        Graphics2D g = (Graphics2D) graphics.create();
+        painter.paint(g, getWidth(), getHeight(), camera, frame);
+        hud.paintBrush(g, mouse, camera, frame);
+        hud.paint(g, getWidth(), getHeight(), frame, graphs);
+        if (help) {
+            Help.paint(g, getWidth(), getHeight());
+        }
+        g.dispose();
+        Toolkit.getDefaultToolkit().sync(); // some window systems gather requests until the next one comes
+    }
+}

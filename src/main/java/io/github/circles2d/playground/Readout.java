@@ -1,0 +1,101 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.World;
+import java.nio.FloatBuffer;
+
+/** Reads what a frame shows from a world, in one bulk copy for each field. It keeps its arrays. */
+final class Readout {
+    private final Shades shades = new Shades();
+    private Grain grain;
+    private float[] circles = new float[0];
+    private float[] velocities = new float[0];
+    private float[] loads = new float[0];
+    private double energy;
+
+    /** Fills the circles of a frame, where they are between two steps. */
+    void fill(Frame frame, Sandbox sandbox, PaintMode paint) {
+        World world = sandbox.world();
+        if (grain != sandbox.grain()) {
+            grain = sandbox.grain();
+            shades.start(grain.highSpeed());
+        }
+        FloatBuffer positions = sandbox.loop().positions(null);
+        int ids = world.idLimit();
+        ensure(ids);
+        world.readById(circles, null);
+        world.readVelocitiesById(velocities, null);
+        if (paint.needsLoads()) {
+            world.readLoadsById(loads, null);
+            for (int id = 0; id < ids; id++) {
+                shades.note(loads[2 * id + 1], circles[4 * id + 2]);
+            }
+            shades.scalePressure();
+        }
+        frame.arena = Arena.of(world);
+        frame.ensure(world.size());
+        copy(frame, positions, ids, paint);
+        measure(world, ids);
+        frame.energy = energy;
+    }
+
+    private void copy(Frame frame, FloatBuffer positions, int ids, PaintMode paint) {
+        int shown = positions.limit() / 2;
+        int count = 0;
+        int movable = 0;
+        for (int id = 0; id < ids; id++) {
+            float x = circles[4 * id];
+            if (x != x) {
+                continue; // no circle
+            }
+            boolean between = id < shown && positions.get(2 * id) == positions.get(2 * id);
+            boolean isStatic = circles[4 * id + 3] == Float.POSITIVE_INFINITY;
+            int colour = isStatic ? Theme.STATIC : colour(id, paint);
+            frame.x[count] = between ? positions.get(2 * id) : x;
+            frame.y[count] = between ? positions.get(2 * id + 1) : circles[4 * id + 1];
+            frame.radius[count] = circles[4 * id + 2];
+            frame.colour[count] = colour;
+            frame.rim[count] = Ramp.rim(colour);
+            movable += isStatic ? 0 : 1;
+            count++;
+        }
+        frame.circles = count;
+        frame.movable = movable;
+    }
+
+    private int colour(int id, PaintMode paint) {
+        return switch (paint) {
+            case PLAIN -> Shades.tint(id);
+            case SPEED -> shades.speed(velocities[2 * id], velocities[2 * id + 1]);
+            case PRESSURE -> shades.pressure(loads[2 * id + 1], circles[4 * id + 2]);
+            case CONTACTS -> Shades.contacts(loads[2 * id]);
+        };
+    }
+
+    /** Kinetic energy, and that of the height above the corner where it is least. */
+    private void measure(World world, int ids) {
+        double gx = world.gravityX();
+        double gy = world.gravityY();
+        double lowX = gx > 0 ? world.maxX() : world.minX();
+        double lowY = gy > 0 ? world.maxY() : world.minY();
+        double sum = 0;
+        for (int id = 0; id < ids; id++) {
+            float mass = circles[4 * id + 3];
+            if (mass < Float.POSITIVE_INFINITY) { // not static, and not NaN
+                double vx = velocities[2 * id];
+                double vy = velocities[2 * id + 1];
+                double height = gx * (circles[4 * id] - lowX) + gy * (circles[4 * id + 1] - lowY);
+                sum += mass * (0.5 * (vx * vx + vy * vy) - height);
+            }
+        }
+        energy = sum;
+    }
+
+    private void ensure(int ids) {
+        if (velocities.length < 2 * ids) {
+            int room = ids + (ids >> 1);
+            circles = new float[4 * room];
+            velocities = new float[2 * room];
+            loads = new float[2 * room];
+        }
+    }
+}

@@ -1,0 +1,161 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.Backend;
+import io.github.circles2d.FixedStep;
+import io.github.circles2d.World;
+import io.github.circles2d.WorldStats;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/** A world with its loop, its past and what is usual in it. Belongs to one thread. */
+final class Sandbox implements AutoCloseable {
+    static final float TIME_STEP = 1 / 60f;
+
+    /** A processor is left to the window: threads that wait for each other would wait for it too. */
+    private static final int THREADS = Math.min(Math.max(Runtime.getRuntime().availableProcessors() - 1, 1), 16);
+
+    private World world;
+    private WorldStats stats;
+    private FixedStep loop;
+    private Timeline timeline;
+    private Grain grain;
+    private Stage stage;
+    private int step;
+
+    /** Opens a stage. */
+    Sandbox(Stage stage, Backend backend) {
+        load(stage, backend);
+    }
+
+    /** Takes a stage in place of what is. If it cannot be opened, all stays as it is. */
+    void load(Stage next, Backend backend) {
+        World opened = next.builder().get().backend(backend).threads(THREADS).build();
+        try {
+            next.circles().accept(opened);
+            WorldStats figures = opened.stats();
+            Grain usual = Grain.of(opened);
+            replace(opened, figures);
+            grain = usual;
+            stage = next;
+            begin(0);
+        } catch (RuntimeException | Error e) {
+            opened.close();
+            throw e;
+        }
+    }
+
+    /** Goes on with the same state on another back end. If there is no such, all stays as it is. */
+    void switchTo(Backend backend) {
+        World next = World.builder()
+                .backend(backend)
+                .threads(THREADS)
+                .capacity(Math.max(world.size(), 1))
+                .build();
+        try {
+            next.restore(snapshot());
+            replace(next, next.stats());
+            begin(step);
+        } catch (RuntimeException | Error e) {
+            next.close();
+            throw e;
+        }
+    }
+
+    private void replace(World next, WorldStats figures) {
+        World old = world;
+        world = next;
+        stats = figures;
+        if (old != null) {
+            old.close();
+        }
+    }
+
+    private void begin(int at) {
+        step = at;
+        loop = new FixedStep(world, TIME_STEP);
+        timeline = new Timeline(world);
+    }
+
+    /** The state, ready to be restored. */
+    private ByteBuffer snapshot() {
+        ByteBuffer bytes = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(bytes);
+        return bytes.flip();
+    }
+
+    void save(Path file) throws IOException {
+        Files.write(file, snapshot().array());
+    }
+
+    /** Takes a saved world in place of what is; all stays as it is if the file has none. */
+    void open(Path file) throws IOException {
+        load(Stage.saved(file.getFileName().toString(), Files.readAllBytes(file)), stats.backend());
+    }
+
+    /** Makes the steps that are due, and tells how many. */
+    int advance(float seconds, Runnable beforeStep) {
+        return loop.advance(seconds, () -> {
+            prepare(beforeStep);
+            step++;
+        });
+    }
+
+    /** Makes one step. */
+    void stepOnce(Runnable beforeStep) {
+        prepare(beforeStep);
+        world.step(TIME_STEP);
+        step++;
+        loop.reset();
+    }
+
+    private void prepare(Runnable beforeStep) {
+        timeline.save(step);
+        beforeStep.run();
+    }
+
+    /** Goes back by a step, and tells whether there was one. */
+    boolean back() {
+        int before = timeline.back(step);
+        boolean went = before < step;
+        step = before;
+        if (went) {
+            loop.reset();
+        }
+        return went;
+    }
+
+    int stepsToRewind() {
+        return timeline.stepsBefore(step);
+    }
+
+    World world() {
+        return world;
+    }
+
+    FixedStep loop() {
+        return loop;
+    }
+
+    WorldStats stats() {
+        return stats;
+    }
+
+    Grain grain() {
+        return grain;
+    }
+
+    Stage stage() {
+        return stage;
+    }
+
+    int step() {
+        return step;
+    }
+
+    @Override
+    public void close() {
+        world.close();
+    }
+}

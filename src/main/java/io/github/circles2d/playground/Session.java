@@ -1,0 +1,284 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.Backend;
+import io.github.circles2d.World;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.function.Consumer;
+
+/** What a person does to a sandbox, and what there is to be seen of it. Belongs to one thread, which is not that of the window. */
+final class Session implements AutoCloseable {
+    private static final int MESSAGE_FRAMES = 300;
+    private static final float SLOWEST = 1 / 16f;
+
+    /** Time that the steps of a frame may take. */
+    private static final double FRAME_MILLIS = 14;
+
+    private static final int MOST_STEPS = 4;
+
+    private final Sandbox sandbox;
+    private final Hand hand = new Hand();
+    private final Readout readout = new Readout();
+    private final Gauges gauges = new Gauges();
+    private final Runnable beforeStep;
+
+    private PaintMode paint = PaintMode.SPEED;
+    private boolean paused;
+    private boolean rewinding;
+    private float speed = 1;
+    private double stepsOwed;
+    private boolean touched;
+    private String message = "";
+    private int messageFrames;
+
+    Session(Stage stage, Backend backend) {
+        sandbox = new Sandbox(stage, backend);
+        beforeStep = () -> hand.beforeStep(sandbox);
+    }
+
+    Sandbox sandbox() {
+        return sandbox;
+    }
+
+    World world() {
+        return sandbox.world();
+    }
+
+    /** Makes what is due after so many seconds, and fills a frame. */
+    void frame(float seconds, Frame frame) {
+        long start = System.nanoTime();
+        int steps = move(seconds);
+        if ((paused || rewinding) && touched) {
+            sandbox.loop().reset(); // what was done by hand is to be seen at once
+        }
+        sandbox.loop().positions(null); // waits for the steps
+        if (steps > 0) {
+            gauges.noteStep((System.nanoTime() - start) / 1e6 / steps);
+        }
+        readout.fill(frame, sandbox, paint);
+        if (steps > 0) {
+            gauges.noteEnergy(frame.energy);
+        }
+        gauges.rehash(sandbox, steps > 0, touched);
+        describe(frame);
+        touched = false;
+    }
+
+    private int move(float seconds) {
+        if (rewinding) {
+            stepsOwed += seconds * speed / Sandbox.TIME_STEP;
+            for (; stepsOwed >= 1; stepsOwed--) {
+                if (!sandbox.back()) {
+                    stepsOwed = 0;
+                    break;
+                }
+                touched = true;
+            }
+            return 0;
+        }
+        if (paused) {
+            return 0;
+        }
+        int most = (int) Math.min(Math.max(FRAME_MILLIS / Math.max(gauges.stepMillis(), 1e-3), 1), MOST_STEPS);
+        sandbox.loop().setMaxSteps(most);
+        return sandbox.advance(seconds, beforeStep);
+    }
+
+    private void describe(Frame frame) {
+        frame.stage = sandbox.stage().name();
+        frame.backend = sandbox.stats().backend();
+        frame.device = sandbox.stats().device();
+        frame.step = sandbox.step();
+        frame.paused = paused;
+        frame.rewinding = rewinding;
+        frame.stepsToRewind = sandbox.stepsToRewind();
+        frame.speed = speed;
+        frame.tool = hand.kind();
+        frame.paint = paint;
+        frame.brush = hand.reach(sandbox);
+        frame.marks = hand.marks(sandbox);
+        gauges.show(frame);
+        messageFrames = Math.max(0, messageFrames - 1);
+        frame.message = messageFrames > 0 ? message : "";
+    }
+
+    // ---- what a person does
+
+    void togglePause() {
+        paused = !paused;
+        touched = true;
+    }
+
+    void stepOnce() {
+        paused = true;
+        long start = System.nanoTime();
+        sandbox.stepOnce(beforeStep);
+        world().finish();
+        gauges.noteStep((System.nanoTime() - start) / 1e6);
+        touched = true;
+    }
+
+    void stepBack() {
+        paused = true;
+        if (!sandbox.back()) {
+            say("there is no earlier step");
+        }
+        touched = true;
+    }
+
+    void setRewinding(boolean on) {
+        if (rewinding && !on) {
+            stepsOwed = 0;
+        }
+        rewinding = on;
+        touched = true;
+    }
+
+    /** Half as fast, down to a sixteenth, and then as fast as at first. */
+    void slower() {
+        speed = speed <= SLOWEST ? 1 : speed / 2;
+        sandbox.loop().setSpeed(speed);
+    }
+
+    void normalSpeed() {
+        speed = 1;
+        sandbox.loop().setSpeed(speed);
+    }
+
+    void setPaint(PaintMode mode) {
+        paint = mode;
+    }
+
+    void nextPaint() {
+        paint = paint.next();
+    }
+
+    void setTool(ToolKind kind) {
+        hand.take(sandbox, kind);
+    }
+
+    void press(float x, float y) {
+        use(() -> hand.press(sandbox, x, y));
+    }
+
+    void moveMouse(float x, float y) {
+        hand.move(sandbox, x, y);
+        touched |= hand.isPressed();
+    }
+
+    void release() {
+        use(() -> hand.release(sandbox));
+    }
+
+    void explode() {
+        use(() -> hand.explode(sandbox));
+    }
+
+    void pour(boolean on) {
+        hand.pour(sandbox, on);
+    }
+
+    void scaleBrush(int notches) {
+        hand.scaleBrush(notches);
+    }
+
+    /** What is held by the tool that grabs; 0 if nothing is. */
+    long held() {
+        return ((GrabTool) hand.tool(ToolKind.GRAB)).held();
+    }
+
+    private void use(Runnable action) {
+        action.run();
+        touched = true;
+    }
+
+    void load(Stage stage) {
+        hand.letGo(sandbox);
+        sandbox.load(stage, sandbox.stats().backend());
+        restarted();
+        say(stage.name());
+    }
+
+    void restart() {
+        load(sandbox.stage());
+    }
+
+    /** Goes on with another back end, and says whether the hash is the same. */
+    void switchTo(Backend backend) {
+        long before = world().hash();
+        sandbox.switchTo(backend);
+        sandbox.loop().setSpeed(speed);
+        gauges.forgetTimes();
+        long hash = gauges.hashNow(sandbox);
+        touched = true;
+        say(String.format(
+                "%s goes on from step %,d: hash %016x, %s",
+                sandbox.stats().backend(),
+                sandbox.step(),
+                hash,
+                hash == before ? "the same" : String.format("and not %016x", before)));
+    }
+
+    void save(Path file) {
+        attempt("saved " + file.getFileName(), () -> sandbox.save(file));
+    }
+
+    void open(Path file) {
+        hand.letGo(sandbox);
+        attempt("opened " + file.getFileName(), () -> {
+            sandbox.open(file);
+            restarted();
+        });
+    }
+
+    private void restarted() {
+        gauges.forget();
+        rewinding = false;
+        sandbox.loop().setSpeed(speed);
+        touched = true;
+    }
+
+    /** Shows a line for some seconds. */
+    void say(String text) {
+        message = text;
+        messageFrames = MESSAGE_FRAMES;
+    }
+
+    /** What reads or writes a file. */
+    private interface FileWork {
+        void run() throws IOException;
+    }
+
+    private void attempt(String success, FileWork work) {
+        try {
+            work.run();
+            say(success);
+        } catch (IOException | IllegalArgumentException e) {
+            say("not done: " + e.getMessage());
+        }
+    }
+
+    /** Makes what a person asks for; if it fails, says why, and goes on. */
+    void obey(Consumer<Session> command) {
+        try {
+            command.accept(this);
+        } catch (RuntimeException e) {
+            String reason = e.getMessage() == null ? e.toString() : e.getMessage();
+            say("not done: " + reason.lines().findFirst().orElse(""));
+        }
+    }
+
+    /** After a failure that has cost the state: the stage from the start, on the JVM; if memory was short, one that needs none. */
+    void recover(Throwable failure) {
+        hand.letGo(sandbox);
+        boolean small = failure instanceof OutOfMemoryError;
+        sandbox.load(small ? Stages.named("empty") : sandbox.stage(), Backend.JVM);
+        restarted();
+        say("from the start on the JVM, after a failure: " + (small ? "too little memory" : failure.getMessage()));
+    }
+
+    @Override
+    public void close() {
+        sandbox.close();
+    }
+}

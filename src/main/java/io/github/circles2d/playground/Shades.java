@@ -1,0 +1,82 @@
+package io.github.circles2d.playground;
+
+/** The colours of circles. Scales of speed and pressure belong to a world. */
+final class Shades {
+    private static final int[] TINTS = {0x4aa8d8, 0x5bc0be, 0x7fb7e6, 0x9b8cf0, 0x6d9eeb, 0x48c9b0, 0x8fd3f4, 0x74a9cf};
+    private static final Ramp SPEED = new Ramp(0x2c4a7c, 0x3178b8, 0x35b6c4, 0x9fdc7c, 0xffd166, 0xff7a45, 0xffe9dc);
+    private static final Ramp PRESSURE = new Ramp(0x26415e, 0x4b4a9a, 0x9a3f9d, 0xe0526f, 0xff9a56, 0xfff1b8);
+    private static final int[] CONTACTS = {0x33567a, 0x3c8dbc, 0x35b6a4, 0x7fcf5f, 0xf2cf4a, 0xf58b3c, 0xe8505b};
+
+    /** Of the mean pressure, so that some circles have the colour of the end. */
+    private static final double PRESSURE_RANGE = 3;
+
+    /** Weight of the newest mean. */
+    private static final double NEWEST = 0.05;
+
+    private double fast = 1;
+    private double meanPressure;
+    private double sum;
+    private int pressed;
+
+    /** A world in which this is a high speed. */
+    void start(double highSpeed) {
+        fast = highSpeed;
+        meanPressure = 0;
+    }
+
+    static int tint(int id) {
+        return TINTS[(id * 5 + (id >>> 3)) % TINTS.length];
+    }
+
+    int speed(float vx, float vy) {
+        return SPEED.colour(Math.sqrt(Math.sqrt((double) vx * vx + (double) vy * vy) / fast));
+    }
+
+    static int contacts(float count) {
+        return CONTACTS[Math.min((int) count, CONTACTS.length - 1)];
+    }
+
+    int pressure(float force, float radius) {
+        return PRESSURE.colour(meanPressure > 0 ? perLength(force, radius) / (PRESSURE_RANGE * meanPressure) : 0);
+    }
+
+    /** Takes note of a force on a circle, before colours are asked for. */
+    void note(float force, float radius) {
+        if (force > 0) {
+            sum += perLength(force, radius);
+            pressed++;
+        }
+    }
+
+    /** All forces of a frame have been noted: the scale follows what there is, slowly. */
+    void scalePressure() {
+        if (pressed > 0) {
+            double mean = sum / pressed;
+            meanPressure = meanPressure == 0 ? mean : meanPressure + NEWEST * (mean - meanPressure);
+        }
+        sum = 0;
+        pressed = 0;
+    }
+
+    private static double perLength(float force, float radius) {
+        return force / (2 * Math.PI * radius);
+    }
+
+    /** The colours that a legend shows, from little to much. */
+    static int[] legend(PaintMode mode) {
+        return switch (mode) {
+            case PLAIN -> new int[0];
+            case CONTACTS -> CONTACTS.clone();
+            case SPEED -> samples(SPEED);
+            case PRESSURE -> samples(PRESSURE);
+        };
+    }
+
+    private static int[] samples(Ramp ramp) {
+        int[] samples = new int[24];
+        for (int k = 0; k < samples.length; k++) {
+            samples[k] = ramp.colour(k / (samples.length - 1.0));
+        }
+        return samples;
+    }
+}

@@ -1,0 +1,154 @@
+package io.github.circles2d.playground;
+
+import io.github.circles2d.World;
+import io.github.circles2d.scenes.Scenes;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+
+/** The stages of the menu: some to play with, and the published scenes. */
+final class Stages {
+    private static final float FIXED = Float.POSITIVE_INFINITY;
+    private static final float GRAVITY = 60;
+
+    private static final List<Stage> ALL = List.of(
+            own("sandbox", Stages::sandbox),
+            own("hourglass", Stages::hourglass),
+            own("pegs", Stages::pegs),
+            own("marbles", Stages::marbles),
+            own("crowd", Stages::crowd),
+            own("empty", world -> {}),
+            Stage.of("thesis", () -> Scenes.thesis(Scenes.THESIS_SIZE, Scenes.SEED)),
+            Stage.of("packed", () -> Scenes.packed(10_000, Scenes.SEED)),
+            Stage.of("gas", () -> Scenes.gas(2_500, Scenes.SEED)),
+            Stage.of("pyramid", Scenes::pyramid),
+            Stage.of("barrel", () -> Scenes.barrel(Scenes.SEED)),
+            Stage.of("balls2", Scenes::balls2),
+            Stage.of("confined", Scenes::confined),
+            Stage.of("restitution", Scenes::restitution),
+            Stage.of("nexus-balls2", Scenes::nexusBalls2),
+            Stage.of("bouncy", () -> Scenes.bouncy(Scenes.SEED)),
+            Stage.of("no-collide", Scenes::noCollide),
+            Stage.of("billiards", () -> Scenes.billiards(10)),
+            Stage.of("mixed", () -> Scenes.mixed(2_500, Scenes.SEED)),
+            Stage.of("one-cell", () -> Scenes.oneCell(1_000, Scenes.SEED)));
+
+    private Stages() {}
+
+    static List<Stage> all() {
+        return ALL;
+    }
+
+    /** The stage of that name; null if there is none. */
+    static Stage named(String name) {
+        return ALL.stream()
+                .filter(stage -> stage.name().equals(name))
+                .findFirst()
+                .orElse(null);
+    }
+
+    private static Stage own(String name, Consumer<World> circles) {
+        return new Stage(
+                name,
+                false,
+                () -> World.builder()
+                        .bounds(0, 0, 160, 100)
+                        .gravity(0, -GRAVITY)
+                        .restitution(0.3f),
+                circles);
+    }
+
+    /** A pile between two ramps, and a basin. */
+    private static void sandbox(World world) {
+        line(world, 4, 72, 62, 52, 0.8f);
+        line(world, 156, 60, 92, 40, 0.8f);
+        arc(world, 62, 22, 24, 200, 340, 0.8f);
+        heap(world, 6, 76, 56, 98, 0.7f, 1.1f, 2);
+        heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3);
+        world.add(62, 7, 5, 60);
+        world.add(120, 8, 7, 110);
+    }
+
+    /** Sand that runs through a neck. */
+    private static void hourglass(World world) {
+        line(world, 36, 97, 36, 84, 0.8f);
+        line(world, 124, 97, 124, 84, 0.8f);
+        line(world, 36, 84, 76, 52, 0.8f);
+        line(world, 124, 84, 84, 52, 0.8f);
+        line(world, 76, 52, 76, 48, 0.8f);
+        line(world, 84, 52, 84, 48, 0.8f);
+        line(world, 76, 48, 36, 16, 0.8f);
+        line(world, 84, 48, 124, 16, 0.8f);
+        line(world, 36, 16, 36, 1, 0.8f);
+        line(world, 124, 16, 124, 1, 0.8f);
+        heap(world, 40, 85, 120, 98, 0.5f, 0.7f, 5);
+        heap(world, 58, 71, 102, 84, 0.5f, 0.7f, 6);
+    }
+
+    /** A board of nails, above bins. */
+    private static void pegs(World world) {
+        for (int row = 0; row < 9; row++) {
+            for (int column = 0; column < 25; column++) {
+                float x = 8 + 6 * column + 3 * (row % 2);
+                if (x < 155) {
+                    world.add(x, 32 + 5 * row, 0.7f, FIXED);
+                }
+            }
+        }
+        for (int wall = 1; wall < 14; wall++) {
+            line(world, 160f * wall / 14, 1, 160f * wall / 14, 22, 0.5f);
+        }
+        heap(world, 40, 80, 120, 98, 0.7f, 0.9f, 7);
+    }
+
+    /** A few large and lively ones. */
+    private static void marbles(World world) {
+        Random random = new Random(8);
+        for (int k = 0; k < 40; k++) {
+            float r = 2.5f + 3.5f * random.nextFloat();
+            float x = 10 + 18 * (k % 8) + 4 * random.nextFloat();
+            float y = 12 + 17 * (k / 8) + 3 * random.nextFloat();
+            long marble = world.add(x, y, r, r * r, 30 * random.nextFloat() - 15, 0);
+            world.setRestitution(marble, 0.85f);
+        }
+    }
+
+    /** Ten thousand. */
+    private static void crowd(World world) {
+        heap(world, 1, 1, 159, 99, 0.44f, 0.58f, 9);
+    }
+
+    /** Circles in rows, a little apart and a little out of line. */
+    private static void heap(
+            World world, float left, float bottom, float right, float top, float least, float most, int seed) {
+        Random random = new Random(seed);
+        float pitch = 2 * most + 0.15f;
+        for (float y = bottom + most; y <= top - most; y += pitch * 0.87f) {
+            float shift = pitch / 2 * random.nextFloat();
+            for (float x = left + most + shift; x <= right - most; x += pitch) {
+                float r = least + (most - least) * random.nextFloat();
+                world.add(x, y, r, r * r);
+            }
+        }
+    }
+
+    /** Static circles, one beside the other. */
+    private static void line(World world, float x, float y, float toX, float toY, float radius) {
+        double length = Math.hypot(toX - x, toY - y);
+        int parts = (int) Math.ceil(length / (1.2 * radius));
+        for (int k = 0; k <= parts; k++) {
+            float share = (float) k / parts;
+            world.add(x + (toX - x) * share, y + (toY - y) * share, radius, FIXED);
+        }
+    }
+
+    private static void arc(World world, float x, float y, float r, int from, int to, float radius) {
+        int parts = (int) Math.ceil(Math.toRadians(to - from) * r / (1.2 * radius));
+        for (int k = 0; k <= parts; k++) {
+            double angle = StrictMath.toRadians(from + (double) (to - from) * k / parts);
+            float px = x + (float) (r * StrictMath.cos(angle));
+            float py = y + (float) (r * StrictMath.sin(angle));
+            world.add(px, Math.max(py, radius), radius, FIXED);
+        }
+    }
+}

@@ -1,0 +1,164 @@
+package io.github.circles2d.playground;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.Backend;
+import io.github.circles2d.World;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** What each tool does to a world. */
+class ToolsTest {
+    private final Sandbox sandbox = new Sandbox(Stages.named("empty"), Backend.JVM);
+
+    @AfterEach
+    void close() {
+        sandbox.close();
+    }
+
+    private World world() {
+        return sandbox.world();
+    }
+
+    private void run(Tool tool, int steps) {
+        for (int k = 0; k < steps; k++) {
+            sandbox.stepOnce(() -> tool.beforeStep(sandbox));
+        }
+    }
+
+    @Test
+    void aGrabbedCircleGoesToTheMouseAndKeepsItsSpeedWhenItIsLetGo() {
+        long ball = world().add(80, 2, 2, 4);
+        Tool grab = new GrabTool();
+        grab.press(sandbox, 80.5f, 2, 1);
+        grab.drag(sandbox, 60.5f, 50);
+        run(grab, 12);
+        float speed = world().vy(ball);
+        assertThat(speed).as("on its way").isGreaterThan(30);
+        grab.release(sandbox);
+        run(grab, 1);
+        assertThat(world().vy(ball)).as("thrown").isBetween(speed - 2, speed);
+        grab.press(sandbox, world().x(ball), world().y(ball), 1);
+        grab.drag(sandbox, 60, 50);
+        run(grab, 120);
+        assertThat(world().x(ball)).isBetween(59.5f, 60.5f);
+        assertThat(world().y(ball)).as("held against gravity").isBetween(49.5f, 50.5f);
+    }
+
+    @Test
+    void aClickBesideACircleTakesTheNearestAndOneFarAwayNone() {
+        long ball = world().add(80, 50, 2, 4);
+        GrabTool grab = new GrabTool();
+        grab.press(sandbox, 83, 50, 1);
+        assertThat(grab.held()).isEqualTo(ball);
+        grab.press(sandbox, 100, 50, 1);
+        assertThat(grab.held()).isZero();
+    }
+
+    @Test
+    void aStaticCircleIsMovedAndStaysWhereItIsLeft() {
+        long post = world().add(80, 50, 2, Float.POSITIVE_INFINITY);
+        Tool grab = new GrabTool();
+        grab.press(sandbox, 80, 50, 1);
+        grab.drag(sandbox, 90, 200);
+        run(grab, 60);
+        grab.release(sandbox);
+        run(grab, 10);
+        assertThat(world().x(post)).isBetween(80.5f, 90f);
+        assertThat(world().y(post)).as("not beyond the wall").isEqualTo(100);
+    }
+
+    @Test
+    void aCircleThatIsRemovedWhileItIsHeldIsNoTrouble() {
+        long ball = world().add(80, 50, 2, 4);
+        Tool grab = new GrabTool();
+        grab.press(sandbox, 80, 50, 1);
+        world().remove(ball);
+        run(grab, 2);
+        List<Mark> marks = new ArrayList<>();
+        grab.mark(sandbox, marks);
+        assertThat(marks).isEmpty();
+    }
+
+    @Test
+    void pouringAddsCirclesInsideTheWallsThatOverlapNothing() {
+        world().add(80, 60, 2, 4);
+        Tool pour = new PourTool();
+        pour.press(sandbox, 80, 60, 1);
+        sandbox.stepOnce(() -> {
+            pour.beforeStep(sandbox);
+            assertNothingOverlaps();
+        });
+        pour.drag(sandbox, 159.5f, 1);
+        run(pour, 200);
+        int poured = world().size();
+        assertThat(poured).isGreaterThan(30);
+        pour.release(sandbox);
+        run(pour, 10);
+        assertThat(world().size()).isEqualTo(poured);
+    }
+
+    private void assertNothingOverlaps() {
+        float[] circles = new float[4 * world().size()];
+        world().read(circles);
+        assertThat(circles.length).isGreaterThan(4);
+        for (int a = 0; a < circles.length; a += 4) {
+            for (int b = 0; b < a; b += 4) {
+                double distance = Math.hypot(circles[a] - circles[b], circles[a + 1] - circles[b + 1]);
+                assertThat(distance).isGreaterThan(circles[a + 2] + circles[b + 2] - 1e-4);
+            }
+        }
+    }
+
+    @Test
+    void anExplosionPushesAwayWhatIsNearAndShowsARingForAWhile() {
+        long near = world().add(84, 50, 1, 1);
+        long far = world().add(20, 50, 1, 1);
+        Tool explode = new ExplodeTool();
+        explode.press(sandbox, 80, 50, 1);
+        assertThat(world().vx(near)).isGreaterThan(10);
+        assertThat(world().vx(far)).isZero();
+        List<Mark> marks = new ArrayList<>();
+        explode.mark(sandbox, marks);
+        assertThat(marks).hasSize(1);
+        for (int frame = 0; frame < 60; frame++) {
+            marks.clear();
+            explode.mark(sandbox, marks);
+        }
+        assertThat(marks).isEmpty();
+    }
+
+    @Test
+    void aLineThatIsDrawnHoldsWhatFallsOnIt() {
+        Tool wall = new WallTool();
+        wall.press(sandbox, 20, 50, 1);
+        wall.drag(sandbox, 100, 53);
+        wall.drag(sandbox, 140, 50);
+        wall.drag(sandbox, 200, 50);
+        assertThat(world().size()).isGreaterThan(100);
+        long[] balls = new long[12];
+        for (int k = 0; k < balls.length; k++) {
+            balls[k] = world().add(30 + 8 * k, 80, 0.6f, 1);
+        }
+        run(wall, 30);
+        for (long ball : balls) {
+            assertThat(world().y(ball)).isGreaterThan(50);
+        }
+    }
+
+    @Test
+    void theEraserRemovesAllThatItsWayTouchesAndNothingElse() {
+        for (int k = 0; k < 40; k++) {
+            world().add(10 + 3 * k, 50, 1, k % 2 == 0 ? 1 : Float.POSITIVE_INFINITY);
+            world().add(10 + 3 * k, 80, 1, 1);
+        }
+        Tool erase = new EraseTool();
+        erase.press(sandbox, 40, 50, 1);
+        erase.drag(sandbox, 100, 50);
+        assertThat(world().queries().overlapBox(40, 49, 100, 51, new long[0])).isZero();
+        assertThat(world().queries().overlapBox(0, 79, 160, 81, new long[0])).isEqualTo(40);
+        assertThat(world().size()).isBetween(50, 62);
+    }
+}
