@@ -7,22 +7,16 @@ import org.dyn4j.collision.broadphase.AABBProducer;
 import org.dyn4j.collision.broadphase.BroadphaseDetector;
 import org.dyn4j.collision.broadphase.BroadphaseFilter;
 import org.dyn4j.collision.broadphase.DynamicAABBTree;
-import org.dyn4j.collision.broadphase.Sap;
 import org.dyn4j.collision.broadphase.StaticValueAABBExpansionMethod;
 import org.dyn4j.geometry.AABB;
 
 /**
- * A broad phase of dyn4j, called as its world calls it: boxes that circles have left are updated, and those alone look for
- * pairs. The mean reach is half a metre, and boxes are 0.2 m wider than circles. Bytes are not estimated.
+ * The tree of dyn4j, called as its world calls it: boxes that circles have left are updated, and those alone look for pairs. The
+ * mean reach is half a metre, and boxes are 0.2 m wider than circles. Bytes are not estimated. dyn4j's sweep and prune, {@code
+ * Sap}, is not here: after some steps it gives some pairs twice.
  */
 final class Dyn4jBroadPhase implements BroadPhase {
     private static final double EXPANSION = 0.2;
-
-    /** Which of its detectors. */
-    enum Kind {
-        TREE,
-        SAP
-    }
 
     private static final class Ball {
         private final int number;
@@ -49,7 +43,6 @@ final class Dyn4jBroadPhase implements BroadPhase {
         }
     }
 
-    private final Kind kind;
     private final Counts counts = new Counts();
     private final KeptPairs kept = new KeptPairs(counts);
     private BroadphaseDetector<Ball> detector;
@@ -58,10 +51,6 @@ final class Dyn4jBroadPhase implements BroadPhase {
     private float[] reach = new float[0];
     private double factor;
     private boolean hasBalls;
-
-    Dyn4jBroadPhase(Kind kind) {
-        this.kind = kind;
-    }
 
     @Override
     public void start(float[] reach) {
@@ -75,9 +64,7 @@ final class Dyn4jBroadPhase implements BroadPhase {
         BroadphaseFilter<Ball> all = (a, b) -> a != b;
         AABBProducer<Ball> boxes = new Boxes();
         AABBExpansionMethod<Ball> expansion = new StaticValueAABBExpansionMethod<>(EXPANSION);
-        detector = kind == Kind.TREE
-                ? new DynamicAABBTree<>(all, boxes, expansion, balls.length)
-                : new Sap<>(all, boxes, expansion, balls.length);
+        detector = new DynamicAABBTree<>(all, boxes, expansion, balls.length);
         kept.list.clear();
         hasBalls = false;
     }

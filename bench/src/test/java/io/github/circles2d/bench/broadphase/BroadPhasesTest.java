@@ -3,7 +3,9 @@ package io.github.circles2d.bench.broadphase;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.circles2d.bench.Devices;
 import java.util.Random;
+import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -14,8 +16,8 @@ class BroadPhasesTest {
     @EnumSource(BroadPhases.class)
     void crowdsOfAllKinds(BroadPhases kind) {
         Random random = new Random(1);
-        for (int run = 0; run < 40; run++) {
-            int n = 1 + random.nextInt(run < 10 ? 6 : 400);
+        for (int run = 0; run < 100; run++) {
+            int n = 1 + random.nextInt(run < 20 ? 6 : 300);
             double ratio = Math.pow(10, random.nextInt(4));
             double extent = random.nextBoolean() ? 1 : 0.02;
             double speed = random.nextBoolean() ? 0.001 : 0.1;
@@ -49,6 +51,58 @@ class BroadPhasesTest {
             oracle.start(reach);
             compare(phase, oracle, x, y, "lattice of " + r);
         }
+    }
+
+    @Test
+    void theDeviceFindsThePairsOfTheJvm() {
+        if (Devices.all().isEmpty() && !Boolean.getBoolean("circles2d.device.required")) {
+            Assumptions.abort("no OpenCL device");
+        }
+        Random random = new Random(3);
+        for (int n : new int[] {1, 2, 300, 5000}) {
+            float[] reach = radii(n, n > 300 ? 100 : 3, 1, 0.4, random);
+            float[] x = new float[n];
+            float[] y = new float[n];
+            BroadPhase oracle = new AllPairs();
+            oracle.start(reach);
+            try (DeviceSweep sweep = new DeviceSweep(Devices.find("best"), reach)) {
+                for (int step = 0; step < 3; step++) {
+                    // In the last step all circles are at one point: more pairs than there is room for.
+                    float extent = step < 2 || n > 300 ? 1 : 0;
+                    for (int i = 0; i < n; i++) {
+                        x[i] = extent * random.nextFloat();
+                        y[i] = extent * random.nextFloat();
+                    }
+                    PairList wanted = new PairList();
+                    oracle.findPairs(x, y, wanted);
+                    sweep.move(x, y);
+                    assertThat(sweep.findPairs()).isEqualTo(wanted.size());
+                    PairList found = new PairList();
+                    sweep.read(found);
+                    assertThat(found.checksum()).isEqualTo(wanted.checksum());
+                }
+            }
+        }
+    }
+
+    /** What a scene of the comparison promises: circles within the walls, and radii of the ratio that it names. */
+    @ParameterizedTest
+    @EnumSource(Crowds.class)
+    void theScenesFitIntoTheArena(Crowds scene) {
+        Crowd crowd = scene.of(500);
+        assertThat(crowd.size()).isEqualTo(500);
+        float least = Float.MAX_VALUE;
+        float greatest = 0;
+        for (int i = 0; i < 500; i++) {
+            float r = crowd.circles()[4 * i + 2];
+            least = Math.min(least, r);
+            greatest = Math.max(greatest, r);
+            assertThat(crowd.circles()[4 * i]).isBetween(r, 1 - r);
+            assertThat(crowd.circles()[4 * i + 1]).isBetween(r * 0.9f, 1 - r);
+        }
+        double ratio =
+                scene == Crowds.MIXED_100 ? 100 : scene == Crowds.MIXED_10 ? 10 : scene == Crowds.PILE ? 1.01 : 1.5;
+        assertThat((double) greatest / least).isBetween(0.9 * ratio, 1.001 * ratio);
     }
 
     @Test
@@ -94,6 +148,14 @@ class BroadPhasesTest {
                 y[i] = move(y[i], speed * extent, random);
             }
         }
+    }
+
+    private static float[] radii(int n, double ratio, double extent, double fill, Random random) {
+        float[] reach = new float[n];
+        for (int i = 0; i < n; i++) {
+            reach[i] = (float) (extent * Math.sqrt(fill / n) * Math.pow(ratio, -random.nextDouble()) + 1e-7);
+        }
+        return reach;
     }
 
     private static float move(float at, double speed, Random random) {
