@@ -1,9 +1,12 @@
 package io.github.circles2d.bench.broadphase;
 
 import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 
 /** The tables of the page. */
 final class BroadPhaseTables {
@@ -93,26 +96,66 @@ final class BroadPhaseTables {
         return line(cells);
     }
 
-    /** A step of World, the part of it that finds contacts, and what the fastest broad phase could save of it. */
+    /** A step of World, the part of it that finds and makes contacts, and what the fastest broad phase could save of it. */
     String world() {
-        StringBuilder text = new StringBuilder("| scene | n | step | finding and making contacts | " + LIKE_WORLDS.title
-                + " | fastest | step, relative |\n");
-        text.append("|---|--:|--:|--:|--:|---|--:|\n");
+        StringBuilder text = new StringBuilder(line(List.of(
+                "scene",
+                "n",
+                "step, ms",
+                "finding and making contacts, ms",
+                LIKE_WORLDS.title + ", ms",
+                "fastest, ms",
+                "saves at least, %",
+                "at most, %")));
+        text.append("|---|--:|--:|--:|--:|---|--:|--:|\n");
         for (Crowds scene : Crowds.values()) {
             for (String n : figures.sizes(scene.title)) {
-                double step = figures.of("median_ms", scene.title, n, BroadPhaseBench.WORLD_STEP);
-                BroadPhases best = figures.fastest(scene.title, n);
-                if (best != null) {
-                    double grid = figures.of("median_ms", scene.title, n, LIKE_WORLDS.title);
-                    double least = figures.of("median_ms", scene.title, n, best.title);
+                if (figures.fastest(scene.title, n) != null) {
+                    text.append(world(scene, n));
+                }
+            }
+        }
+        return text.toString().stripTrailing();
+    }
+
+    private String world(Crowds scene, String n) {
+        double step = figures.of("median_ms", scene.title, n, BroadPhaseBench.WORLD_STEP);
+        double finding = figures.of("median_ms", scene.title, n, BroadPhaseBench.WORLD_FINDING);
+        double grid = figures.of("median_ms", scene.title, n, LIKE_WORLDS.title);
+        BroadPhases best = figures.fastest(scene.title, n);
+        double least = figures.of("median_ms", scene.title, n, best.title);
+        return line(List.of(
+                scene.title,
+                Numbers.whole(Long.parseLong(n)),
+                Numbers.brief(step),
+                Numbers.brief(finding),
+                Numbers.brief(grid),
+                best.title + ", " + Numbers.brief(least),
+                percent((grid - least) / step),
+                percent((finding - least) / step)));
+    }
+
+    private static String percent(double share) {
+        return Double.isNaN(share) ? "-" : Long.toString(Math.round(100 * Math.max(0, share)));
+    }
+
+    /** The sweep on OpenCL devices, from all folders that have figures of it. */
+    static String devices(List<ResultsFolder> folders) {
+        StringBuilder text = new StringBuilder("| machine | device | scene | n | ms a step | ns per circle |\n");
+        text.append("|---|---|---|--:|--:|--:|\n");
+        for (ResultsFolder folder : folders) {
+            for (Map<String, String> row : folder.table(Kind.BROADPHASE).rows()) {
+                int at = row.get("broad_phase").indexOf('@');
+                if (at >= 0) {
+                    double millis = Numbers.parse(row.get("median_ms"));
+                    long n = Long.parseLong(row.get("n"));
                     text.append(line(List.of(
-                            scene.title,
-                            Numbers.whole(Long.parseLong(n)),
-                            Numbers.brief(step),
-                            figures.brief("median_ms", scene.title, n, BroadPhaseBench.WORLD_FINDING),
-                            Numbers.brief(grid),
-                            best.title + ", " + Numbers.brief(least),
-                            Numbers.brief((step - grid + least) / step))));
+                            folder.name(),
+                            row.get("broad_phase").substring(at + 1),
+                            row.get("scene"),
+                            Numbers.whole(n),
+                            Numbers.brief(millis),
+                            Numbers.brief(1e6 * millis / n))));
                 }
             }
         }

@@ -16,6 +16,7 @@ enum Crowds {
     PILE("pile", "nearly equal radii, a dense lattice that settles on the floor", true, Crowds::pile),
     MIXED_10("mixed-10", "radii 1:10, log-uniform, fill 0.4, falling slowly", false, n -> mixed(n, 10)),
     MIXED_100("mixed-100", "radii 1:100, log-uniform, fill 0.4, falling slowly", true, n -> mixed(n, 100)),
+    BOULDERS("boulders", "similar radii, one in a thousand 30 times as large, fill 0.4", false, Crowds::boulders),
     CORNER("corner", "packed, shrunk into a hundredth of the arena", false, Crowds::corner),
     FAST("fast", "gas, eight times as fast: 0.8 to 3 radii a step", false, n -> gas(n, 8));
 
@@ -125,10 +126,27 @@ enum Crowds {
     private static Crowd mixed(int n, double ratio) {
         Random random = new Random(Scenes.SEED);
         float[] radius = new float[n];
-        double squares = 0;
         for (int i = 0; i < n; i++) {
             radius[i] = (float) Math.pow(ratio, random.nextDouble());
-            squares += radius[i] * radius[i];
+        }
+        return scattered(radius, random);
+    }
+
+    private static Crowd boulders(int n) {
+        Random random = new Random(Scenes.SEED);
+        float[] radius = new float[n];
+        for (int i = 0; i < n; i++) {
+            radius[i] = (i % 1000 == 0 ? 30 : 1) * (1 + 0.5f * random.nextFloat());
+        }
+        return scattered(radius, random);
+    }
+
+    /** Circles whose radii are scaled to a fill, in random order. */
+    private static Crowd scattered(float[] radius, Random random) {
+        int n = radius.length;
+        double squares = 0;
+        for (float r : radius) {
+            squares += r * r;
         }
         double scale = Math.sqrt(MIXED_FILL / (Math.PI * squares));
         for (int i = 0; i < n; i++) {

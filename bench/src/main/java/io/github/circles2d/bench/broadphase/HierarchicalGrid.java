@@ -5,12 +5,16 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * A grid for each factor of two between the radii. A circle is paired within its own grid, and with all larger circles in the
- * grids of these: small circles, which are many, look for large ones, which are few.
+ * A grid for each factor of four between the radii, as World has them if no size outnumbers the others. A circle is paired within
+ * its own grid, and with all larger circles in the grids of these: small circles, which are many, look for large ones, which are
+ * few.
  */
 final class HierarchicalGrid implements BroadPhase {
     /** A grid and the greatest reach that its circles may have. */
     private record Level(CellGrid grid, float greatest) {}
+
+    /** The smallest radius of a grid over the greatest: more grids mean fewer tests, but more cells to look at. */
+    private static final float SPAN = 0.25f;
 
     private final Counts counts = new Counts();
     private float[] reach = new float[0];
@@ -28,8 +32,8 @@ final class HierarchicalGrid implements BroadPhase {
         int[] left = new int[reach.length];
         Arrays.setAll(left, i -> i);
         levels = new ArrayList<>();
-        for (float top = greatest; left.length > 0; top *= 0.5f) {
-            float bottom = 0.5f * top;
+        for (float top = greatest; left.length > 0; top *= SPAN) {
+            float bottom = SPAN * top;
             int[] members = Arrays.stream(left).filter(i -> reach[i] > bottom).toArray();
             left = Arrays.stream(left).filter(i -> reach[i] <= bottom).toArray();
             if (members.length > 0) {
