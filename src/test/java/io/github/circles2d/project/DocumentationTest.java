@@ -154,6 +154,7 @@ class DocumentationTest {
                 "bench/README.md",
                 "bench/results/README.md",
                 "docs/benchmarks.md",
+                "docs/broad-phases.md",
                 "docs/determinism.md",
                 "docs/glossary.md",
                 "docs/how-to-extend.md",

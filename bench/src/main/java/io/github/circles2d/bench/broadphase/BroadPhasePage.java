@@ -44,8 +44,7 @@ final class BroadPhasePage {
         }
     }
 
-    private static String text(String[] words, BroadPhaseFigures figures, ResultsFolder folder)
-            throws IOException {
+    private static String text(String[] words, BroadPhaseFigures figures, ResultsFolder folder) throws IOException {
         BroadPhaseTables tables = new BroadPhaseTables(figures);
         switch (words[0]) {
             case "machine":
