@@ -20,8 +20,10 @@ class BroadPhasesTest {
             int n = 1 + random.nextInt(run < 20 ? 6 : 300);
             double ratio = Math.pow(10, random.nextInt(4));
             double extent = random.nextBoolean() ? 1 : 0.02;
-            double speed = random.nextBoolean() ? 0.001 : 0.1;
+            double speed = 0.0005 * Math.pow(200, random.nextDouble());
             compare(kind, random, n, ratio, extent, speed, 0.4 * random.nextDouble());
+            // Neighbours that approach by less than a margin a step, and by more than it together.
+            compare(kind, random, n, 1, 1, 0.18 * Math.sqrt(0.2 / n), 0.2);
         }
     }
 
@@ -50,6 +52,38 @@ class BroadPhasesTest {
             phase.start(reach);
             oracle.start(reach);
             compare(phase, oracle, x, y, "lattice of " + r);
+        }
+    }
+
+    /** Two circles that touch: rounding decides if they overlap, and may put the end of one before the begin of the other. */
+    @ParameterizedTest
+    @EnumSource(BroadPhases.class)
+    void twoCirclesThatTouch(BroadPhases kind) {
+        Random random = new Random(4);
+        for (int run = 0; run < 4000; run++) {
+            float[] reach = {0.001f + 0.2f * random.nextFloat(), 0.001f + 0.2f * random.nextFloat()};
+            float along = 0.25f + 0.25f * random.nextFloat();
+            if (run % 2 == 0) {
+                // The first one is at the border of two cells of a grid.
+                reach[0] = 0.001f + 0.02f * random.nextFloat();
+                reach[1] = reach[0];
+                along = 2 * reach[0] * (1 + random.nextInt((int) (0.4f / reach[0])));
+                for (int ulps = random.nextInt(4); ulps > 0; ulps--) {
+                    along = Math.nextDown(along);
+                }
+            }
+            float across = 0.5f;
+            float[] row = {along, along + reach[0] + reach[1]};
+            for (int ulps = random.nextInt(4); ulps > 0; ulps--) {
+                row[1] = Math.nextDown(row[1]);
+            }
+            float[] line = {across, across};
+            BroadPhase phase = kind.create();
+            BroadPhase oracle = new AllPairs();
+            phase.start(reach);
+            oracle.start(reach);
+            compare(phase, oracle, row, line, "side by side at " + along);
+            compare(phase, oracle, line, row, "above each other at " + along);
         }
     }
 
@@ -137,11 +171,13 @@ class BroadPhasesTest {
         float[] reach = new float[n];
         float[] x = new float[n];
         float[] y = new float[n];
+        double[] angle = new double[n];
         for (int i = 0; i < n; i++) {
             reach[i] = (float)
                     ((extent == 0 ? 1 : extent) * Math.sqrt(fill / n) * Math.pow(ratio, -random.nextDouble()) + 1e-7);
             x[i] = (float) (extent * random.nextDouble());
             y[i] = (float) (extent * random.nextDouble());
+            angle[i] = 2 * Math.PI * random.nextDouble();
         }
         BroadPhase phase = kind.create();
         BroadPhase oracle = new AllPairs();
@@ -150,8 +186,8 @@ class BroadPhasesTest {
         for (int step = 0; step < 8; step++) {
             compare(phase, oracle, x, y, "step " + step + " of " + n + " circles, radii 1:" + ratio);
             for (int i = 0; i < n; i++) {
-                x[i] = move(x[i], speed * extent, random);
-                y[i] = move(y[i], speed * extent, random);
+                x[i] = within(x[i] + speed * extent * Math.cos(angle[i]));
+                y[i] = within(y[i] + speed * extent * Math.sin(angle[i]));
             }
         }
     }
@@ -164,8 +200,8 @@ class BroadPhasesTest {
         return reach;
     }
 
-    private static float move(float at, double speed, Random random) {
-        return (float) Math.max(0, Math.min(1, at + speed * random.nextGaussian()));
+    private static float within(double at) {
+        return (float) Math.max(0, Math.min(1, at));
     }
 
     private static void compare(BroadPhase phase, BroadPhase oracle, float[] x, float[] y, String label) {
