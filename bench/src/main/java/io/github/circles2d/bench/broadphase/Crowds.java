@@ -12,13 +12,13 @@ import java.util.function.IntFunction;
  */
 enum Crowds {
     PACKED("packed", "similar radii, fill 0.62, overlaps coming apart", true, Crowds::packed),
-    GAS("gas", "similar radii, fill 0.3, 0.1 to 0.4 radii a step, elastic", true, n -> gas(n, 1)),
+    GAS("gas", "similar radii, fill 0.3, elastic", true, n -> gas(n, 1)),
     PILE("pile", "nearly equal radii, a dense lattice that settles on the floor", true, Crowds::pile),
     MIXED_10("mixed-10", "radii 1:10, log-uniform, fill 0.4, falling slowly", false, n -> mixed(n, 10)),
     MIXED_100("mixed-100", "radii 1:100, log-uniform, fill 0.4, falling slowly", true, n -> mixed(n, 100)),
     BOULDERS("boulders", "similar radii, one in a thousand 30 times as large, fill 0.4", false, Crowds::boulders),
     CORNER("corner", "packed, shrunk into a hundredth of the arena", false, Crowds::corner),
-    FAST("fast", "gas, eight times as fast: 0.8 to 3 radii a step", false, n -> gas(n, 8));
+    FAST("fast", "gas, started eight times as fast", false, n -> gas(n, 8));
 
     private static final double MIXED_FILL = 0.4;
 
