@@ -20,7 +20,7 @@ final class BroadPhaseOptions {
             "  --quick              up to 10,000 circles, and little time for each figure",
             "  --sizes N,N,..       numbers of circles (default: 1250,10000,100000,1000000)",
             "  --scenes NAME,..     some of the scenes: " + titles(Crowds.values()),
-            "  --only NAME,..       some of the broad phases: " + titles(BroadPhases.values()),
+            "  --only NAME,..       some of the broad phases, at any size: " + titles(BroadPhases.values()),
             "  --seconds NUMBER     processor time for each figure (default: 0.3)",
             "  --device NAME        the subdivided sweep on an OpenCL device (best, cpu, or a name that `bench --help` explains),",
             "                       and nothing else; by the time on the wall, with the positions there and the pairs left there",
@@ -32,7 +32,7 @@ final class BroadPhaseOptions {
 
     private List<Integer> sizes = List.of(1250, 10_000, 100_000, 1_000_000);
     private List<Crowds> scenes = List.of(Crowds.values());
-    private List<BroadPhases> kinds = List.of(BroadPhases.values());
+    private List<BroadPhases> kinds = List.of();
     private double seconds = 0.3;
     private boolean help;
     private boolean quick;
@@ -134,8 +134,14 @@ final class BroadPhaseOptions {
         return scenes;
     }
 
+    /** Those to measure, all if none is named. */
     List<BroadPhases> kinds() {
-        return kinds;
+        return kinds.isEmpty() ? List.of(BroadPhases.values()) : kinds;
+    }
+
+    /** Whether one is named. */
+    boolean asksFor(BroadPhases kind) {
+        return kinds.contains(kind);
     }
 
     double seconds() {

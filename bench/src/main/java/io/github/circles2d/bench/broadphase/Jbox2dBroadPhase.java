@@ -5,8 +5,9 @@ import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.common.Vec2;
 
 /**
- * The tree of JBox2D, called as its world calls it: circles that have left their fat boxes look for pairs. The mean reach is half a metre; boxes are wider than circles by
- * 0.1 m on each side, and by twice the motion of the step on the side that the circle moves to. Bytes are not estimated.
+ * The tree of JBox2D, called as its world calls it: circles that have left their fat boxes look for pairs. The mean reach is half a
+ * metre; boxes are wider than circles by 0.1 m on each side, and by twice the motion of the step on the side that the circle moves
+ * to. Bytes are not estimated.
  */
 final class Jbox2dBroadPhase implements BroadPhase {
     private final Counts counts = new Counts();
@@ -38,7 +39,6 @@ final class Jbox2dBroadPhase implements BroadPhase {
     @Override
     public void findPairs(float[] x, float[] y, PairList pairs) {
         for (int i = 0; i < reach.length; i++) {
-            // A coordinate of some hundreds of metres rounds by more than one of the unit square.
             float r = (reach[i] + SLACK) * factor;
             box.lowerBound.set(x[i] * factor - r, y[i] * factor - r);
             box.upperBound.set(x[i] * factor + r, y[i] * factor + r);
