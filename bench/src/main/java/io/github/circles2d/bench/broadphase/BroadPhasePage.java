@@ -18,7 +18,8 @@ import java.util.stream.Stream;
 /**
  * Writes the page: a template, in which {@code {{word word ..}}} stands for what comes from a results folder. Within a
  * sentence these are {@code {{ms SCENE N NAME}}}, {@code {{ratio SCENE N NAME NAME}}} of two times, and a count per circle
- * such as {@code {{tests SCENE N NAME}}}, {@code {{motion SCENE N}}}; on a line alone the name of a table, with its n where it has one.
+ * such as {@code {{tests SCENE N NAME}}}, or {@code {{motion SCENE N}}}; on a line alone the name of a table, with its n if it has
+ * one.
  */
 final class BroadPhasePage {
     private static final String TEMPLATE = "/io/github/circles2d/bench/broad-phases.md";
