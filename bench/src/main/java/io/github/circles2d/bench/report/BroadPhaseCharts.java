@@ -37,8 +37,12 @@ public final class BroadPhaseCharts {
     private static XYChart chart(ResultsFolder folder, String scene) {
         XYChart chart = Charts.chart("Broad phases on the scene " + scene, "circles", "ns per circle and step");
         List<Map<String, String>> rows = folder.table(Kind.BROADPHASE).rows("scene", scene);
-        List<String> names =
-                rows.stream().map(row -> row.get("broad_phase")).distinct().toList();
+        // A time on the wall of a device is no processor time of a thread.
+        List<String> names = rows.stream()
+                .map(row -> row.get("broad_phase"))
+                .filter(name -> !name.contains("@"))
+                .distinct()
+                .toList();
         for (String name : names) {
             List<Integer> sizes = new ArrayList<>();
             List<Double> nanos = new ArrayList<>();
