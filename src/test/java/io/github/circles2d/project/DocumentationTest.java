@@ -225,6 +225,7 @@ class DocumentationTest {
                 "bench/README.md",
                 "bench/results/README.md",
                 "docs/benchmarks.md",
+                "docs/broad-phases.md",
                 "docs/coming-from.md",
                 "docs/determinism.md",
                 "docs/glossary.md",

@@ -1,5 +1,6 @@
 package io.github.circles2d.bench;
 
+import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
@@ -68,6 +69,9 @@ public final class Bench {
                     break;
                 case "physics":
                     PhysicsBench.run(rest, System.out);
+                    break;
+                case "broadphase":
+                    BroadPhaseBench.run(rest, System.out);
                     break;
                 case "table":
                     ConsoleTable.print(folder(rest), System.out);

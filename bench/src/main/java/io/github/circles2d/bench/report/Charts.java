@@ -82,11 +82,11 @@ public final class Charts {
         tryTo(() -> save(WorldCharts.steps(folders), results, WorldCharts.FILE), results, out);
     }
 
-    private interface Drawing {
+    interface Drawing {
         void run() throws IOException;
     }
 
-    private static void tryTo(Drawing drawing, Path where, PrintStream out) throws IOException {
+    static void tryTo(Drawing drawing, Path where, PrintStream out) throws IOException {
         try {
             drawing.run();
         } catch (LinkageError | InternalError | RuntimeException e) {

@@ -103,7 +103,22 @@ public final class ResultsFolder {
         /** Transfers between host and device by the kind of the host's memory. */
         TRANSFER(
                 List.of("device", "direction", "memory", "bytes"),
-                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status"));
+                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status")),
+        /** Broad phases by scene and n: processor time of one thread, and work, both a step. */
+        BROADPHASE(
+                List.of("scene", "n", "broad_phase"),
+                List.of(
+                        "motion_radii",
+                        "runs",
+                        "mean_ms",
+                        "se_ms",
+                        "min_ms",
+                        "median_ms",
+                        "pairs",
+                        "tests",
+                        "swaps",
+                        "nodes",
+                        "estimated_bytes"));
 
         private final List<String> keys;
         private final List<String> values;

@@ -12,11 +12,11 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 
 /** What this machine is. */
-final class Machine {
+public final class Machine {
     private Machine() {}
 
     /** A name for the results folder: processor, cores and graphics processors. */
-    static String name(Map<String, Device> devices) {
+    public static String name(Map<String, Device> devices) {
         StringBuilder name =
                 new StringBuilder(Devices.slug(processor())).append("-").append(cores());
         devices.forEach((device, description) -> {
@@ -28,7 +28,7 @@ final class Machine {
     }
 
     /** Properties for people, by name. */
-    static Map<String, String> properties(Map<String, Device> devices) {
+    public static Map<String, String> properties(Map<String, Device> devices) {
         Map<String, String> properties = new LinkedHashMap<>();
         properties.put("date", LocalDate.now(ZoneOffset.UTC).toString());
         properties.put("processor", processor());
