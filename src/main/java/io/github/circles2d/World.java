@@ -1073,6 +1073,46 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Sets what {@link #events} reports of the circles of two kinds, from the next step on, in place of what {@link #report(int)} says of
+     * all circles; a later call of that takes the place of this. Only pairs that are reported cost something.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same; which of them comes first does not matter
+     * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
+     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     */
+    public void report(int kindA, int kindB, int types) {
+        simulation.reports().report(kindA, kindB, types);
+    }
+
+    /**
+     * Sets what {@link #events} reports of the circles of a kind and walls, from the next step on, in place of what {@link #report(int)}
+     * says of all circles.
+     *
+     * @param kind the number of a kind, 0 to 255
+     * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
+     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     */
+    public void reportWalls(int kind, int types) {
+        simulation.reports().reportWalls(kind, types);
+    }
+
+    /**
+     * Lists the pairs of circles of two kinds that touch: that have begun and not ended, by the rules of {@link Events}. Only pairs of
+     * which the world reports something are there.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same
+     * @param handles takes two handles a pair, first that of the circle of kindA; of one kind, that of the lower id. Pairs are in the
+     *     order of their lower ids, then of the higher. If it is too short, it takes the first of them
+     * @return how many pairs there are, which may be more than the array takes
+     * @throws IllegalArgumentException where there is no such kind
+     */
+    public int touching(int kindA, int kindB, long[] handles) {
+        return simulation.reports().touching(kindA, kindB, handles);
+    }
+
+    /**
      * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than what a
      * restitution below 0.9 does not answer by a bounce, sqrt(0.16 g r + (r/s)^2), where g is gravity (at a wall its component along that
      * axis) and r the mean radius of the pair; or than {@link Builder#restitutionThreshold}, if that is set. So nothing in a pile at rest
@@ -1093,6 +1133,34 @@ public final class World implements AutoCloseable {
      */
     public Events events() {
         return events.of(simulation.reports().take());
+    }
+
+    /**
+     * Asks for the events of all steps so far that have not been taken, without waiting for them: on an OpenCL device they come while the
+     * next step runs.
+     *
+     * <pre>{@code
+     * world.requestEvents();
+     * world.step(1 / 60f);
+     * play(world.takeEvents()); // of the steps before
+     * }</pre>
+     *
+     * <p>A request that has not been taken is replaced by the next, which has its events too; {@link #events} takes all events, and leaves
+     * no request.
+     */
+    public void requestEvents() {
+        simulation.reports().request();
+    }
+
+    /**
+     * Gives the events that {@link #requestEvents} asked for last, and waits for them where they are still on their way. Those of later
+     * steps stay, and number their steps from the request on.
+     *
+     * @return a view of this world's, which the next call of this method or of {@link #events} fills again
+     * @throws IllegalStateException where nothing has been requested since the last were taken
+     */
+    public Events takeEvents() {
+        return events.of(simulation.reports().takeRequested());
     }
 
     // ---- snapshots
