@@ -1058,11 +1058,13 @@ public final class World implements AutoCloseable {
     // ------------------------------------------------------------------------------------------------------
 
     /**
-     * Sets what {@link #events} reports, from the next step on. By default nothing, which costs nothing. What a world reports changes
-     * no step, and is in no snapshot and no log. Pairs that touch already begin with the next step after they are first reported.
+     * Sets what {@link #events} reports of all circles, from the next step on, in place of what any call has said before. By default
+     * nothing, which costs nothing. What a world reports changes no step, and is in no snapshot and no log: whoever restores or replays
+     * says what he wants to hear. Pairs that touch already begin with the next step after they are first reported.
      *
-     * <p>In this version a world on an OpenCL device that reports makes each of its steps by launches per colour of contacts, and looks
-     * at the result of each: that takes several times as long. On the JVM it costs little.
+     * <p>In this version a world on an OpenCL device that reports contacts or walls makes each of its steps by launches per colour of
+     * contacts, and looks at the result of each: that takes several times as long. If it reports pairs that are only sensed, and no
+     * others, it looks at the result of each step alone. On the JVM either costs little.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
      *     count too, which alone reports nothing; 0 for nothing
@@ -1136,8 +1138,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Asks for the events of all steps so far that have not been taken, without waiting for them: on an OpenCL device they come while the
-     * next step runs.
+     * Asks for the events of all steps so far that have not been taken, without waiting for these. On an OpenCL device the next step hands
+     * them over before it begins, so {@link #takeEvents} behind it waits for no step.
      *
      * <pre>{@code
      * world.requestEvents();
