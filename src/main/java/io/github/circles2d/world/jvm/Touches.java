@@ -108,6 +108,9 @@ final class Touches {
         float[] q = contacts.contact;
         float[] load = state.load;
         for (int c = from; c < to; c++) {
+            if (isUnwanted(c)) {
+                continue;
+            }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
             int a = contacts.pair[ContactRow.a(c)];
@@ -126,6 +129,9 @@ final class Touches {
     void afterRelax(int worker, int from, int to, StepConstants k, boolean last) {
         float[] q = contacts.contact;
         for (int c = from; c < to; c++) {
+            if (isUnwanted(c)) {
+                continue;
+            }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
             float impulse = rows[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
@@ -136,7 +142,8 @@ final class Touches {
         if (last) {
             for (int c = from; c < to; c++) {
                 int o = ContactRow.of(c);
-                if (TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
+                if (!isUnwanted(c)
+                        && TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
                         && isConcern(c, k)) {
                     list(worker, c);
                 }
@@ -151,6 +158,10 @@ final class Touches {
         boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
         long ids = contacts.ids(c);
         return events.concerns((int) (ids >>> 32), (int) ids, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
+    }
+
+    private boolean isUnwanted(int c) {
+        return wanted != ALL && !wanted[c];
     }
 
     private float approach(int c) {
