@@ -358,7 +358,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void report(ContactEvents events) {
         settle();
-        ReportReader next = events == null ? null : new ReportReader(session, events);
+        ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
         stages.record(next == null ? null : next.touches());
         if (reader != null) {
             reader.close();

@@ -27,12 +27,14 @@ final class ReportReader implements AutoCloseable {
     private int seekingVersion;
     private float timeStep;
 
-    ReportReader(Session session, ContactEvents events) {
+    ReportReader(Session session, DeviceArrays arrays, ContactEvents events) {
         this.events = events;
         touches = new TouchArrays(session, events.hasWalls());
         sensing = new SensingArrays(session);
         touchReader = new TouchReader(touches, events);
         sensedReader = new SensedReader(sensing, events);
+        touches.ensure(arrays);
+        sensing.ensure(arrays);
     }
 
     TouchArrays touches() {

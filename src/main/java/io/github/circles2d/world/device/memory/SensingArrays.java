@@ -45,6 +45,7 @@ public final class SensingArrays implements AutoCloseable {
 
     /** Makes room for the ids that other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
+        seeking = ensure("sensing: kinds", seeking, (long) Integer.BYTES * table.length);
         start = ensure("sensing: start", start, START_BYTES * arrays.idCapacity());
         records = ensure("sensing: records", records, RECORD_BYTES * LEAST_RECORDS);
     }
@@ -67,10 +68,9 @@ public final class SensingArrays implements AutoCloseable {
 
     /** Sends who looks for whom, if it is not there yet. */
     public void send(StepConstants k) {
-        if (version == k.seekingVersion && seeking != null) {
+        if (version == k.seekingVersion) {
             return;
         }
-        seeking = ensure("sensing: kinds", seeking, (long) Integer.BYTES * table.length);
         System.arraycopy(k.seeking, 0, table, 0, PairTable.WORDS);
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             int part = 0;
