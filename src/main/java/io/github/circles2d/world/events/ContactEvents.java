@@ -583,7 +583,7 @@ public final class ContactEvents {
             int lower = (int) (from.pair[k] >>> Integer.SIZE);
             int higher = (int) from.pair[k];
             boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
-            if (typesOf(lower, higher) != 0) {
+            if (mayLoad(lower, higher, OF_PAIR_TYPES)) {
                 int pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
                 if (isOpen) {
                     pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
@@ -596,6 +596,14 @@ public final class ContactEvents {
         }
     }
 
+    /**
+     * Whether a saved pair, or a late event of it, is still reported. If kinds decide it may be: they may change until the next step,
+     * which forgets the pairs that are not, and a removed circle's kind is not saved.
+     */
+    private boolean mayLoad(int lower, int higher, int types) {
+        return reported.dependsOnKinds() || (typesOf(lower, higher) & types) != 0;
+    }
+
     private void loadLate(SavedTouches from, int k) {
         int type = from.lateInts[SavedTouches.LATE_INTS * k];
         int side = from.lateInts[SavedTouches.LATE_INTS * k + 1];
@@ -603,7 +611,7 @@ public final class ContactEvents {
         long b = from.lateHandles[2 * k + 1];
         int lower = (int) a;
         int higher = side == NO_SIDE ? (int) b : Limits.CIRCLES + side;
-        if ((typesOf(lower, higher) & type) != 0) {
+        if (mayLoad(lower, higher, type)) {
             int at = step.add(key(lower, higher, type == HIT ? LATE_HIT : LATE_END), type, a, b, side);
             System.arraycopy(from.lateValues, SavedTouches.VALUES * k, step.values, at, SavedTouches.VALUES);
         }
