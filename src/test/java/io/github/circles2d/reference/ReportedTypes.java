@@ -44,6 +44,15 @@ final class ReportedTypes {
                 || ofWalls.values().stream().anyMatch(types -> types != 0);
     }
 
+    boolean dependOnKinds() {
+        return !ofPair.isEmpty() || !ofWalls.isEmpty();
+    }
+
+    /** The types of all pairs, or walls, of which nothing else has been set. */
+    int ofAll(boolean ofWalls) {
+        return ofWalls ? walls : all;
+    }
+
     int of(Circle a, Circle b) {
         return ofPair.getOrDefault(pair(a.kind, b.kind), all);
     }

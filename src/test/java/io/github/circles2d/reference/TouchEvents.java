@@ -69,6 +69,8 @@ final class TouchEvents {
         if (!types.isOn()) {
             ofStep.clear();
         }
+        ofStep.removeIf(
+                late -> (types.ofAll(late.event.side() != NO_SIDE) & late.event.type()) == 0 && !types.dependOnKinds());
     }
 
     private int typesOf(Key key) {

@@ -198,6 +198,11 @@ public final class ContactEvents {
                 pairs.remove(pair);
             }
         }
+        for (int late = step.count - 1; late >= 0; late--) {
+            if (!mayReport(step.side(late) != NO_SIDE, step.type(late))) {
+                step.remove(late);
+            }
+        }
     }
 
     private void readHandles(HandleTable handles) {
@@ -583,7 +588,7 @@ public final class ContactEvents {
             int lower = (int) (from.pair[k] >>> Integer.SIZE);
             int higher = (int) from.pair[k];
             boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
-            if (mayLoad(lower, higher, OF_PAIR_TYPES)) {
+            if (mayReport(isWall(higher), OF_PAIR_TYPES)) {
                 int pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
                 if (isOpen) {
                     pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
@@ -597,11 +602,12 @@ public final class ContactEvents {
     }
 
     /**
-     * Whether a saved pair, or a late event of it, is still reported. If kinds decide it may be: they may change until the next step,
-     * which forgets the pairs that are not, and a removed circle's kind is not saved.
+     * Whether a saved pair, or a late event, may still be reported. If kinds decide it may be: they may change until the next step,
+     * which forgets the pairs that are not, and the kind of a removed circle is not known any more.
      */
-    private boolean mayLoad(int lower, int higher, int types) {
-        return reported.dependsOnKinds() || (typesOf(lower, higher) & types) != 0;
+    private boolean mayReport(boolean ofWall, int types) {
+        int now = ofWall ? reported.wallTypes(0) : reported.types(0, 0);
+        return reported.dependsOnKinds() || (now & types) != 0;
     }
 
     private void loadLate(SavedTouches from, int k) {
@@ -611,7 +617,7 @@ public final class ContactEvents {
         long b = from.lateHandles[2 * k + 1];
         int lower = (int) a;
         int higher = side == NO_SIDE ? (int) b : Limits.CIRCLES + side;
-        if (mayLoad(lower, higher, type)) {
+        if (mayReport(side != NO_SIDE, type)) {
             int at = step.add(key(lower, higher, type == HIT ? LATE_HIT : LATE_END), type, a, b, side);
             System.arraycopy(from.lateValues, SavedTouches.VALUES * k, step.values, at, SavedTouches.VALUES);
         }

@@ -79,6 +79,17 @@ public final class EventRows {
         count = first;
     }
 
+    /** Removes an event; the last one takes its number. */
+    void remove(int row) {
+        int last = --count;
+        key[row] = key[last];
+        type[row] = type[last];
+        a[row] = a[last];
+        b[row] = b[last];
+        side[row] = side[last];
+        System.arraycopy(values, VALUES * last, values, VALUES * row, VALUES);
+    }
+
     /** Sorts the order by keys: a heap sort, without memory. */
     void sort() {
         for (int k = 0; k < count; k++) {
