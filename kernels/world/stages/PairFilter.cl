@@ -14,7 +14,7 @@ int responseOf(const World *w, int id, int otherId) {
 // The caller has their inverse masses. filtering: whether that of the step is not 0, so that a loop can decide that once.
 INLINE bool mayMeetIf(const World *w, bool filtering, int slot, float invMassA, int other, float invMassB) {
     if (invMassA == 0.0f && invMassB == 0.0f) return false;
-    // Pairs that are only sensed end here, too: a stage that records them would ask for their response.
+    // Pairs that are only sensed end here, too: Sensing.cl finds them.
     return !filtering || responseOf(w, w->id[slot], w->id[other]) == PAIR_SOLID;
 }
 

@@ -22,9 +22,20 @@ import io.github.circles2d.world.events.EventRows;
  * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It goes on
  * touching until a step in which nothing of that happens ends with a gap of more than 0.5 % of the sum of the radii (at a wall:
  * of the diameter); then it {@link #END ends}. So a pile at rest is silent. Two static circles never touch, nor do circles whose kinds or
- * groups keep them apart; what a sensor meets is in no event. A circle that is added where it touches another begins with the next
+ * groups let them ignore each other. A circle that is added where it touches another begins with the next
  * step. A circle that is moved away, or removed, ends with the next step, a removed one under its old handle. In a crowd, where a
  * circle has more than some thirty neighbours, only the pairs that World solves count.
+ *
+ * <p><b>Sensors:</b> circles that are only sensed ({@link Kind#setSensor}, {@link Response#SENSE}) begin and end, and never hit. They touch in
+ * a step if they do so at any time in it, on straight paths from where they were at its start to where they are at its end. So a bullet
+ * that flies right through a small sensor in a step begins in this step, and ends in the next. The numbers of a begin are those of the
+ * moment when they first touch in the step; the speed is that at which the two approach, by their paths, and the impulse is 0. A circle
+ * that is moved by {@link World#teleport}, or one that is not static by {@link World#setPosition}, touches nothing on its way. Two sensors
+ * notice each other only if {@link World#setResponse} says so. A crowd hides nothing from a sensor.
+ *
+ * <p><b>Which pairs</b> report, kinds decide: {@link World#report(int)} asks for all, {@link World#report(int, int, int)} for those of two kinds
+ * and {@link World#reportWalls} for the walls of a kind. A pair that reports nothing is not followed: it ends in silence if its circles get
+ * such kinds, and begins if it touches when it reports again.
  *
  * <p><b>Hits:</b> a pair {@link #HIT hits} if an impulse acted and its approach speed is at least {@link World#setHitSpeed}, whether
  * or not it touched before. A hit that a step leaves half done is finished by the next step, and reported there, once: so it may
@@ -40,7 +51,7 @@ import io.github.circles2d.world.events.EventRows;
  * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those
  * of one that has its id now. The events and their order are the same on every back end, device and number of threads.
  *
- * <p>There is one object per world, which each call of {@link World#events} fills again; steps do not touch it. Reading it makes
+ * <p>There is one object per world, which each call of {@link World#events} and {@link World#takeEvents} fills again; steps do not touch it. Reading it makes
  * no garbage.
  */
 public final class Events {
@@ -102,7 +113,7 @@ public final class Events {
      * When it happened.
      *
      * @param event its number, from 0 on
-     * @return the number of the step: 0 for the first since {@link World#events} was called before
+     * @return the number of the step: 0 for the first since {@link World#events} was called before, or since the request that was taken
      */
     public int step(int event) {
         return rows.step(event);

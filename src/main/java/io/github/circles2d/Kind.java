@@ -27,6 +27,11 @@ import io.github.circles2d.world.circles.KindField;
  *       one's mask has a bit of the other's category.
  * </ol>
  *
+ * <p><b>Mask, matrix or sensor?</b> Masks and the matrix say who meets whom; take masks for rules of many kinds, and the matrix for single
+ * pairs. A sensor is for kinds that meet circles without pushing any: goals, triggers, fields of view, what is picked up. Take
+ * {@link Response#SENSE} in the matrix if a kind is solid for some and only notices others, as a ghost that notices the player and stands
+ * on the floor. What nobody is to notice is ignored, not sensed.
+ *
  * <p>Circles that ignore each other are dropped where pairs are found, and cost nothing after that. A change acts from the next step
  * on: circles that overlap and ignore each other from now on separate freely; if they are solid again they are pushed out slowly, as
  * any overlap is. Kinds are in snapshots and in the hash.
@@ -94,7 +99,8 @@ public final class Kind {
 
     /**
      * Makes the kind a sensor, or solid. Circles of a sensor push nothing and are pushed by nothing, except walls and the kinds to which
-     * the matrix makes them solid. (What a sensor meets is not reported yet.)
+     * the matrix makes them solid. They notice what they touch, if masks let both meet and {@link World#report} asks for it; see
+     * {@link Events}. Two sensors ignore each other, unless the matrix says {@link Response#SENSE}.
      *
      * @param sensor true for a sensor
      * @return this

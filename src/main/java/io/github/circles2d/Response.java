@@ -8,6 +8,6 @@ public enum Response {
     SOLID,
     /** They pass through each other. */
     IGNORE,
-    /** They pass through each other, and are to be noticed. (Nothing reports it yet.) */
+    /** They pass through each other, and {@link Events} tells when they begin and end to touch, if {@link World#report} asks for it. */
     SENSE
 }

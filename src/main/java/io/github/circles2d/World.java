@@ -1160,11 +1160,13 @@ public final class World implements AutoCloseable {
     // ------------------------------------------------------------------------------------------------------
 
     /**
-     * Sets what {@link #events} reports, from the next step on. By default nothing, which costs nothing. What a world reports changes
-     * no step, and is in no snapshot and no log. Pairs that touch already begin with the next step after they are first reported.
+     * Sets what {@link #events} reports of all circles, from the next step on, in place of what any call has said before. By default
+     * nothing, which costs nothing. What a world reports changes no step, and is in no snapshot and no log: whoever restores or replays
+     * says what he wants to hear. Pairs that touch already begin with the next step after they are first reported.
      *
-     * <p>In this version a world on an OpenCL device that reports makes each of its steps by launches per colour of contacts, and looks
-     * at the result of each: that takes several times as long. On the JVM it costs little.
+     * <p>In this version a world on an OpenCL device that reports contacts or walls makes each of its steps by launches per colour of
+     * contacts, and looks at the result of each: that takes several times as long. If it reports pairs that are only sensed, and no
+     * others, it looks at the result of each step alone. On the JVM either costs little.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
      *     count too, which alone reports nothing; 0 for nothing
@@ -1172,6 +1174,46 @@ public final class World implements AutoCloseable {
      */
     public void report(int types) {
         simulation.reports().report(types);
+    }
+
+    /**
+     * Sets what {@link #events} reports of the circles of two kinds, from the next step on, in place of what {@link #report(int)} says of
+     * all circles; a later call of that takes the place of this. Only pairs that are reported cost something.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same; which of them comes first does not matter
+     * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
+     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     */
+    public void report(int kindA, int kindB, int types) {
+        simulation.reports().report(kindA, kindB, types);
+    }
+
+    /**
+     * Sets what {@link #events} reports of the circles of a kind and walls, from the next step on, in place of what {@link #report(int)}
+     * says of all circles.
+     *
+     * @param kind the number of a kind, 0 to 255
+     * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
+     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     */
+    public void reportWalls(int kind, int types) {
+        simulation.reports().reportWalls(kind, types);
+    }
+
+    /**
+     * Lists the pairs of circles of two kinds that touch: that have begun and not ended, by the rules of {@link Events}. Only pairs of
+     * which the world reports something are there.
+     *
+     * @param kindA the number of a kind, 0 to 255
+     * @param kindB the number of another kind, or of the same
+     * @param handles takes two handles a pair, first that of the circle of kindA; of one kind, that of the lower id. Pairs are in the
+     *     order of their lower ids, then of the higher. If it is too short, it takes the first of them
+     * @return how many pairs there are, which may be more than the array takes
+     * @throws IllegalArgumentException where there is no such kind
+     */
+    public int touching(int kindA, int kindB, long[] handles) {
+        return simulation.reports().touching(kindA, kindB, handles);
     }
 
     /**
@@ -1195,6 +1237,34 @@ public final class World implements AutoCloseable {
      */
     public Events events() {
         return events.of(simulation.reports().take());
+    }
+
+    /**
+     * Asks for the events of all steps so far that have not been taken, without waiting for these. On an OpenCL device the next step hands
+     * them over before it begins, so {@link #takeEvents} behind it waits for no step.
+     *
+     * <pre>{@code
+     * world.requestEvents();
+     * world.step(1 / 60f);
+     * play(world.takeEvents()); // of the steps before
+     * }</pre>
+     *
+     * <p>A request that has not been taken is replaced by the next, which has its events too; {@link #events} takes all events, and leaves
+     * no request.
+     */
+    public void requestEvents() {
+        simulation.reports().request();
+    }
+
+    /**
+     * Gives the events that {@link #requestEvents} asked for last, and waits for them where they are still on their way. Those of later
+     * steps stay, and number their steps from the request on.
+     *
+     * @return a view of this world's, which the next call of this method or of {@link #events} fills again
+     * @throws IllegalStateException where nothing has been requested since the last were taken
+     */
+    public Events takeEvents() {
+        return events.of(simulation.reports().takeRequested());
     }
 
     // ---- snapshots

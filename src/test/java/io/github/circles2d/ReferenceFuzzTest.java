@@ -41,8 +41,7 @@ class ReferenceFuzzTest {
         private List<Consumer<WorldCalls>> calls = new ArrayList<>();
         private ByteBuffer snapshot;
         private List<Consumer<WorldCalls>> callsUpToSnapshot;
-        private int reported;
-        private float hitSpeed = -1f;
+        private final List<Consumer<WorldCalls>> reports = new ArrayList<>();
 
         Program(long seed) {
             this.seed = seed;
@@ -81,10 +80,7 @@ class ReferenceFuzzTest {
             World built = WorldScenes.onThreads(
                     threads[(int) (seed % threads.length)],
                     with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
-            built.report(reported);
-            if (hitSpeed >= 0f) {
-                built.setHitSpeed(hitSpeed);
-            }
+            reports.forEach(report -> report.accept(WorldCalls.of(built)));
             return built;
         }
 
@@ -96,7 +92,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(32)) {
+            switch (random.nextInt(34)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -122,6 +118,8 @@ class ReferenceFuzzTest {
                 case 22 -> addAll();
                 case 23 -> withSome(this::setTag);
                 case 24 -> readKindsAndTags();
+                case 25 -> touching();
+                case 26 -> requestEvents();
                 default -> step();
             }
         }
@@ -155,14 +153,54 @@ class ReferenceFuzzTest {
         private void report() {
             if (snapshot == null) {
                 int types = random.nextInt(4) == 0 ? 0 : random.nextInt(2 * Events.WALL);
-                reported = types;
-                both("report " + types, c -> c.report(types));
+                setReport("report " + types, c -> c.report(types));
                 if (random.nextInt(4) == 0) {
                     float speed = random.nextBoolean() ? 0f : value(0f, fastest);
-                    hitSpeed = speed;
-                    both("setHitSpeed " + speed, c -> c.setHitSpeed(speed));
+                    setReport("setHitSpeed " + speed, c -> c.setHitSpeed(speed));
+                }
+                for (int k = random.nextInt(4); k > 0; k--) {
+                    int kind = kind();
+                    int other = kind();
+                    int ofPair = random.nextInt(Events.WALL);
+                    if (random.nextInt(4) == 0) {
+                        setReport("report walls", c -> c.reportWalls(kind, ofPair));
+                    } else {
+                        setReport("report kinds", c -> c.report(kind, other, ofPair));
+                    }
                 }
             }
+        }
+
+        private void setReport(String what, Consumer<WorldCalls> call) {
+            reports.add(call);
+            both(what, call);
+        }
+
+        /** Asks which pairs of two kinds touch. */
+        private void touching() {
+            int kind = kind();
+            int other = kind();
+            long[] some = new long[2 * random.nextInt(4) + random.nextInt(2)];
+            long[] expected = new long[some.length];
+            int pairs = reference.touching(kind, other, expected);
+            assertThat(world.touching(kind, other, some)).isEqualTo(pairs);
+            assertThat(some).as("pairs of the program of seed %d", seed).isEqualTo(expected);
+        }
+
+        /** Events that are asked for are those up to now, whatever comes then. */
+        private void requestEvents() {
+            both("requestEvents", WorldCalls::requestEvents);
+            for (int k = random.nextInt(4); k > 0; k--) {
+                int steps = 1 + random.nextInt(2);
+                both("step " + steps, c -> c.step(1 / 60f, steps));
+                if (random.nextInt(4) == 0) {
+                    both("requestEvents", WorldCalls::requestEvents);
+                }
+                withSome(random.nextBoolean() ? this::setPosition : this::remove);
+            }
+            assertThat(Event.of(world.takeEvents()))
+                    .as("requested events of the program of seed %d after call %d", seed, calls.size())
+                    .isEqualTo(reference.takeRequestedEvents());
         }
 
         private void step() {

@@ -19,6 +19,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** A game that runs leaves no garbage. */
 class WorldAllocationTest {
+    private static final int SENSOR = 9;
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
 
     @ParameterizedTest
@@ -36,6 +37,13 @@ class WorldAllocationTest {
         World empty = WorldScenes.onThreads(threads, true, WorldScenes.builder(scene));
         try (World world = WorldScenes.load(scene, empty)) {
             world.report(Events.BEGIN | Events.HIT | Events.END | Events.WALL);
+            world.report(2, 2, Events.BEGIN);
+            world.kind(SENSOR).setSensor(true);
+            world.readHandles(handles);
+            for (int k = 20; k < n; k += 50) {
+                world.setKind(handles[k], SENSOR);
+            }
+            long[] pairs = new long[2 * n];
             Runnable frame = () -> {
                 world.readHandles(handles);
                 world.setVelocity(handles[7], 0.01f, 0);
@@ -58,11 +66,11 @@ class WorldAllocationTest {
                 world.requestPositions();
                 world.step(scene.timeStep());
                 consume(world.takePositions().get(5));
-                Events events = world.events();
-                for (int i = 0; i < events.size(); i++) {
-                    consume(events.type(i) + events.speed(i) + events.x(i));
-                    consume(events.side(i) == Events.Side.LEFT ? 1 : 0);
-                }
+                consume(world.events());
+                consume(world.touching(0, SENSOR, pairs) + pairs[0]);
+                world.requestEvents();
+                world.step(scene.timeStep());
+                consume(world.takeEvents());
                 consume(world.x(handles[3]) + world.vy(handles[4]) + world.hash() + world.size());
             };
             assertAllocatesNothing(frame);
@@ -230,6 +238,13 @@ class WorldAllocationTest {
     }
 
     private static volatile double sink;
+
+    private static void consume(Events events) {
+        for (int i = 0; i < events.size(); i++) {
+            consume(events.type(i) + events.speed(i) + events.x(i));
+            consume(events.side(i) == Events.Side.LEFT ? 1 : 0);
+        }
+    }
 
     private static void consume(double value) {
         sink = value;

@@ -67,6 +67,14 @@ public interface WorldCalls {
 
     void report(int types);
 
+    void report(int kindA, int kindB, int types);
+
+    void reportWalls(int kind, int types);
+
+    int touching(int kindA, int kindB, long[] handles);
+
+    void requestEvents();
+
     void setHitSpeed(float speed);
 
     int removeAll(long[] handles, int count, StaleHandles stale);

@@ -390,11 +390,37 @@ class WorldFuzzTest {
             float speed = value(0, speed());
             last = "setHitSpeed " + speed;
             ask(bad(speed) || speed < 0, () -> world.setHitSpeed(speed));
+            int kind = kind();
+            int other = kind();
+            int ofPair = random.nextInt(3) == 0 ? random.nextInt() >> random.nextInt(32) : random.nextInt(8);
+            last = "report " + kind + " " + other + " " + ofPair;
+            ask(!isKind(kind) || !isKind(other) || (ofPair & ~7) != 0, () -> world.report(kind, other, ofPair));
+            last = "reportWalls " + kind + " " + ofPair;
+            ask(!isKind(kind) || (ofPair & ~7) != 0, () -> world.reportWalls(kind, ofPair));
+            long[] pairs = new long[random.nextInt(10)];
+            last = "touching " + kind + " " + other;
+            ask(!isKind(kind) || !isKind(other), () -> {
+                int found = world.touching(kind, other, pairs);
+                for (int k = 0; k + 1 < pairs.length; k += 2) {
+                    boolean isThere = k < 2 * found;
+                    assertThat(pairs[k] != 0 && world.kindOf(pairs[k]) == kind).isEqualTo(isThere);
+                    assertThat(pairs[k + 1] != 0 && world.kindOf(pairs[k + 1]) == other)
+                            .isEqualTo(isThere);
+                }
+            });
+            if (random.nextBoolean()) {
+                last = "requestEvents";
+                world.requestEvents();
+                checkEvents(world.takeEvents());
+            }
         }
 
         /** Every event is of finite numbers. */
         private void checkEvents() {
-            Events events = world.events();
+            checkEvents(world.events());
+        }
+
+        private void checkEvents(Events events) {
             for (int i = 0; i < events.size(); i++) {
                 boolean sound = events.speed(i) >= 0
                         && events.speed(i) < Float.POSITIVE_INFINITY

@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRows;
 import io.github.circles2d.world.model.Limits;
@@ -16,20 +17,122 @@ public final class Reports {
         events = simulation.events;
     }
 
-    /** Sets which events are reported from the next step on. */
+    /** Sets which events are reported of all circles from the next step on. */
     public void report(int types) {
         guard.enter();
         try {
-            if ((types & ~ContactEvents.ALL) != 0) {
-                throw new IllegalArgumentException("the types must be a sum of BEGIN, HIT, END and WALL, not " + types);
-            }
+            check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL");
             simulation.settle();
             events.makeRoom(simulation.handles);
             simulation.snapshots().forget();
+            boolean was = events.isOn();
+            boolean hadWalls = events.hasWalls();
             guard.changing = true;
             events.report(types, simulation.handles);
-            simulation.pipeline.report(events.isOn() ? events : null);
+            tell(was, hadWalls);
             guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Sets which events are reported of two kinds. */
+    public void report(int kindA, int kindB, int types) {
+        guard.enter();
+        try {
+            KindTable.check(kindA);
+            KindTable.check(kindB);
+            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+            simulation.settle();
+            events.makeRoomForPairs(simulation.handles);
+            simulation.snapshots().forget();
+            boolean was = events.isOn();
+            boolean hadWalls = events.hasWalls();
+            guard.changing = true;
+            events.reportPair(kindA, kindB, types, simulation.handles);
+            tell(was, hadWalls);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Sets which events of walls are reported of a kind. */
+    public void reportWalls(int kind, int types) {
+        guard.enter();
+        try {
+            KindTable.check(kind);
+            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+            simulation.settle();
+            events.makeRoom(simulation.handles);
+            simulation.snapshots().forget();
+            boolean was = events.isOn();
+            boolean hadWalls = events.hasWalls();
+            guard.changing = true;
+            events.reportWalls(kind, types, simulation.handles);
+            tell(was, hadWalls);
+            guard.changing = false;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Tells the pipeline, if it is to record something else. */
+    private void tell(boolean was, boolean hadWalls) {
+        if (events.isOn() != was || events.hasWalls() != hadWalls) {
+            simulation.pipeline.report(events.isOn() ? events : null);
+        }
+    }
+
+    private static void check(int types, int allowed, String names) {
+        if ((types & ~allowed) != 0) {
+            throw new IllegalArgumentException("the types must be a sum of " + names + ", not " + types);
+        }
+    }
+
+    /** Lists the pairs of two kinds that touch, two handles a pair, and returns their number. */
+    public int touching(int kindA, int kindB, long[] handles) {
+        guard.enter();
+        try {
+            KindTable.check(kindA);
+            KindTable.check(kindB);
+            simulation.settle();
+            return events.list(kindA, kindB, handles);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Asks for the events of all steps so far, without waiting for them. */
+    public void request() {
+        guard.enter();
+        try {
+            events.request();
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** The events that were requested last. */
+    public EventRows takeRequested() {
+        guard.enter();
+        try {
+            if (!events.isRequested()) {
+                throw new IllegalStateException("no events have been requested since the last were taken:"
+                        + " call requestEvents before each takeEvents");
+            }
+            if (!events.haveArrived()) {
+                simulation.finishSteps();
+            }
+            return events.takeRequested();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {

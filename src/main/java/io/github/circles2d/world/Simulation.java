@@ -303,12 +303,16 @@ public final class Simulation implements AutoCloseable {
             constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
+            events.prepare(kindTable, constants);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
             pipeline.step(constants, levels, steps);
         } else if (events.isOn()) {
             finishSteps();
             guard.changing = true;
             events.emptySteps(steps);
+        }
+        if (events.isOn()) {
+            events.asked(steps);
         }
         snapshots.forget();
         previousTimeStep = timeStep;

@@ -29,6 +29,9 @@ final class Circle {
     final float[] appliedForce = new float[2];
 
     // within a step
+    /** The base as the step begins. */
+    float[] start = base;
+
     /** The whole force in this step. */
     final float[] actingForce = new float[2];
 

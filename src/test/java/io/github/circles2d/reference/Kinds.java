@@ -79,17 +79,26 @@ final class Kinds {
 
     /** Whether two circles that are near may be a contact. */
     boolean mayMeet(Circle a, Circle b) {
+        return response(a, b) == Response.SOLID;
+    }
+
+    /** What two circles do to each other. */
+    Response response(Circle a, Circle b) {
         if (a.isStatic() && b.isStatic() || a.group != 0 && a.group == b.group) {
-            return false;
+            return Response.IGNORE;
         }
         Response response = matrix.getOrDefault(pair(a.kind, b.kind), Response.BY_MASK);
         if (response != Response.BY_MASK) {
-            return response == Response.SOLID;
+            return response;
         }
-        return accepts(a.kind, b.kind)
-                && accepts(b.kind, a.kind)
-                && get(a.kind, SENSOR) == 0
-                && get(b.kind, SENSOR) == 0;
+        if (!accepts(a.kind, b.kind) || !accepts(b.kind, a.kind)) {
+            return Response.IGNORE;
+        }
+        return switch (get(a.kind, SENSOR) + get(b.kind, SENSOR)) {
+            case 0 -> Response.SOLID;
+            case 1 -> Response.SENSE;
+            default -> Response.IGNORE;
+        };
     }
 
     private boolean accepts(int kind, int other) {

@@ -95,12 +95,13 @@ public final class ReferenceWorld implements WorldCalls {
                 c.appliedForce[0] = 0f;
                 c.appliedForce[1] = 0f;
             }
+            circles().forEach(c -> c.start = c.base.clone());
             if (size() > 0) {
                 Step step = new Step(circles(), parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
-            events.step(contacts, circles());
+            events.step(contacts, circles(), kinds, dt);
             for (int i = 0; i < size(); i++) {
                 circles().get(i).arrive(velocities[i]);
             }
@@ -321,6 +322,35 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void report(int types) {
         events.report(types);
+    }
+
+    @Override
+    public void report(int kindA, int kindB, int types) {
+        events.report(kindA, kindB, types);
+    }
+
+    @Override
+    public void reportWalls(int kind, int types) {
+        events.reportWalls(kind, types);
+    }
+
+    @Override
+    public int touching(int kindA, int kindB, long[] handles) {
+        List<long[]> pairs = events.touching(kindA, kindB);
+        for (int k = 0; k < Math.min(pairs.size(), handles.length / 2); k++) {
+            System.arraycopy(pairs.get(k), 0, handles, 2 * k, 2);
+        }
+        return pairs.size();
+    }
+
+    @Override
+    public void requestEvents() {
+        events.request();
+    }
+
+    /** The events that were requested. */
+    public List<Event> takeRequestedEvents() {
+        return events.takeRequested();
     }
 
     @Override

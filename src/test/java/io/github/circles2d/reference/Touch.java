@@ -7,6 +7,9 @@ final class Touch {
     /** The greatest approach speed of the sub-steps in which they touched; -1 if they did not. */
     float approach = -1f;
 
+    /** The approach speed of circles that are only sensed, and never hit. */
+    float sensedSpeed;
+
     float impulse;
     float[] normal = {0f, 0f};
     float[] point = {0f, 0f};
@@ -43,6 +46,10 @@ final class Touch {
             normal = direction.clone();
             point = place.clone();
         }
+    }
+
+    float speed() {
+        return Numbers.max(approach, sensedSpeed);
     }
 
     boolean touches() {

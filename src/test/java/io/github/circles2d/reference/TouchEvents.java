@@ -1,6 +1,7 @@
 package io.github.circles2d.reference;
 
 import io.github.circles2d.Events;
+import io.github.circles2d.Response;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -13,10 +14,18 @@ final class TouchEvents {
     private static final float LEFT = 1f / 64f;
     private static final int NO_SIDE = -1;
 
-    /** Two circles by their handles, or a circle, 0 and the number of a wall. */
-    private record Key(long a, long b, int side) {
-        boolean has(long handle) {
-            return a == handle || b == handle;
+    /** Two circles, the one of lower id first, or a circle, null and the number of a wall. */
+    private record Key(Circle lower, Circle higher, int side) {
+        boolean has(Circle c) {
+            return lower == c || higher == c;
+        }
+
+        long a() {
+            return lower.handle;
+        }
+
+        long b() {
+            return higher == null ? 0 : higher.handle;
         }
     }
 
@@ -27,7 +36,7 @@ final class TouchEvents {
             .thenComparingInt(r -> (int) r.event.b())
             .thenComparingInt(Ranked::rank);
 
-    private int types;
+    private final ReportedTypes types = new ReportedTypes();
 
     /** Negative if the pair decides. */
     private float hitSpeed = -1f;
@@ -38,14 +47,45 @@ final class TouchEvents {
     private List<Ranked> ofStep = new ArrayList<>();
     private List<Event> events = new ArrayList<>();
     private int steps;
+    private int requestedSteps;
 
     void report(int reported) {
-        types = reported;
-        boolean isOn = (types & ~Events.WALL) != 0;
-        touching.keySet().removeIf(key -> !isOn || key.side >= 0 && (types & Events.WALL) == 0);
-        if (!isOn) {
+        types.set(reported);
+        forgetOthers();
+    }
+
+    void report(int kindA, int kindB, int reported) {
+        types.set(kindA, kindB, reported);
+        forgetOthers();
+    }
+
+    void reportWalls(int kind, int reported) {
+        types.setWalls(kind, reported);
+        forgetOthers();
+    }
+
+    private void forgetOthers() {
+        touching.keySet().removeIf(key -> typesOf(key) == 0);
+        if (!types.isOn()) {
             ofStep.clear();
         }
+        ofStep.removeIf(
+                late -> (types.ofAll(late.event.side() != NO_SIDE) & late.event.type()) == 0 && !types.dependOnKinds());
+    }
+
+    private int typesOf(Key key) {
+        return key.higher == null ? types.ofWalls(key.lower) : types.of(key.lower, key.higher);
+    }
+
+    /** Lists the pairs of two kinds that touch. */
+    List<long[]> touching(int kindA, int kindB) {
+        return touching.keySet().stream()
+                .filter(key -> key.higher != null && typesOf(key) != 0)
+                .filter(key -> key.lower.kind == kindA && key.higher.kind == kindB
+                        || key.lower.kind == kindB && key.higher.kind == kindA)
+                .sorted(Comparator.comparingInt((Key key) -> key.lower.id).thenComparingInt(key -> key.higher.id))
+                .map(key -> key.lower.kind == kindA ? new long[] {key.a(), key.b()} : new long[] {key.b(), key.a()})
+                .toList();
     }
 
     void setHitSpeed(float speed) {
@@ -56,11 +96,29 @@ final class TouchEvents {
         List<Event> taken = events;
         events = new ArrayList<>();
         steps = 0;
+        requestedSteps = 0;
+        return taken;
+    }
+
+    void request() {
+        requestedSteps = steps;
+    }
+
+    /** The events of the steps before the request; the others stay, and their steps count from it. */
+    List<Event> takeRequested() {
+        int before = requestedSteps;
+        List<Event> taken = events.stream().filter(e -> e.step() < before).toList();
+        events = new ArrayList<>(events.stream()
+                .filter(e -> e.step() >= before)
+                .map(e -> e.at(e.step() - before))
+                .toList());
+        steps -= before;
+        requestedSteps = 0;
         return taken;
     }
 
     void removed(Circle c) {
-        end(key -> key.has(c.handle), 0);
+        end(key -> key.has(c), 0);
     }
 
     private void end(Predicate<Key> ends, int firstRank) {
@@ -76,18 +134,18 @@ final class TouchEvents {
     }
 
     private void add(int rank, int type, Key key, Touch t) {
-        if ((types & type) == 0) {
+        if ((typesOf(key) & type) == 0) {
             return;
         }
         Event event = t == null
-                ? new Event(0, type, key.a, key.b, key.side, 0f, 0f, 0f, 0f, 0f, 0f)
+                ? new Event(0, type, key.a(), key.b(), key.side, 0f, 0f, 0f, 0f, 0f, 0f)
                 : new Event(
                         0,
                         type,
-                        key.a,
-                        key.b,
+                        key.a(),
+                        key.b(),
                         key.side,
-                        Numbers.max(t.approach, 0f),
+                        t.speed(),
                         t.impulse,
                         t.point[0],
                         t.point[1],
@@ -97,21 +155,29 @@ final class TouchEvents {
     }
 
     /** Ends a step. */
-    void step(List<Contact> contacts, List<Circle> circles) {
-        if ((types & ~Events.WALL) == 0) {
+    void step(List<Contact> contacts, List<Circle> circles, Kinds kinds, float dt) {
+        if (!types.isOn()) {
             return;
         }
         Map<Key, Touch> now = new HashMap<>();
         for (Contact c : contacts) {
-            now.put(new Key(c.lower.handle, c.higher.handle, NO_SIDE), c.touch);
+            now.put(new Key(c.lower, c.higher, NO_SIDE), c.touch);
         }
-        if ((types & Events.WALL) != 0) {
-            for (Circle c : circles) {
-                for (int a = 0; a < 2 && !c.isStatic(); a++) {
-                    c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c.handle, 0, side), t));
+        for (Circle c : circles) {
+            for (int a = 0; a < 2 && !c.isStatic(); a++) {
+                c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c, null, side), t));
+            }
+        }
+        for (int i = 0; i < circles.size(); i++) {
+            Circle lower = circles.get(i);
+            for (Circle higher : circles.subList(i + 1, circles.size())) {
+                boolean isReported = (types.of(lower, higher) & (Events.BEGIN | Events.END)) != 0;
+                if (isReported && kinds.response(lower, higher) == Response.SENSE) {
+                    now.put(new Key(lower, higher, NO_SIDE), Sensing.touch(lower, higher, dt));
                 }
             }
         }
+        now.keySet().removeIf(key -> typesOf(key) == 0);
         now.forEach(this::look);
         end(key -> !now.containsKey(key) || !now.get(key).staysInTouch(), 3);
         ofStep.sort(ORDER);
@@ -134,7 +200,7 @@ final class TouchEvents {
                 t.impulse > 0f && (hitSpeed >= 0f ? t.approach >= hitSpeed : t.approach * t.approach > t.threshold);
         if (earlier != null) {
             float impulse = earlier.impulse + t.impulse;
-            Touch faster = t.approach > earlier.approach ? t : earlier;
+            Touch faster = t.speed() > earlier.speed() ? t : earlier;
             faster.impulse = impulse;
             add(3, Events.HIT, key, faster);
         } else if (isHit && -t.normalVelocity > LEFT * t.approach) {

@@ -129,6 +129,16 @@ public final class Commands {
         return records[STRIDE * record + ID];
     }
 
+    /** The first value of a record. */
+    public int first(int record) {
+        return records[STRIDE * record + FIRST];
+    }
+
+    /** The second value of a record. */
+    public int second(int record) {
+        return records[STRIDE * record + SECOND];
+    }
+
     /**
      * The number of values of an operation, which lie from {@link #FIRST} on. A log of calls has so many.
      *

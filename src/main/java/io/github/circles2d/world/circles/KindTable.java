@@ -121,7 +121,8 @@ public final class KindTable implements StepConstants.KindValues {
         if (!accepts || !isAccepted) {
             return PairTable.IGNORE;
         }
-        return get(KindField.SENSOR, a) + get(KindField.SENSOR, b) > 0 ? PairTable.SENSE : PairTable.SOLID;
+        int sensors = get(KindField.SENSOR, a) + get(KindField.SENSOR, b);
+        return sensors == 0 ? PairTable.SOLID : sensors == 1 ? PairTable.SENSE : PairTable.IGNORE;
     }
 
     /** By pair of kinds: what their circles do to each other; valid until the next change. */

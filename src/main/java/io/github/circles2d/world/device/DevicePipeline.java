@@ -15,7 +15,6 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
-import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
@@ -60,10 +59,8 @@ public final class DevicePipeline implements Pipeline {
     /** What the plans share; with other kernels if they have been compiled anew. */
     private Stages stages;
 
-    /** Where steps record what contacts do, and who reads it; null if nobody is told. */
-    private TouchArrays touches;
-
-    private TouchReader reader;
+    /** What is reported of steps; null if nobody is told. */
+    private ReportReader reader;
 
     /** The first of them that suits a step makes it. */
     private final List<Plan> plans;
@@ -147,7 +144,7 @@ public final class DevicePipeline implements Pipeline {
 
     private void load(StageKernels from) {
         stages = new Stages(session.device(), from, arrays, parameters);
-        stages.record(touches);
+        stages.record(reader == null ? null : reader.touches());
         plans.forEach(each -> each.load(stages));
     }
 
@@ -199,10 +196,13 @@ public final class DevicePipeline implements Pipeline {
             subSteps = constants.subSteps;
             warmScale = constants.warmScale;
             parameters.set(constants, shape);
+            if (reader != null) {
+                reader.prepare(constants);
+            }
             arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
-            int most = touches == null ? MOST_PENDING : 1; // the next step takes the place of the records
+            int most = reader == null ? MOST_PENDING : 1; // the next step takes the place of the records
             if (pendingSteps == most) {
                 settle();
             }
@@ -214,7 +214,10 @@ public final class DevicePipeline implements Pipeline {
 
     /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
     private boolean continues(StepConstants constants, GridLevels shape) {
-        return warmScale == 1f && constants.warmScale == 1f && parameters.areOf(constants, shape);
+        return warmScale == 1f
+                && constants.warmScale == 1f
+                && parameters.areOf(constants, shape)
+                && (reader == null || reader.areOf(constants));
     }
 
     private int slotsBehindPending() {
@@ -233,13 +236,16 @@ public final class DevicePipeline implements Pipeline {
                 warm,
                 sweeping > 0,
                 thinning > 0,
-                touches != null);
-        if (touches != null) {
-            touches.ensure(arrays);
+                reader != null && reader.isRecording());
+        if (reader != null) {
+            reader.before(stages, arrays, wanted.slots());
         }
         pendingSteps += steps;
         plan = Plans.first(plans, wanted);
         plan.enqueue(wanted);
+        if (reader != null) {
+            reader.behind(stages, circles);
+        }
     }
 
     /** Sees to it that the steps asked for have been made. */
@@ -253,7 +259,7 @@ public final class DevicePipeline implements Pipeline {
                 commands.slotsInOrder();
                 warmScale = 1f;
                 if (reader != null) {
-                    reader.endStep(status.get(StatusWord.TOUCHES));
+                    reader.endStep(status, arrays, stages, circles);
                 }
             }
             pendingSteps -= done;
@@ -356,16 +362,12 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void report(ContactEvents events) {
         settle();
-        TouchArrays next = events == null ? null : new TouchArrays(session, events.hasWalls());
-        if (next != null) {
-            next.ensure(arrays);
+        ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
+        stages.record(next == null ? null : next.touches());
+        if (reader != null) {
+            reader.close();
         }
-        stages.record(next);
-        reader = next == null ? null : new TouchReader(next, events);
-        if (touches != null) {
-            touches.close();
-        }
-        touches = next;
+        reader = next;
     }
 
     @Override

@@ -17,11 +17,10 @@ import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
 
-/** Hands over what a device has recorded of the pairs that touch after a step. */
+/** Reads what a device has recorded of the pairs that touch after a step. */
 final class TouchReader {
     private final TouchArrays arrays;
     private final ContactEvents events;
-    private final TouchRecords records = new TouchRecords();
     private int[] words = new int[0];
 
     TouchReader(TouchArrays arrays, ContactEvents events) {
@@ -29,8 +28,8 @@ final class TouchReader {
         this.events = events;
     }
 
-    /** Ends a step with a number of records, which are in no order. */
-    void endStep(int count) {
+    /** Records the pairs of a step; there are so many records, in no order. */
+    void read(int count, TouchRecords records) {
         if (count > arrays.room()) {
             throw new IllegalStateException(count + " records of touches do not fit into " + arrays.room());
         }
@@ -38,7 +37,6 @@ final class TouchReader {
             words = new int[RECORD * (count + (count >> 1))];
         }
         arrays.read(words, count);
-        records.clear();
         for (int at = 0; at < RECORD * count; at += RECORD) {
             int id = words[at + AT_ID];
             int other = words[at + AT_OTHER];
@@ -59,7 +57,6 @@ final class TouchReader {
                         threshold);
             }
         }
-        events.endStep(records);
     }
 
     private float real(int at) {

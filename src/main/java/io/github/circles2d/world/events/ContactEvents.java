@@ -1,9 +1,13 @@
 package io.github.circles2d.world.events;
 
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
 
@@ -27,13 +31,17 @@ public final class ContactEvents {
     /** Not a type: walls are reported too. */
     public static final int WALL = 8;
 
+    /** All that can be reported of a pair. */
+    public static final int OF_PAIR_TYPES = BEGIN | HIT | END;
+
     /** All that can be reported. */
-    public static final int ALL = BEGIN | HIT | END | WALL;
+    public static final int ALL = OF_PAIR_TYPES | WALL;
 
     /** The hit speed if none is set: that of the pair, from which on impacts bounce. */
     public static final float OF_PAIR = -1f;
 
     private static final int NO_SIDE = -1;
+    private static final int NOT_REQUESTED = -1;
 
     // The order of a step's events: lower id, higher id, rank. Late events are those of a circle that has been removed.
     private static final int LATE_HIT = 0;
@@ -44,7 +52,11 @@ public final class ContactEvents {
     private static final int RANK_BITS = 3;
     private static final int ID_BITS = 28;
 
+    private static final int KIND_BITS = PairTable.KINDS - 1;
+    private static final int FIELD_OF_KIND = CircleField.OF_STEPS.indexOf(CircleField.KIND);
+
     private final TouchingPairs pairs = new TouchingPairs();
+    private final ReportTable reported = new ReportTable();
 
     /** Events of the step to come, in no order: at first those of removed circles. */
     private final EventRows step = new EventRows();
@@ -60,18 +72,26 @@ public final class ContactEvents {
     /** By id: the handle as of the last step, which the table of handles may be ahead of. */
     private long[] handleOf = new long[0];
 
+    /** By id: the kind, as of the last commands, which the table of handles may be ahead of too. */
+    private byte[] kindOf = new byte[0];
+
     /** By id: the last batch of commands that removed its circle. */
     private int[] removedIn = new int[0];
 
     private int batch;
-    private int types;
     private float hitSpeed = OF_PAIR;
 
     /** The stamp of the step that is being looked at. */
     private int now = 1;
 
-    /** Steps since events were taken last. */
+    /** Steps since events were taken last: those of which there are events, those that have been asked for, and of these those of a request. */
     private int steps;
+
+    private int asked;
+    private int requested = NOT_REQUESTED;
+
+    /** What {@link #list} has found. */
+    private final EventRows listed = new EventRows();
 
     /** Nothing is reported. */
     public ContactEvents() {}
@@ -96,17 +116,36 @@ public final class ContactEvents {
 
     /** Whether anything is reported. */
     public boolean isOn() {
-        return (types & (BEGIN | HIT | END)) != 0;
+        return reported.isOn();
     }
 
     /** Whether walls are reported. */
     public boolean hasWalls() {
-        return isOn() && (types & WALL) != 0;
+        return reported.hasWalls();
+    }
+
+    /** Whether something is reported of every pair of circles. */
+    public boolean hasAllPairs() {
+        return reported.isUniform() && reported.types(0, 0) != 0;
+    }
+
+    /** The types that are reported of two circles. */
+    public int typesOfCircles(int id, int otherId) {
+        return reported.isUniform()
+                ? reported.types(0, 0)
+                : reported.types(kindOf[id] & KIND_BITS, kindOf[otherId] & KIND_BITS);
     }
 
     /** The types that are reported of a pair: the one place that decides. */
     private int typesOf(int lower, int higher) {
-        return isWall(higher) && (types & WALL) == 0 ? 0 : types & (BEGIN | HIT | END);
+        return isWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : typesOfCircles(lower, higher);
+    }
+
+    /** Tells a step what of it is reported. */
+    public void prepare(KindTable kinds, StepConstants step) {
+        reported.resolve(kinds);
+        boolean records = reported.solids() || reported.hasWalls();
+        step.setReports(records, reported.senses(), reported.seeking(), reported.seekingVersion());
     }
 
     /** Makes room for {@link #report}. */
@@ -114,14 +153,39 @@ public final class ContactEvents {
         ensureIds(handles.end());
     }
 
+    /** Makes room for {@link #reportPair}. */
+    public void makeRoomForPairs(HandleTable handles) {
+        ensureIds(handles.end());
+        reported.makeRoom();
+    }
+
     /**
-     * Sets what is reported. Pairs that are not reported any more are forgotten; those that are from now on begin if they touch.
+     * Sets what is reported of all pairs. Pairs that are not reported any more are forgotten; those that are from now on begin if they
+     * touch.
      *
      * @param handles as of now; all changes have been applied
      */
-    public void report(int reported, HandleTable handles) {
+    public void report(int types, HandleTable handles) {
         boolean was = isOn();
-        types = reported;
+        reported.set(types);
+        changed(was, handles);
+    }
+
+    /** Sets what is reported of two kinds. */
+    public void reportPair(int kindA, int kindB, int types, HandleTable handles) {
+        boolean was = isOn();
+        reported.set(kindA, kindB, types);
+        changed(was, handles);
+    }
+
+    /** Sets what is reported of a kind and walls. */
+    public void reportWalls(int kind, int types, HandleTable handles) {
+        boolean was = isOn();
+        reported.setWalls(kind, types);
+        changed(was, handles);
+    }
+
+    private void changed(boolean was, HandleTable handles) {
         if (!isOn()) {
             pairs.clear();
             step.clear();
@@ -134,11 +198,17 @@ public final class ContactEvents {
                 pairs.remove(pair);
             }
         }
+        for (int late = step.count - 1; late >= 0; late--) {
+            if (!mayReport(step.side(late) != NO_SIDE, step.type(late))) {
+                step.remove(late);
+            }
+        }
     }
 
     private void readHandles(HandleTable handles) {
         for (int id = 0; id < handles.end(); id++) {
             handleOf[id] = handles.lives(id) ? handles.handle(id) : 0;
+            kindOf[id] = (byte) handles.fields().getInt(CircleField.KIND, id);
         }
     }
 
@@ -160,6 +230,7 @@ public final class ContactEvents {
         if (ids > handleOf.length) {
             int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
             removedIn = Arrays.copyOf(removedIn, c);
+            kindOf = Arrays.copyOf(kindOf, c);
             handleOf = Arrays.copyOf(handleOf, c);
         }
     }
@@ -180,20 +251,50 @@ public final class ContactEvents {
         }
     }
 
-    /** Ends the pairs of circles that commands remove, and learns the handles of new ones. */
+    /** Ends the pairs of circles that commands remove, and learns the handles of new ones, and kinds. */
     public void apply(Commands commands, HandleTable handles) {
-        if (markRemoved(commands)) {
-            for (int pair = pairs.count - 1; pair >= 0; pair--) {
-                if (isOfRemoved(pair)) {
-                    addOpenHit(pair, LATE_HIT);
-                    add(pair, END, LATE_END);
-                    pairs.remove(pair);
+        batch++;
+        boolean waiting = false;
+        for (int c = 0; c < commands.count(); c++) {
+            int id = commands.id(c);
+            if (commands.operation(c) == Commands.REMOVE) {
+                removedIn[id] = batch;
+                waiting = true;
+            } else if (commands.operation(c) == Commands.ADD && removedIn[id] != batch) {
+                removedIn[id] = -batch; // it has no pairs yet
+            } else if (isKind(commands, c) && Math.abs(removedIn[id]) != batch) {
+                // An end is reported by the kinds that both circles have when one of them is removed.
+                if (waiting && reported.dependsOnKinds()) {
+                    endRemoved();
+                    waiting = false;
                 }
+                kindOf[id] = (byte) commands.second(c);
             }
         }
+        if (waiting) {
+            endRemoved();
+        }
         for (int c = 0; c < commands.count(); c++) {
+            int id = commands.id(c);
             if (commands.operation(c) == Commands.ADD) {
-                handleOf[commands.id(c)] = handles.handle(commands.id(c));
+                handleOf[id] = handles.handle(id);
+                kindOf[id] = 0;
+            } else if (isKind(commands, c)) {
+                kindOf[id] = (byte) commands.second(c);
+            }
+        }
+    }
+
+    private static boolean isKind(Commands commands, int c) {
+        return commands.operation(c) == Commands.FIELD && commands.first(c) == FIELD_OF_KIND;
+    }
+
+    private void endRemoved() {
+        for (int pair = pairs.count - 1; pair >= 0; pair--) {
+            if (isOfRemoved(pair)) {
+                addOpenHit(pair, LATE_HIT);
+                add(pair, END, LATE_END);
+                pairs.remove(pair);
             }
         }
     }
@@ -229,6 +330,9 @@ public final class ContactEvents {
         int pair = pairs.find(lower, higher);
         if (pair == TouchingPairs.NONE) {
             return touches && typesOf(lower, higher) != 0;
+        }
+        if (reported.dependsOnKinds() && typesOf(lower, higher) == 0) {
+            return false; // a kind has changed: it ends, and nobody is told
         }
         pairs.stamp(pair, now);
         return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
@@ -328,19 +432,89 @@ public final class ContactEvents {
     // ---- for the caller
     // ----------------------------------------------------------------------------------------------
 
-    /** The events since the last call. They stay as they are until the next. */
+    /** Takes note that steps have been asked for, of which there will be events. */
+    public void asked(int count) {
+        asked += count;
+    }
+
+    /** The events of all steps since events were taken last. They stay as they are until the next call; no request is left. */
     public EventRows take() {
         EventRows next = taken;
         taken = events;
         events = next;
         events.clear();
         steps = 0;
+        asked = 0;
+        requested = NOT_REQUESTED;
         return taken;
+    }
+
+    /** Requests the events of the steps that have been asked for. */
+    public void request() {
+        requested = asked;
+    }
+
+    /** Whether events have been requested and not been taken. */
+    public boolean isRequested() {
+        return requested != NOT_REQUESTED;
+    }
+
+    /** Whether there are the events of all steps of the request. */
+    public boolean haveArrived() {
+        return steps >= requested;
+    }
+
+    /** The events of the request, which have arrived. They stay as they are until events are taken again. */
+    public EventRows takeRequested() {
+        int ofRequest = requested;
+        int stepsNow = steps;
+        int askedNow = asked;
+        EventRows all = take();
+        steps = stepsNow - ofRequest;
+        asked = askedNow - ofRequest;
+        all.moveFrom(ofRequest, events);
+        return all;
+    }
+
+    /**
+     * Lists the pairs of two kinds that touched in the last step, in the order of the lower and the higher id.
+     *
+     * @param handles takes two a pair, of each kind one; of one kind, the one of lower id first. Only the first ones if it is too short
+     * @return how many pairs there are
+     */
+    public int list(int kindA, int kindB, long[] handles) {
+        listed.clear();
+        for (int pair = 0; pair < pairs.count; pair++) {
+            int lower = pairs.lower(pair);
+            int higher = pairs.higher(pair);
+            if (!isWall(higher) && typesOf(lower, higher) != 0) {
+                int ofLower = kindOf[lower] & KIND_BITS;
+                int ofHigher = kindOf[higher] & KIND_BITS;
+                if (ofLower == kindA && ofHigher == kindB) {
+                    listed.add(key(lower, higher, 0), 0, pairs.a[pair], pairs.b[pair], NO_SIDE);
+                } else if (ofLower == kindB && ofHigher == kindA) {
+                    listed.add(key(lower, higher, 0), 0, pairs.b[pair], pairs.a[pair], NO_SIDE);
+                }
+            }
+        }
+        listed.sort();
+        for (int k = 0; k < Math.min(listed.count, handles.length / 2); k++) {
+            int row = listed.ordered(k);
+            handles[2 * k] = listed.a(row);
+            handles[2 * k + 1] = listed.b(row);
+        }
+        return listed.count;
     }
 
     /** Memory of the arrays. */
     public long bytes() {
-        return events.bytes() + taken.bytes() + step.bytes() + 12L * handleOf.length + pairs.bytes();
+        return events.bytes()
+                + taken.bytes()
+                + step.bytes()
+                + listed.bytes()
+                + 13L * handleOf.length
+                + pairs.bytes()
+                + reported.bytes();
     }
 
     // ---- snapshots
@@ -400,6 +574,8 @@ public final class ContactEvents {
     public void load(SavedTouches from, HandleTable handles) {
         events.clear();
         steps = 0;
+        asked = 0;
+        requested = Math.min(requested, 0);
         pairs.clear();
         step.clear();
         open.clear();
@@ -412,7 +588,7 @@ public final class ContactEvents {
             int lower = (int) (from.pair[k] >>> Integer.SIZE);
             int higher = (int) from.pair[k];
             boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
-            if (typesOf(lower, higher) != 0) {
+            if (mayReport(isWall(higher), OF_PAIR_TYPES)) {
                 int pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
                 if (isOpen) {
                     pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
@@ -425,6 +601,15 @@ public final class ContactEvents {
         }
     }
 
+    /**
+     * Whether a saved pair, or a late event, may still be reported. If kinds decide it may be: they may change until the next step,
+     * which forgets the pairs that are not, and the kind of a removed circle is not known any more.
+     */
+    private boolean mayReport(boolean ofWall, int types) {
+        int now = ofWall ? reported.wallTypes(0) : reported.types(0, 0);
+        return reported.dependsOnKinds() || (now & types) != 0;
+    }
+
     private void loadLate(SavedTouches from, int k) {
         int type = from.lateInts[SavedTouches.LATE_INTS * k];
         int side = from.lateInts[SavedTouches.LATE_INTS * k + 1];
@@ -432,7 +617,7 @@ public final class ContactEvents {
         long b = from.lateHandles[2 * k + 1];
         int lower = (int) a;
         int higher = side == NO_SIDE ? (int) b : Limits.CIRCLES + side;
-        if ((typesOf(lower, higher) & type) != 0) {
+        if (mayReport(side != NO_SIDE, type)) {
             int at = step.add(key(lower, higher, type == HIT ? LATE_HIT : LATE_END), type, a, b, side);
             System.arraycopy(from.lateValues, SavedTouches.VALUES * k, step.values, at, SavedTouches.VALUES);
         }

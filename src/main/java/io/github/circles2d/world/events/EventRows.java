@@ -65,6 +65,31 @@ public final class EventRows {
         }
     }
 
+    /** Moves the events from a step on, which are in the order of steps, into a list whose first step that is. */
+    void moveFrom(int firstStep, EventRows to) {
+        int first = count;
+        while (first > 0 && step[first - 1] >= firstStep) {
+            first--;
+        }
+        for (int row = first; row < count; row++) {
+            int at = to.add(key[row], type[row], a[row], b[row], side[row]);
+            to.step[to.count - 1] = step[row] - firstStep;
+            System.arraycopy(values, VALUES * row, to.values, at, VALUES);
+        }
+        count = first;
+    }
+
+    /** Removes an event; the last one takes its number. */
+    void remove(int row) {
+        int last = --count;
+        key[row] = key[last];
+        type[row] = type[last];
+        a[row] = a[last];
+        b[row] = b[last];
+        side[row] = side[last];
+        System.arraycopy(values, VALUES * last, values, VALUES * row, VALUES);
+    }
+
     /** Sorts the order by keys: a heap sort, without memory. */
     void sort() {
         for (int k = 0; k < count; k++) {

@@ -43,8 +43,8 @@ public final class JvmPipeline implements Pipeline {
 
     private int steps;
 
-    /** Records what contacts do; null if nobody is told. */
-    private Touches touches;
+    /** Records what is reported; null if nobody is told. */
+    private Recorder recorder;
 
     private final Positions positions = new Positions();
 
@@ -93,6 +93,9 @@ public final class JvmPipeline implements Pipeline {
         state.filtering = constants.filtering;
         state.responses = constants.responses;
         state.kindMotion = constants.driving ? constants.kindMotion : null;
+        Touches touches = recorder == null ? null : recorder.touches(constants);
+        contacts.touches = touches;
+        solver.record(touches);
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
     }
 
@@ -115,14 +118,17 @@ public final class JvmPipeline implements Pipeline {
         grid.ensure();
         contacts.ensure();
         sweep.ensure();
-        if (touches != null && touches.walls != null) {
-            touches.walls.ensure();
+        if (recorder != null) {
+            recorder.ensure(constants);
         }
     }
 
     private void makeStep(int worker) {
         grid.build(worker, constants);
         end(worker, GRID);
+        if (recorder != null) {
+            recorder.begin(worker, constants);
+        }
         sweep.sweep(worker, constants);
         end(worker, SWEEP);
         contacts.find(worker);
@@ -136,8 +142,8 @@ public final class JvmPipeline implements Pipeline {
         }
         end(worker, CONTACTS);
         solver.solve(worker, constants);
-        if (touches != null) {
-            touches.endStep(worker, constants);
+        if (recorder != null) {
+            recorder.end(worker, constants);
         }
         end(worker, SOLVER);
     }
@@ -150,9 +156,7 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public void report(ContactEvents events) {
-        touches = events == null ? null : new Touches(state, contacts, team, events);
-        contacts.touches = touches;
-        solver.record(touches);
+        recorder = events == null ? null : new Recorder(state, grid, levels, contacts, team, events);
     }
 
     @Override
@@ -261,7 +265,7 @@ public final class JvmPipeline implements Pipeline {
 
     @Override
     public long bytesHeld() {
-        long recorded = touches == null ? 0 : touches.bytes();
+        long recorded = recorder == null ? 0 : recorder.bytes();
         return state.bytes() + grid.bytes() + contacts.bytes() + sweep.bytes() + recorded;
     }
 

@@ -15,14 +15,19 @@ final class PairFilter {
         if (state.isStatic(slot) && state.isStatic(other)) {
             return false;
         }
-        // Pairs that are only sensed end here, too: a stage that records them would ask for their response.
+        // Pairs that are only sensed end here, too: Sensing finds them.
         return !state.filtering || response(state, state.id[slot], state.id[other]) == PairTable.SOLID;
+    }
+
+    /** Whether two circles, by their ids, are of one group and so ignore each other. */
+    static boolean areOfOneGroup(State state, int id, int otherId) {
+        int group = state.fields.getInt(CircleField.GROUP, id);
+        return group != 0 && group == state.fields.getInt(CircleField.GROUP, otherId);
     }
 
     /** What two circles do to each other, by {@link PairTable}: circles of one group nothing, others what their kinds say. */
     private static int response(State state, int id, int otherId) {
-        int group = state.fields.getInt(CircleField.GROUP, id);
-        if (group != 0 && group == state.fields.getInt(CircleField.GROUP, otherId)) {
+        if (areOfOneGroup(state, id, otherId)) {
             return PairTable.IGNORE;
         }
         int kind = state.fields.getInt(CircleField.KIND, id);

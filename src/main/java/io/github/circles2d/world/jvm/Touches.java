@@ -27,6 +27,7 @@ import java.util.Arrays;
  */
 final class Touches {
     private static final int STRIDE = 4;
+    private static final boolean[] ALL = new boolean[0];
 
     // A row: what an event says of a contact, and of the sub-step its approach speed and what no contact keeps.
     private static final int APPROACH = 0;
@@ -42,7 +43,6 @@ final class Touches {
 
     private final State state;
     private final Contacts contacts;
-    private final Team team;
 
     /** Who is told. */
     final ContactEvents events;
@@ -55,8 +55,8 @@ final class Touches {
 
     private final int[] count;
 
-    /** By worker: its records. */
-    private final TouchRecords[] records;
+    /** By contact: whether it is reported; without elements where all contacts are. */
+    private boolean[] wanted = new boolean[0];
 
     private float[] rows = new float[0];
 
@@ -66,18 +66,18 @@ final class Touches {
     Touches(State state, Contacts contacts, Team team, ContactEvents events) {
         this.state = state;
         this.contacts = contacts;
-        this.team = team;
         this.events = events;
         walls = events.hasWalls() ? new WallTouches(state, events) : null;
         listed = new int[team.most()][64];
         count = new int[team.most()];
-        records = new TouchRecords[team.most()];
-        for (int worker = 0; worker < records.length; worker++) {
-            records[worker] = new TouchRecords();
-        }
     }
 
     void ensure(int many) {
+        if (events.hasAllPairs()) {
+            wanted = ALL;
+        } else if (wanted.length < many || wanted == ALL) {
+            wanted = new boolean[many + (many >> 2) + 1];
+        }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
             places = new float[length];
@@ -92,6 +92,10 @@ final class Touches {
             rows[t + IMPULSE] = 0f;
             rows[t + IMPULSE_NOW] = 0f;
         }
+        for (int c = from; wanted != ALL && c < to; c++) {
+            long ids = contacts.ids(c);
+            wanted[c] = events.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
+        }
     }
 
     /** An impulse that has acted, or will, and that the contact does not keep as its normal impulse. */
@@ -104,6 +108,9 @@ final class Touches {
         float[] q = contacts.contact;
         float[] load = state.load;
         for (int c = from; c < to; c++) {
+            if (isUnwanted(c)) {
+                continue;
+            }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
             int a = contacts.pair[ContactRow.a(c)];
@@ -122,6 +129,9 @@ final class Touches {
     void afterRelax(int worker, int from, int to, StepConstants k, boolean last) {
         float[] q = contacts.contact;
         for (int c = from; c < to; c++) {
+            if (isUnwanted(c)) {
+                continue;
+            }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
             float impulse = rows[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
@@ -132,7 +142,8 @@ final class Touches {
         if (last) {
             for (int c = from; c < to; c++) {
                 int o = ContactRow.of(c);
-                if (TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
+                if (!isUnwanted(c)
+                        && TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
                         && isConcern(c, k)) {
                     list(worker, c);
                 }
@@ -147,6 +158,10 @@ final class Touches {
         boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
         long ids = contacts.ids(c);
         return events.concerns((int) (ids >>> 32), (int) ids, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
+    }
+
+    private boolean isUnwanted(int c) {
+        return wanted != ALL && !wanted[c];
     }
 
     private float approach(int c) {
@@ -187,25 +202,15 @@ final class Touches {
         places[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
     }
 
-    /** Ends a step: hands over records of the pairs that need one. */
-    void endStep(int worker, StepConstants k) {
-        TouchRecords own = records[worker];
-        own.clear();
+    /** Ends a step: records the pairs that need it, and a part of the slots at walls. */
+    void endStep(int worker, TouchRecords own, int fromSlot, int toSlot, StepConstants k) {
         for (int n = 0; n < count[worker]; n++) {
             record(own, listed[worker][n], k);
         }
         count[worker] = 0;
         if (walls != null) {
-            walls.endStep(own, team.part(state.n, worker), team.part(state.n, worker + 1), k);
+            walls.endStep(own, fromSlot, toSlot, k);
         }
-        team.sync(worker);
-        if (worker == 0) {
-            for (int idle = team.size(); idle < records.length; idle++) {
-                records[idle].clear();
-            }
-            events.endStep(records);
-        }
-        team.sync(worker);
     }
 
     private void record(TouchRecords own, int c, StepConstants k) {
@@ -236,10 +241,6 @@ final class Touches {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 8L * rows.length + (walls == null ? 0 : walls.bytes());
-        for (TouchRecords each : records) {
-            sum += each.bytes();
-        }
-        return sum;
+        return 8L * rows.length + wanted.length + (walls == null ? 0 : walls.bytes());
     }
 }

@@ -40,7 +40,8 @@ public final class PairTable {
         setOne(table, b, a, number);
     }
 
-    private static void setOne(int[] table, int a, int b, int number) {
+    /** Sets the number of a pair in one order alone, for a table in which the order matters. */
+    public static void setOne(int[] table, int a, int b, int number) {
         int shift = 2 * (b & IN_WORD - 1);
         int at = ROW * a + (b >> IN_WORD_LOG);
         table[at] = table[at] & ~(3 << shift) | number << shift;

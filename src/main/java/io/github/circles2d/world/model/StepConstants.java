@@ -98,6 +98,18 @@ public final class StepConstants {
     /** Counts the changes of {@link #kindMotion}. */
     public int motionVersion;
 
+    /** Whether what contacts or walls do is reported. */
+    public boolean recording;
+
+    /** Whether some pairs that are only sensed are reported. */
+    public boolean sensing;
+
+    /** By pair of kinds, which of two circles looks for the other, if the pair is sensed and reported: by {@link SensorRule}. */
+    public int[] seeking;
+
+    /** Counts the changes of {@link #seeking}. */
+    public int seekingVersion;
+
     private float gravityX;
     private float gravityY;
 
@@ -240,5 +252,20 @@ public final class StepConstants {
         filtering = filters;
         responses = table;
         kindsVersion = version;
+    }
+
+    /**
+     * Sets what of the step is reported. It changes nothing in it.
+     *
+     * @param records whether what contacts or walls do is reported
+     * @param senses whether pairs that are only sensed are
+     * @param table by pair of kinds, which circle looks for the other; read during the step
+     * @param version counts the changes of the table
+     */
+    public void setReports(boolean records, boolean senses, int[] table, int version) {
+        recording = records;
+        sensing = senses;
+        seeking = table;
+        seekingVersion = version;
     }
 }

@@ -11,6 +11,7 @@ import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -82,6 +83,71 @@ class EventsAgreeTest {
                 twins.assertSameEvents(scene.name());
                 twins.assertEqual(scene.name());
             }
+        }
+    }
+
+    /** What a sensor notices is the same by any plan, since no plan solves it. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void sensedPairsAreTheSameByAnyPlan(Device device) {
+        for (Scene scene : new Scene[] {
+            Scenes.thesis(600, 1),
+            Scenes.gas(600, 1),
+            Scenes.mixed(600, 1),
+            Scenes.billiards(300),
+            Scenes.onePoint(200, 1)
+        }) {
+            try (Twins twins = Twins.load(scene, withThreads(PipelinesAgreeTest.pipelines(device)))) {
+                SplittableRandom random = new SplittableRandom(5);
+                twins.giveSensors(200, 7);
+                twins.giveSensors(201, 50);
+                twins.report(0, 200, ContactEvents.BEGIN | ContactEvents.END);
+                twins.report(0, 201, ContactEvents.OF_PAIR_TYPES);
+                int events = 0;
+                for (int k = 0; k < 12; k++) {
+                    twins.step(k == 7 ? 0.5f : scene.timeStep(), 1 + k % 3);
+                    if (k % 3 == 1) {
+                        twins.assertSameTouching(0, 200);
+                    }
+                    events += twins.assertSameEvents(scene.name() + " after call " + k);
+                    twins.change(scene, random);
+                }
+                assertThat(events).as(scene.name()).isPositive();
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    private static Pipeline[] withThreads(Pipeline[] pipelines) {
+        Pipeline[] more = Arrays.copyOf(pipelines, pipelines.length + 1);
+        more[pipelines.length] = new JvmPipeline(3, 1, 0, false);
+        return more;
+    }
+
+    /** Requested events are those of the steps before, whatever has been made since. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void requestedEventsAreTheSame(Device device) {
+        Scene scene = Scenes.gas(300, 2);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            SplittableRandom random = new SplittableRandom(11);
+            twins.report(ContactEvents.ALL);
+            twins.giveSensors(200, 5);
+            int events = 0;
+            for (int k = 0; k < 20; k++) {
+                twins.step(scene.timeStep(), 1 + k % 2);
+                twins.requestEvents();
+                twins.step(scene.timeStep(), k % 3 + 1);
+                if (k % 4 == 0) {
+                    twins.change(scene, random);
+                }
+                events += twins.assertSameRequestedEvents("after call " + k);
+                if (k % 5 == 0) {
+                    twins.assertSameEvents("all after call " + k);
+                }
+            }
+            assertThat(events).isPositive();
+            twins.assertEqual("at last");
         }
     }
 

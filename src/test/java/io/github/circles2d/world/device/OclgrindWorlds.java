@@ -139,11 +139,12 @@ final class OclgrindWorlds {
         }
     }
 
-    /** Steps that record what contacts do. */
+    /** Steps that record what contacts do, and what sensors notice. */
     private Set<String> events(Scene scene) {
         DevicePipeline pipeline = pipeline(Plans.COLOURS);
         try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
+            twins.giveSensors(200, 5);
             int events = 0;
             for (int k = 0; k < 3; k++) {
                 twins.step(5 * scene.timeStep(), 2);

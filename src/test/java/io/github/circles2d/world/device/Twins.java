@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 
 /** A simulation on each of the pipelines that are to be compared: all get the same calls. */
@@ -93,19 +94,64 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Has events of two kinds reported. */
+    void report(int kindA, int kindB, int types) {
+        for (Simulation simulation : simulations) {
+            simulation.reports().report(kindA, kindB, types);
+        }
+    }
+
+    /** Makes a kind a sensor, and every so many circles of that kind. */
+    void giveSensors(int kind, int every) {
+        for (Simulation simulation : simulations) {
+            simulation.kinds().set(KindField.SENSOR, kind, 1);
+            for (int id = 0; id < handles.length; id += every) {
+                if (lives(id)) {
+                    simulation.circles().setKind(handles[id], kind);
+                }
+            }
+        }
+    }
+
     /** Takes the events from every pipeline, and returns their number. */
     int assertSameEvents(String when) {
-        List<String> expected = events(simulations[0]);
+        return assertSameEvents(when, simulation -> simulation.reports().take());
+    }
+
+    /** Asks every pipeline for the events up to now. */
+    void requestEvents() {
+        for (Simulation simulation : simulations) {
+            simulation.reports().request();
+        }
+    }
+
+    /** Takes the events that were asked for, and returns their number. */
+    int assertSameRequestedEvents(String when) {
+        return assertSameEvents(when, simulation -> simulation.reports().takeRequested());
+    }
+
+    private int assertSameEvents(String when, Function<Simulation, EventRows> take) {
+        List<String> expected = events(take.apply(simulations[0]));
         for (int k = 1; k < simulations.length; k++) {
-            assertThat(events(simulations[k]))
+            assertThat(events(take.apply(simulations[k])))
                     .as(when + " on " + simulations[k].figures().device())
                     .isEqualTo(expected);
         }
         return expected.size();
     }
 
-    private static List<String> events(Simulation simulation) {
-        EventRows rows = simulation.reports().take();
+    /** Compares which pairs of two kinds touch. */
+    void assertSameTouching(int kindA, int kindB) {
+        long[] expected = new long[1000];
+        int pairs = simulations[0].reports().touching(kindA, kindB, expected);
+        for (Simulation simulation : simulations) {
+            long[] found = new long[expected.length];
+            assertThat(simulation.reports().touching(kindA, kindB, found)).isEqualTo(pairs);
+            assertThat(found).isEqualTo(expected);
+        }
+    }
+
+    private static List<String> events(EventRows rows) {
         List<String> events = new ArrayList<>();
         for (int i = 0; i < rows.size(); i++) {
             events.add(rows.step(i) + " " + rows.type(i) + " " + rows.a(i) + " " + rows.b(i) + " " + rows.side(i) + " "

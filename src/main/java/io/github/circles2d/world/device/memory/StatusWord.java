@@ -20,6 +20,8 @@ public enum StatusWord {
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),
     TOUCHES(50, "records of touching pairs after the last step"),
+    SENSED(51, "records of pairs that are only sensed after the last step"),
+    SENSED_AFTER(52, "the steps done as that step began"),
     MEETING(49, "by lanes: whether all work-groups are here");
 
     /** Ints of the status. */

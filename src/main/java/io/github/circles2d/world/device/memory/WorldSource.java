@@ -14,6 +14,7 @@ public final class WorldSource {
         "world/stages/Commands.cl",
         "world/stages/Grid.cl",
         "world/stages/Contacts.cl",
+        "world/stages/Sensing.cl",
         "world/stages/Readback.cl"
     };
 

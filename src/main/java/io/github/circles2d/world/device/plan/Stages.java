@@ -18,6 +18,7 @@ public final class Stages {
     private final GridStage grid;
     private final ContinuousCollisionStage continuousCollision;
     private final ContactsStage contacts;
+    private final SensingStage sensing;
     private final Kernel degrees;
 
     /** Where steps record what contacts do; null if they do not. */
@@ -32,6 +33,7 @@ public final class Stages {
         grid = new GridStage(kernels, arrays, scan);
         continuousCollision = new ContinuousCollisionStage(kernels);
         contacts = new ContactsStage(kernels, arrays, scan);
+        sensing = new SensingStage(kernels, arrays);
         degrees = kernels.plain("contacts_degrees");
     }
 
@@ -42,6 +44,11 @@ public final class Stages {
 
     TouchArrays touches() {
         return touches;
+    }
+
+    /** What finds the pairs that are only sensed, around a step of any plan. */
+    public SensingStage sensing() {
+        return sensing;
     }
 
     Device device() {

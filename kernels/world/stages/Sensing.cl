@@ -1,0 +1,129 @@
+// uses: world/stages/World.cl
+// Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it. The Java classes
+// world.jvm.Sensing and world.model.SensorRule are the same; what touches, and when, the host decides for each record
+// (world.events.SensedPair).
+//
+// start: by id: x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
+// records: by record, three int4: both ids, start of the circle of lower id x, y; its path x, y, its radius, start of the other x; y, its
+// path x, y, its radius.
+
+#define SEEKING_KINDS (256 * 16) // where the numbers by kind begin
+#define SENSED_BY_ANY 1
+#define SEEKS_ANY 2
+#define NOT_SOUGHT 0
+#define SEEKS 2
+#define BOTH_SEEK 3
+#define SENSING_ROOM 1.01f // the host has the last word
+
+// Notes where circles are. Index space: a slot at home a work-item.
+kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global int *status,
+                          global float2 *start) {
+    int slot = (int) get_global_id(0);
+    if (slot == 0) {
+        status[SENSED] = 0;
+        status[SENSED_AFTER] = status[STEPS_DONE];
+    }
+    if (slot < slots && homeId[slot] >= 0) start[homeId[slot]] = homeCircle[slot].xy;
+}
+
+// A circle that takes part.
+typedef struct {
+    float x, y, px, py, r, path;
+    int id, slot;
+    CircleFields fields;
+    bool isStatic, isFast;
+} Sensed;
+
+Sensed sensedAt(const World *w, global const float2 *start, int slot) {
+    float4 c = w->homeCircle[slot];
+    Sensed s;
+    s.id = w->homeId[slot];
+    s.slot = slot;
+    s.x = start[s.id].x;
+    s.y = start[s.id].y;
+    s.px = c.x - s.x;
+    s.py = c.y - s.y;
+    s.r = c.z;
+    s.path = norm(s.px, s.py);
+    s.fields = w->fields[s.id];
+    s.isStatic = w->homeTraits[slot].x == 0.0f;
+    s.isFast = s.path > s.r;
+    return s;
+}
+
+float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + greatest(path, top)); }
+
+// Whether a circle is the one of a pair that has to find it.
+bool findsSensed(int row, const Sensed *s, const Sensed *o) {
+    if (s->isFast || o->isFast) {
+        return s->isFast && (!o->isFast || s->path > o->path || (s->path == o->path && s->id < o->id));
+    }
+    return row == SEEKS || (row == BOTH_SEEK && s->id < o->id);
+}
+
+void recordSensed(const World *w, global int4 *records, int recordRoom, const Sensed *a, const Sensed *b) {
+    float dx = b->x - a->x;
+    float dy = b->y - a->y;
+    float ux = b->px - a->px;
+    float uy = b->py - a->py;
+    float uu = ux * ux + uy * uy;
+    float t = uu > 0.0f ? bounded(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
+    if (isLonger(dx + t * ux, dy + t * uy, SENSING_ROOM * (a->r + b->r))) return;
+    int k = atomic_inc(&w->status[SENSED]);
+    if (k >= recordRoom) return;
+    records[3 * k] = (int4)(a->id, b->id, as_int(a->x), as_int(a->y));
+    records[3 * k + 1] = (int4)(as_int(a->px), as_int(a->py), as_int(a->r), as_int(b->x));
+    records[3 * k + 2] = (int4)(as_int(b->y), as_int(b->px), as_int(b->py), as_int(b->r));
+}
+
+void senseIn(const World *w, global const float2 *start, global const int *seeking, global int4 *records, int recordRoom,
+             const Sensed *s, int from, int to) {
+    for (int slot = from; slot < to; slot++) {
+        CircleFields fields = w->fields[w->homeId[slot]];
+        int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
+        if (row == NOT_SOUGHT || slot == s->slot) continue;
+        if (fields.group != 0 && fields.group == s->fields.group) continue;
+        Sensed o = sensedAt(w, start, slot);
+        if ((s->isStatic && o.isStatic) || !findsSensed(row, s, &o)) continue;
+        if (s->id < o.id) {
+            recordSensed(w, records, recordRoom, s, &o);
+        } else {
+            recordSensed(w, records, recordRoom, &o, s);
+        }
+    }
+}
+
+// Index space: a slot at home a work-item. Cost: the cells around its path, for a circle that looks for others.
+kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global const int *seeking, global int4 *records,
+                         int recordRoom) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    // A step that has not been made has left home in another order than the grid's.
+    if (slot >= circles || status[STEPS_DONE] == status[SENSED_AFTER]) return;
+    int part = seeking[SEEKING_KINDS + fields[homeId[slot]].kind];
+    if (part == 0) return;
+    Sensed s = sensedAt(&w, start, slot);
+    if (!s.isFast && !(part & SEEKS_ANY)) return;
+    float toX = s.x + s.px;
+    float toY = s.y + s.py;
+    for (int l = 0; l < levels->usedCount; l++) {
+        int level = levels->used[l];
+        float edge = levels->inverseEdge[level];
+        float margin = sensorMargin(s.r, s.path, levels->top[level]);
+        int c0 = cell(least(s.x, toX) - margin, levels->minX, edge);
+        int c1 = cell(greatest(s.x, toX) + margin, levels->minX, edge);
+        int r0 = cell(least(s.y, toY) - margin, levels->minY, edge);
+        int r1 = cell(greatest(s.y, toY) + margin, levels->minY, edge);
+        int columns = levels->columnCount[level];
+        int rows = levels->rowCount[level];
+        int first = onRing(c0, columns);
+        int width = min(c1 - c0, columns - 1) + 1;
+        int beforeEnd = min(width, columns - first);
+        for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
+            global const int *row =
+                bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
+            senseIn(&w, start, seeking, records, recordRoom, &s, row[first], row[first + beforeEnd]);
+            senseIn(&w, start, seeking, records, recordRoom, &s, row[0], row[width - beforeEnd]);
+        }
+    }
+}

@@ -1,0 +1,122 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.SensorRule;
+import io.github.circles2d.world.model.StepConstants;
+import java.nio.IntBuffer;
+
+/** The memory in which a device finds the pairs that are only sensed, if some are reported; {@code kernels/world/stages/Sensing.cl}. */
+public final class SensingArrays implements AutoCloseable {
+    /** Ints of a record. */
+    public static final int RECORD = 12;
+
+    // Ints of a record, from its beginning: ids, and the numbers of circle a, of lower id, and of circle b.
+    public static final int AT_ID = 0;
+    public static final int AT_OTHER = 1;
+    public static final int AT_A = 2;
+    public static final int AT_B = 7;
+
+    // Floats of a circle in a record: where the step began, its path, its radius.
+    public static final int X = 0;
+    public static final int Y = 1;
+    public static final int PATH_X = 2;
+    public static final int PATH_Y = 3;
+    public static final int RADIUS = 4;
+
+    private static final int TAKES_PART = 1;
+    private static final int SEEKS = 2;
+    private static final long START_BYTES = 8;
+    private static final long RECORD_BYTES = (long) Integer.BYTES * RECORD;
+    private static final int LEAST_RECORDS = 256;
+
+    private final Session session;
+    private final int[] table = new int[PairTable.WORDS + PairTable.KINDS];
+    private int version = -1;
+    private DeviceBuffer start;
+    private DeviceBuffer seeking;
+    private DeviceBuffer records;
+
+    /** No memory yet. */
+    public SensingArrays(Session session) {
+        this.session = session;
+    }
+
+    /** Makes room for the ids that other arrays have room for. */
+    public void ensure(DeviceArrays arrays) {
+        seeking = ensure("sensing: kinds", seeking, (long) Integer.BYTES * table.length);
+        start = ensure("sensing: start", start, START_BYTES * arrays.idCapacity());
+        records = ensure("sensing: records", records, RECORD_BYTES * LEAST_RECORDS);
+    }
+
+    /** Makes room for records. */
+    public void ensureRecords(int count) {
+        records = ensure("sensing: records", records, RECORD_BYTES * (count + (count >> 1)));
+    }
+
+    private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
+        if (buffer != null && buffer.bytes() >= bytes) {
+            return buffer;
+        }
+        DeviceBuffer larger = session.allocate(name, bytes);
+        if (buffer != null) {
+            buffer.close();
+        }
+        return larger;
+    }
+
+    /** Sends who looks for whom, if it is not there yet. */
+    public void send(StepConstants k) {
+        if (version == k.seekingVersion) {
+            return;
+        }
+        System.arraycopy(k.seeking, 0, table, 0, PairTable.WORDS);
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            int part = 0;
+            for (int other = 0; other < PairTable.KINDS; other++) {
+                int row = PairTable.get(k.seeking, kind, other);
+                part |= row == SensorRule.NONE ? 0 : row == SensorRule.FOUND ? TAKES_PART : TAKES_PART | SEEKS;
+            }
+            table[PairTable.WORDS + kind] = part;
+        }
+        seeking.write(0, IntBuffer.wrap(table));
+        version = k.seekingVersion;
+    }
+
+    /** By id: where circles were as the step began. */
+    public DeviceBuffer start() {
+        return start;
+    }
+
+    /** By pair of kinds, and by kind: who looks for whom. */
+    public DeviceBuffer seeking() {
+        return seeking;
+    }
+
+    /** The records of the last step. */
+    public DeviceBuffer records() {
+        return records;
+    }
+
+    /** Records that there is room for. */
+    public int room() {
+        return (int) Math.min(records.bytes() / RECORD_BYTES, Integer.MAX_VALUE);
+    }
+
+    /** Reads the first records into an array. */
+    public void read(int[] to, int count) {
+        if (count > 0) {
+            records.read(IntBuffer.wrap(to, 0, RECORD * count));
+        }
+    }
+
+    @Override
+    public void close() {
+        for (DeviceBuffer buffer : new DeviceBuffer[] {start, seeking, records}) {
+            if (buffer != null) {
+                buffer.close();
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.SensingArrays;
+import io.github.circles2d.world.device.memory.StageKernels;
+
+/**
+ * Finds the pairs that are only sensed, around a step of any plan; {@code kernels/world/stages/Sensing.cl}. {@code world.jvm.Sensing} does
+ * the same.
+ */
+public final class SensingStage {
+    private final DeviceArrays arrays;
+    private final Kernel begin;
+    private final Kernel find;
+
+    SensingStage(StageKernels kernels, DeviceArrays arrays) {
+        this.arrays = arrays;
+        begin = kernels.plain("sensing_begin");
+        find = kernels.staged("sensing_find");
+    }
+
+    /** Enqueues what comes before a step. */
+    public void begin(SensingArrays sensing, int slots) {
+        begin.arg(0, arrays.get(DeviceArray.HOME_ID))
+                .arg(1, arrays.get(DeviceArray.HOME_CIRCLE))
+                .arg(2, slots)
+                .arg(3, arrays.get(DeviceArray.STATUS))
+                .arg(4, sensing.start())
+                .run(slots);
+    }
+
+    /** Enqueues what comes behind a step, which has bound the arrays; once more if there was too little room for records. */
+    public void find(SensingArrays sensing, int circles) {
+        find.arg(StageKernels.own(0), sensing.start())
+                .arg(StageKernels.own(1), sensing.seeking())
+                .arg(StageKernels.own(2), sensing.records())
+                .arg(StageKernels.own(3), sensing.room())
+                .run(circles);
+    }
+}

@@ -1,0 +1,178 @@
+package io.github.circles2d.world.events;
+
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.SensorRule;
+import java.util.Arrays;
+
+/**
+ * Which types of events are reported, by pair of kinds and by kind for walls; and what follows from it and from what the circles of two
+ * kinds do to each other: whether steps record contacts, and which circles look for those that they sense.
+ */
+final class ReportTable {
+    private static final int KINDS = PairTable.KINDS;
+
+    /** What a sensed pair can report. */
+    private static final int SENSED_TYPES = ContactEvents.BEGIN | ContactEvents.END;
+
+    /** The types of all pairs, where they are the same. */
+    private int types;
+
+    /** By pair of kinds: the types; null where they are the same. */
+    private byte[] typesOf;
+
+    private final byte[] wallTypes = new byte[KINDS];
+    private boolean wallsByKind;
+    private boolean some;
+    private boolean walls;
+
+    // What follows. Versions count changes.
+    private final int[] seeking = new int[PairTable.WORDS];
+    private int version;
+    private int resolvedVersion = -1;
+    private int resolvedKinds = -1;
+    private boolean solids;
+    private boolean senses;
+    private int seekingVersion;
+
+    /** Sets the types of all pairs and walls: a sum of those in {@link ContactEvents}. */
+    void set(int all) {
+        types = all & ContactEvents.OF_PAIR_TYPES;
+        typesOf = null;
+        wallsByKind = false;
+        Arrays.fill(wallTypes, (byte) ((all & ContactEvents.WALL) != 0 ? types : 0));
+        changed();
+    }
+
+    /** Makes room for the types of single pairs. */
+    void makeRoom() {
+        if (typesOf == null) {
+            byte[] all = new byte[KINDS * KINDS];
+            Arrays.fill(all, (byte) types);
+            typesOf = all;
+        }
+    }
+
+    /** Sets the types of a pair of kinds, for which there is room. */
+    void set(int a, int b, int ofPair) {
+        typesOf[KINDS * a + b] = (byte) ofPair;
+        typesOf[KINDS * b + a] = (byte) ofPair;
+        changed();
+    }
+
+    /** Sets the types of walls and a kind. */
+    void setWalls(int kind, int ofWalls) {
+        wallTypes[kind] = (byte) ofWalls;
+        wallsByKind = true;
+        changed();
+    }
+
+    private void changed() {
+        some = types != 0 && typesOf == null;
+        for (int k = 0; typesOf != null && k < typesOf.length; k++) {
+            some |= typesOf[k] != 0;
+        }
+        walls = false;
+        for (byte ofWalls : wallTypes) {
+            walls |= ofWalls != 0;
+        }
+        version++;
+    }
+
+    /** Whether anything is reported. */
+    boolean isOn() {
+        return some || walls;
+    }
+
+    /** Whether something of walls is. */
+    boolean hasWalls() {
+        return walls;
+    }
+
+    /** Whether all pairs of kinds have the same types. */
+    boolean isUniform() {
+        return typesOf == null;
+    }
+
+    /** Whether the types of a pair or a wall depend on kinds. */
+    boolean dependsOnKinds() {
+        return typesOf != null || wallsByKind;
+    }
+
+    /** The types of a pair of kinds. */
+    int types(int a, int b) {
+        return typesOf == null ? types : typesOf[KINDS * a + b];
+    }
+
+    /** The types of walls and a kind. */
+    int wallTypes(int kind) {
+        return wallTypes[kind];
+    }
+
+    /** Finds out what follows, if anything has changed. */
+    void resolve(KindTable kinds) {
+        if (resolvedVersion == version && resolvedKinds == kinds.version()) {
+            return;
+        }
+        resolvedVersion = version;
+        resolvedKinds = kinds.version();
+        solids = false;
+        boolean before = senses;
+        senses = false;
+        if (before) {
+            Arrays.fill(seeking, 0);
+        }
+        for (int a = 0; a < KINDS && some; a++) {
+            for (int b = 0; b < KINDS; b++) {
+                resolve(kinds, a, b);
+            }
+        }
+        if (before || senses) {
+            seekingVersion++;
+        }
+    }
+
+    private void resolve(KindTable kinds, int a, int b) {
+        int response = PairTable.get(kinds.responses(), a, b);
+        int reported = types(a, b);
+        if (response == PairTable.SOLID) {
+            solids |= reported != 0;
+        } else if (response == PairTable.SENSE && (reported & SENSED_TYPES) != 0) {
+            senses = true;
+            int own = kinds.get(KindField.SENSOR, a);
+            int other = kinds.get(KindField.SENSOR, b);
+            // There are fewer sensors than others, mostly.
+            PairTable.setOne(
+                    seeking,
+                    a,
+                    b,
+                    own == other ? SensorRule.BOTH_SEEK : own > other ? SensorRule.SEEKS : SensorRule.FOUND);
+        }
+    }
+
+    /** Whether something of contacts is reported. */
+    boolean solids() {
+        return solids;
+    }
+
+    /** Whether something of pairs that are only sensed is. */
+    boolean senses() {
+        return senses;
+    }
+
+    /** By pair of kinds, who looks for whom: by {@link SensorRule}; valid until the next change. */
+    int[] seeking() {
+        return seeking;
+    }
+
+    /** Counts the changes of {@link #seeking}. */
+    int seekingVersion() {
+        return seekingVersion;
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return wallTypes.length + 4L * seeking.length + (typesOf == null ? 0 : typesOf.length);
+    }
+}

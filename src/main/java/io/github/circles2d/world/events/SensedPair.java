@@ -1,0 +1,74 @@
+package io.github.circles2d.world.events;
+
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.SensorRule;
+import io.github.circles2d.world.model.TouchRule;
+import io.github.circles2d.world.model.Tuning;
+
+/** What a step reports of two circles that are only sensed. All back ends have it computed here. */
+public final class SensedPair {
+    private SensedPair() {}
+
+    /**
+     * Tells of a pair if it is in touch, and records it if that is needed. The point, the normal and the speed are those of the moment
+     * when it begins to touch; if it goes on touching across a gap, of the moment when it is closest.
+     *
+     * @param a the lower id
+     * @param b the higher id
+     * @param ax x of circle a at the start of the step, and so on
+     * @param apx path of circle a, x
+     * @param ar radius of circle a
+     */
+    public static void tell(
+            ContactEvents events,
+            TouchRecords records,
+            int a,
+            int b,
+            float ax,
+            float ay,
+            float apx,
+            float apy,
+            float ar,
+            float bx,
+            float by,
+            float bpx,
+            float bpy,
+            float br,
+            float dt) {
+        float dx = bx - ax;
+        float dy = by - ay;
+        float ux = bpx - apx;
+        float uy = bpy - apy;
+        float sum = ar + br;
+        float closest = SensorRule.timeOfClosest(dx, dy, ux, uy);
+        float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
+        boolean touches = TouchRule.touches(TouchRule.NONE, least);
+        if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)
+                || !events.concerns(a, b, touches, 0f, 0f, Float.MAX_VALUE)) {
+            return;
+        }
+        float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;
+        float mx = dx + t * ux;
+        float my = dy + t * uy;
+        float distance = CircleMath.norm(mx, my);
+        boolean apart = distance > Tuning.COINCIDENT * sum;
+        float towardsX = apart ? mx : CircleMath.partingX(CircleMath.pairHash(a, b));
+        float towardsY = apart ? my : CircleMath.partingY(CircleMath.pairHash(a, b));
+        float length = CircleMath.norm(towardsX, towardsY);
+        float nx = towardsX / length;
+        float ny = towardsY / length;
+        float vn = CircleMath.along(nx, ny, ux / dt, uy / dt);
+        float separation = distance - sum;
+        records.add(
+                a,
+                b,
+                TouchRule.approach(vn),
+                0f,
+                nx,
+                ny,
+                TouchRule.point(ax, t * apx, nx, ar, separation),
+                TouchRule.point(ay, t * apy, ny, ar, separation),
+                vn,
+                Float.MAX_VALUE);
+    }
+}

@@ -1,0 +1,177 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.SensedPair;
+import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.model.SensorRule;
+import io.github.circles2d.world.model.StepConstants;
+
+/**
+ * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
+ * when. It looks in the cells of the step's grid, where circles are as they were at its start. {@code Sensing.cl} does the same.
+ */
+final class Sensing {
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+    private final ContactEvents events;
+
+    /** By slot: x, y at the start of the step. */
+    private float[] start = new float[0];
+
+    /** By kind: whether the table has some other for it. */
+    private final boolean[] takesPart = new boolean[PairTable.KINDS];
+
+    /** By kind: whether it looks for another, even if it is slow. */
+    private final boolean[] seeks = new boolean[PairTable.KINDS];
+
+    private int version = -1;
+
+    Sensing(State state, Grid grid, GridLevels levels, ContactEvents events) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.events = events;
+    }
+
+    void ensure(StepConstants k) {
+        learn(k);
+        if (start.length < CircleRow.vector(state.capacity())) {
+            start = new float[CircleRow.vector(state.capacity())];
+        }
+    }
+
+    /** Notes where circles are. */
+    void begin(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            start[CircleRow.vector(slot) + X] = state.circle[CircleRow.of(slot) + X];
+            start[CircleRow.vector(slot) + Y] = state.circle[CircleRow.of(slot) + Y];
+        }
+    }
+
+    /** Learns who looks for whom. */
+    private void learn(StepConstants k) {
+        if (version == k.seekingVersion) {
+            return;
+        }
+        version = k.seekingVersion;
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            takesPart[kind] = false;
+            seeks[kind] = false;
+            for (int other = 0; other < PairTable.KINDS; other++) {
+                int row = PairTable.get(k.seeking, kind, other);
+                takesPart[kind] |= row != SensorRule.NONE;
+                seeks[kind] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
+            }
+        }
+    }
+
+    /** Records the pairs that some slots have to find. */
+    void find(TouchRecords records, int from, int to, StepConstants k) {
+        for (int slot = from; slot < to; slot++) {
+            int kind = kind(slot);
+            if (takesPart[kind] && (seeks[kind] || isFast(slot))) {
+                look(records, slot, k);
+            }
+        }
+    }
+
+    private int kind(int slot) {
+        return state.fields.getInt(CircleField.KIND, state.id[slot]);
+    }
+
+    private float pathX(int slot) {
+        return state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
+    }
+
+    private float pathY(int slot) {
+        return state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
+    }
+
+    private float path(int slot) {
+        return CircleMath.norm(pathX(slot), pathY(slot));
+    }
+
+    private boolean isFast(int slot) {
+        return SensorRule.isFast(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
+    }
+
+    private void look(TouchRecords records, int slot, StepConstants k) {
+        float x = start[CircleRow.vector(slot) + X];
+        float y = start[CircleRow.vector(slot) + Y];
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        float path = path(slot);
+        float toX = x + pathX(slot);
+        float toY = y + pathY(slot);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            float edge = levels.inverseEdge[level];
+            float margin = SensorRule.margin(r, path, levels.top[level]);
+            int c0 = CircleMath.cell(CircleMath.least(x, toX) - margin, levels.minX, edge);
+            int c1 = CircleMath.cell(CircleMath.greatest(x, toX) + margin, levels.minX, edge);
+            int r0 = CircleMath.cell(CircleMath.least(y, toY) - margin, levels.minY, edge);
+            int r1 = CircleMath.cell(CircleMath.greatest(y, toY) + margin, levels.minY, edge);
+            int columns = levels.columnCount[level];
+            int rows = levels.rowCount[level];
+            int first = GridLevels.onRing(c0, columns);
+            int width = Math.min(c1 - c0, columns - 1) + 1;
+            int beforeEnd = Math.min(width, columns - first);
+            for (int v = 0; v <= Math.min(r1 - r0, rows - 1); v++) {
+                int row = levels.rowStart(level, GridLevels.onRing(r0 + v, rows));
+                lookAt(records, slot, grid.start[row + first], grid.start[row + first + beforeEnd], path, k);
+                lookAt(records, slot, grid.start[row], grid.start[row + width - beforeEnd], path, k);
+            }
+        }
+    }
+
+    private void lookAt(TouchRecords records, int slot, int from, int to, float path, StepConstants k) {
+        int kind = kind(slot);
+        boolean isFast = isFast(slot);
+        for (int other = from; other < to; other++) {
+            int row = PairTable.get(k.seeking, kind, kind(other));
+            if (row != SensorRule.NONE
+                    && other != slot
+                    && (isFast || row != SensorRule.FOUND)
+                    && !(state.isStatic(slot) && state.isStatic(other))
+                    && !PairFilter.areOfOneGroup(state, state.id[slot], state.id[other])
+                    && SensorRule.finds(
+                            row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
+                boolean isLower = state.id[slot] < state.id[other];
+                meet(records, isLower ? slot : other, isLower ? other : slot, k);
+            }
+        }
+    }
+
+    private void meet(TouchRecords records, int a, int b, StepConstants k) {
+        SensedPair.tell(
+                events,
+                records,
+                state.id[a],
+                state.id[b],
+                start[CircleRow.vector(a) + X],
+                start[CircleRow.vector(a) + Y],
+                pathX(a),
+                pathY(a),
+                state.circle[CircleRow.of(a) + RADIUS],
+                start[CircleRow.vector(b) + X],
+                start[CircleRow.vector(b) + Y],
+                pathX(b),
+                pathY(b),
+                state.circle[CircleRow.of(b) + RADIUS],
+                k.dt);
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 4L * start.length;
+    }
+}
