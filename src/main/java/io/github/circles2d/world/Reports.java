@@ -103,7 +103,7 @@ public final class Reports {
             KindTable.check(kindA);
             KindTable.check(kindB);
             simulation.settle();
-            return events.list(kindA, kindB, handles);
+            return events.list(kindA, kindB, Limits.notNull("handles", handles));
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
