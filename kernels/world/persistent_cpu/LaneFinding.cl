@@ -1,5 +1,5 @@
 // uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
-// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneTouches.cl
 // Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
 // lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
 // the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
@@ -112,6 +112,9 @@ void deal(const World *w, Search *f) {
             left += from + 1 < last;
             if (lanes == 4 || (g == open - 1 && left < 4)) {
                 if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
+#ifdef RECORDING
+                if (f->wide < f->endWide) clearTouch(w, f->wide);
+#endif
                 f->wide++;
                 lanes = 0;
             }

@@ -118,11 +118,23 @@ void solveInPasses(World *w, int rows) {
     for (int row = 0; row < rows; row++) finishRow(w, row);
 }
 
+#ifdef RECORDING
+// Records what touches after a step, once all have made it.
+void recordBand(const World *w, const Crew *crew, const Band *band) {
+    for (int row = band->from; row < band->to; row++) {
+        recordRow(w, row);
+        recordWallsOfRow(w, row);
+    }
+    awaitCrew(w, crew);
+}
+#endif
+
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
 // many there are; patience: how often to look for the others before the launch is called off.
 kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(WORLD_PARAMETERS, int steps, int groups,
-                                                                        int patience) {
+                                                                        int patience RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     Crew crew = {groups, (int) get_group_id(0)};
     noteStack(&w, &crew);
     // None behind a launch that was called off: it counts on what that one would have left.
@@ -142,6 +154,9 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             } else {
                 solveInPasses(&w, band.to);
             }
+#ifdef RECORDING
+            recordBand(&w, &crew, &band);
+#endif
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;

@@ -1,32 +1,21 @@
-// uses: world/stages/Solver.cl
+// uses: world/shared/TouchRule.cl world/stages/Solver.cl
 // Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
-// wall after each pass. The Java classes world.model.TouchRule, world.jvm.Touches and world.jvm.WallTouches are the same.
+// wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
+// first world that reports.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
 // sub-step that the contact does not keep.
 // wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
 // records: by record, three int4; see writeRecord.
 
-#define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
-
-float approachSpeed(float vn) { return greatest(-vn, 0.0f); }
-
-bool touches(float approach, float separation) { return approach >= 0.0f || separation <= 0.0f; }
-
-bool staysInTouch(float approach, float separation, float radii) {
-    return approach >= 0.0f || separation <= TOUCH_SLACK * radii;
-}
-
-float touchPoint(float x, float displacement, float normal, float radius, float separation) {
-    return (x + displacement) + normal * (radius + 0.5f * separation);
-}
+#ifdef RECORDING
 
 // Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
-    if (!(approach * w->k.dt > TOUCH_SLACK * w->base[c].z)) return;
+    if (!isFastApproach(approach, w->k.dt, w->base[c].z)) return;
     uint lower = w->pair[c].x;
     float4 own = w->circle[lower];
     float4 m = w->motion[lower];
@@ -84,6 +73,32 @@ void touchRelaxed(const World *w, global float4 *t, int axis, float side, float 
     touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
 }
 
+// Takes the visits of both walls in the biased pass down. c: circle; sum: of the impulses of its contacts; before: velocity before any
+// impulse; old, m: motion before and after integrateVelocities.
+void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
+                     float4 m) {
+    if (inverseMass == 0.0f) return;
+    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
+    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
+    float gapX = wallGap(c.x, old.x, c.z, sideX, w->k.minX, w->k.maxX);
+    float gapY = wallGap(c.y, old.y, c.z, sideY, w->k.minY, w->k.maxY);
+    float fromX = afterImpulse(before.x, inverseMass, sum.x);
+    float fromY = afterImpulse(before.y, inverseMass, sum.y);
+    touchSolved(w, t, 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
+    touchSolved(w, t + 1, 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+}
+
+// Takes the visits of both walls in the relaxing pass down. v: velocity before the visits; m: motion after them.
+void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
+    if (inverseMass == 0.0f) return;
+    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
+    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
+    float gapX = wallGap(c.x, m.x, c.z, sideX, w->k.minX, w->k.maxX);
+    float gapY = wallGap(c.y, m.y, c.z, sideY, w->k.minY, w->k.maxY);
+    touchRelaxed(w, t, 0, sideX, c.z, v.x, m.z, gapX, c.y + m.y);
+    touchRelaxed(w, t + 1, 1, sideY, c.z, v.y, m.w, gapY, c.x + m.x);
+}
+
 // Index space: a working slot a work-item.
 kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
     World w = WORLD;
@@ -102,15 +117,7 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global fl
     traits[slot] = t;
     wallBounce[slot] = bounce;
     load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-    if (t.x == 0.0f) return;
-    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
-    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
-    float gapX = wallGap(c.x, old.x, c.z, sideX, w.k.minX, w.k.maxX);
-    float gapY = wallGap(c.y, old.y, c.z, sideY, w.k.minY, w.k.maxY);
-    float fromX = afterImpulse(before.x, t.x, l.x);
-    float fromY = afterImpulse(before.y, t.x, l.y);
-    touchSolved(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
-    touchSolved(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+    noteWallsSolved(&w, wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -149,13 +156,7 @@ kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global flo
     traits[slot] = t;
     load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
     firstCached[slot] = NONE;
-    if (isStatic) return;
-    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
-    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
-    float gapX = wallGap(c.x, m.x, c.z, sideX, w.k.minX, w.k.maxX);
-    float gapY = wallGap(c.y, m.y, c.z, sideY, w.k.minY, w.k.maxY);
-    touchRelaxed(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.z, m.z, gapX, c.y + m.y);
-    touchRelaxed(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.w, m.w, gapY, c.x + m.x);
+    noteWallsRelaxed(&w, wallTouch + 2 * slot, c, t.x, before.zw, m);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -187,17 +188,11 @@ void writeRecord(const World *w, global int4 *records, int recordRoom, int id, i
     records[3 * k + 2] = (int4)(as_int(normal.y), as_int(point.x), as_int(point.y), 0);
 }
 
-void recordTouch(const World *w, global const float4 *touch, global int4 *records, int recordRoom, int c) {
-    float4 t = touch[2 * c];
-    float4 n = w->contact[c];
-    float radii = w->base[c].z;
-    if (!staysInTouch(t.x, n.z, radii)) return;
-    uint2 pr = w->pair[c];
-    ulong ids = w->key[c];
-    float4 at = touch[2 * c + 1];
-    float2 normal = t.zw;
-    float2 point = at.xy;
-    if (t.z == 0.0f && t.w == 0.0f) {
+// Records a pair of circles that is in touch. ids: the lower above the higher; pr: slots; n: contact after the step; approach, impulse:
+// of the step; normal, point: where it touched, if that is not (0, 0): then it is where it touches now.
+void recordPair(const World *w, global int4 *records, int recordRoom, ulong ids, uint2 pr, float4 n, float radii, float approach,
+                float impulse, float2 normal, float2 point) {
+    if (normal.x == 0.0f && normal.y == 0.0f) {
         float4 lower = w->homeCircle[pr.x];
         normal = n.xy;
         point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
@@ -206,8 +201,16 @@ void recordTouch(const World *w, global const float4 *touch, global int4 *record
     float4 mj = w->homeMotion[pr.y];
     float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
     float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
-    writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(t.x, n.z), greatest(t.x, 0.0f), t.y, vn,
-                threshold, normal, point);
+    writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(approach, n.z), greatest(approach, 0.0f), impulse,
+                vn, threshold, normal, point);
+}
+
+void recordTouch(const World *w, global const float4 *touch, global int4 *records, int recordRoom, int c) {
+    float4 t = touch[2 * c];
+    float4 n = w->contact[c];
+    float radii = w->base[c].z;
+    if (!staysInTouch(t.x, n.z, radii)) return;
+    recordPair(w, records, recordRoom, w->key[c], w->pair[c], n, radii, t.x, t.y, t.zw, touch[2 * c + 1].xy);
 }
 
 // The wall of an axis. c, m: circle and motion after the step.
@@ -238,6 +241,13 @@ void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, 
     }
 }
 
+// Records the walls that a circle is in touch with after the step.
+void recordWalls(const World *w, global const float4 *wallTouch, global int4 *records, int recordRoom, int slot) {
+    if (w->homeTraits[slot].x == 0.0f) return;
+    recordWall(w, wallTouch[2 * slot], records, recordRoom, slot, 0, w->homeCircle[slot], w->homeMotion[slot]);
+    recordWall(w, wallTouch[2 * slot + 1], records, recordRoom, slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
+}
+
 // Records the pairs that are in touch after the step, and the walls if they are reported. Index space: any number of work-items,
 // which take contacts and slots in turn.
 kernel void touches_end(WORLD_PARAMETERS, int withWalls, global const float4 *touch, global const float4 *wallTouch,
@@ -250,8 +260,7 @@ kernel void touches_end(WORLD_PARAMETERS, int withWalls, global const float4 *to
     }
     if (withWalls == 0) return;
     for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
-        if (homeTraits[slot].x == 0.0f) continue;
-        recordWall(&w, wallTouch[2 * slot], records, recordRoom, slot, 0, homeCircle[slot], homeMotion[slot]);
-        recordWall(&w, wallTouch[2 * slot + 1], records, recordRoom, slot, 1, homeCircle[slot], homeMotion[slot]);
+        recordWalls(&w, wallTouch, records, recordRoom, slot);
     }
 }
+#endif

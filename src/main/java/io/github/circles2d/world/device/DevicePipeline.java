@@ -26,6 +26,7 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import java.nio.FloatBuffer;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -55,7 +56,10 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** What the plans share; with other kernels if they have been compiled anew. */
+    /** The kernels that have been compiled: without a special case, for contacts of any settings, for steps that record, or for both. */
+    private final Map<String, StageKernels> variants = new HashMap<>();
+
+    /** What the plans share, with the kernels of one variant. */
     private Stages stages;
 
     /** Where steps record what contacts do, and who reads it; null if nobody is told. */
@@ -119,9 +123,10 @@ public final class DevicePipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
-            kernels = new StageKernels(session, Plans.source(plans, device), workGroupSize);
+            kernels = compile(false, false);
+            variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
-            load(kernels);
+            load(false, null);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             stats = new StepStatistics(kernels, arrays);
@@ -141,10 +146,20 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    private void load(StageKernels from) {
-        stages = new Stages(session.device(), from, arrays, parameters);
-        stages.record(touches);
+    /** Lets the plans use kernels for contacts of any settings, and for steps that record what contacts do, or others. */
+    private void load(boolean anySettings, TouchArrays recordingIn) {
+        boolean recording = recordingIn != null;
+        String variant = (anySettings ? "tuned " : "") + (recording ? "recording" : "");
+        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, recording));
+        stages = new Stages(session.device(), loaded, arrays, parameters);
+        stages.record(recordingIn);
         plans.forEach(each -> each.load(stages));
+        loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
+    }
+
+    private StageKernels compile(boolean anySettings, boolean recording) {
+        KernelSource source = Plans.source(plans, session.device());
+        return new StageKernels(session, anySettings ? source.define("TUNED", 1) : source, workGroupSize, recording);
     }
 
     /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
@@ -152,8 +167,7 @@ public final class DevicePipeline implements Pipeline {
     public void prepare(ContactSettings contacts) {
         if (contacts.areTuned() && !tuned) {
             settle();
-            KernelSource source = Plans.source(plans, session.device()).define("TUNED", 1);
-            load(new StageKernels(session, source, workGroupSize));
+            load(true, touches);
             tuned = true;
         }
     }
@@ -356,7 +370,11 @@ public final class DevicePipeline implements Pipeline {
         if (next != null) {
             next.ensure(arrays);
         }
-        stages.record(next);
+        if ((next == null) == (touches == null)) {
+            stages.record(next);
+        } else {
+            load(tuned, next); // compiles at the first report: it takes long, and few worlds report
+        }
         reader = next == null ? null : new TouchReader(next, events);
         if (touches != null) {
             touches.close();

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import java.nio.IntBuffer;
 
@@ -43,6 +44,38 @@ public final class TouchArrays implements AutoCloseable {
     public TouchArrays(Session session, boolean walls) {
         this.session = session;
         this.walls = walls;
+    }
+
+    /**
+     * What kernels have of this memory, if they are compiled for steps that record (RECORDING): a struct, and the arguments that fill
+     * it. Other kernels have none of it.
+     */
+    static String text() {
+        return """
+                #ifdef RECORDING
+                typedef struct {
+                    global float4 *touch; // by contact: see the plan's files
+                    global float4 *wallTouch; // by slot and axis: see Touches.cl
+                    global int4 *records; // see writeRecord
+                    int room; // for records
+                    int walls; // whether walls are recorded
+                } Recording;
+                #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, global int4 *records, int recordRoom, int withWalls
+                #define RECORD_IN(w) Recording recording = {touch, wallTouch, records, recordRoom, withWalls}; (w).recording = recording
+                #else
+                #define RECORDING_PARAMETERS
+                #define RECORD_IN(w)
+                #endif
+                """;
+    }
+
+    /** Gives a kernel its RECORDING_PARAMETERS, of which the first is an argument of its own. */
+    public void bind(Kernel kernel, int first) {
+        kernel.arg(StageKernels.own(first), contacts)
+                .arg(StageKernels.own(first + 1), slots)
+                .arg(StageKernels.own(first + 2), records)
+                .arg(StageKernels.own(first + 3), room())
+                .arg(StageKernels.own(first + 4), walls ? 1 : 0);
     }
 
     /** Makes room for what other arrays have room for, so that no step lacks room for its records. */

@@ -52,6 +52,19 @@ public final class Stages {
         return kernels.staged(name);
     }
 
+    /** Whether the kernels record what contacts do. */
+    boolean recording() {
+        return kernels.recording();
+    }
+
+    /** Gives a kernel, if it records what contacts do, where it does: its arguments from one of its own on. */
+    Kernel record(Kernel kernel, int first) {
+        if (recording()) {
+            touches.bind(kernel, first);
+        }
+        return kernel;
+    }
+
     /** Makes room for the tiles of steps, and notes their size and number. */
     void prepare(TileSizes sizes, Steps steps) {
         arrays.ensureTiles(sizes.tiles());
