@@ -13,6 +13,9 @@ void startStep(const World *w) {
     w->status[LONGEST_PATH] = 0;
     w->status[TILE_PEAK] = 0;
     w->status[FOUND] = 0;
+#ifdef RECORDING
+    w->status[TOUCHES] = 0;
+#endif
 }
 
 // The bucket of a circle of a level.

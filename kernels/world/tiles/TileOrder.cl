@@ -291,6 +291,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             if (i >= circles) continue;
             int slot = taken[n] & ENTRY_SLOT;
             if (taken[n] >= 0) {
+#ifdef RECORDING
+                clearWallTouch(w, slot);
+#endif
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
             }
@@ -332,6 +335,9 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
             placed[place].x = number;
             w->held[number] = normal[n].w;
+#ifdef RECORDING
+            clearTouch(w, number);
+#endif
             w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
         }
     }
@@ -383,8 +389,9 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int 
 }
 
 // Index space: a work-group a tile.
-TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     local Arrangement arrangement;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);

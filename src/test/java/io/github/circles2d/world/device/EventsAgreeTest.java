@@ -7,10 +7,11 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
-import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -21,14 +22,12 @@ class EventsAgreeTest {
         return TestDevices.all();
     }
 
-    /** In Java on one thread and on more, and what a device would take for a world that reports nothing. */
+    /** In Java on one thread and on more, and one for each plan that a device can follow. */
     private static Pipeline[] pipelines(Device device) {
-        return new Pipeline[] {
-            new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false),
-            new JvmPipeline(2, 1, 0, false),
-            new JvmPipeline(7, 1, 0, false),
-            Pipelines.of(device, Plans.choose(device)),
-        };
+        List<Pipeline> pipelines = new ArrayList<>(List.of(PipelinesAgreeTest.pipelines(device)));
+        pipelines.add(1, new JvmPipeline(2, 1, 0, false));
+        pipelines.add(2, new JvmPipeline(7, 1, 0, false));
+        return pipelines.toArray(Pipeline[]::new);
     }
 
     @ParameterizedTest
