@@ -20,6 +20,9 @@ typedef struct {
     int wide, endWide; // where the next wide contact goes, and where there is no more room
     int contacts;
     bool crowded;
+#ifdef RECORDING
+    int met; // see TOUCHES_MET
+#endif
 } Search;
 
 // Where circles are noted for the search, component by component: arrays that stage Grid is done with.
@@ -113,7 +116,7 @@ void deal(const World *w, Search *f) {
             if (lanes == 4 || (g == open - 1 && left < 4)) {
                 if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
 #ifdef RECORDING
-                if (f->wide < f->endWide) clearTouch(w, f->wide);
+                if (f->wide < f->endWide) f->met += clearTouch(w, f->wide, ids, lanes);
 #endif
                 f->wide++;
                 lanes = 0;

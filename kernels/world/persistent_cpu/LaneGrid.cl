@@ -111,7 +111,7 @@ Band sortCircles(World *w, const Crew *crew) {
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
 #ifdef RECORDING
-        w->status[TOUCHES] = 0;
+        startRecords(w);
 #endif
     }
     countPart(w, crew);

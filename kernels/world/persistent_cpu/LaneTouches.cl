@@ -8,13 +8,21 @@
 
 global float4 *touchOf(const World *w, int wide) { return w->recording.touch + 8 * wide; }
 
-// Begins a step for a wide contact.
-INLINE void clearTouch(const World *w, int wide) {
+// Begins a step for a wide contact, of which so many lanes are used. Returns how many of them held before.
+INLINE int clearTouch(const World *w, int wide, const ulong *ids, int used) {
     global float4 *t = touchOf(w, wide);
     t[0] = (float4)(NO_TOUCH);
     t[1] = (float4)(0.0f);
-    t[4] = (float4)(0.0f);
-    t[5] = (float4)(0.0f);
+    global const float *held = (global const float *) (stateOf(w, wide) + 3);
+    global float *normal = (global float *) (t + 4);
+    int met = 0;
+    for (int l = 0; l < 4; l++) {
+        float2 none = l < used ? noNormal(w, held[l], (int) (ids[l] >> 32)) : (float2)(0.0f);
+        normal[l] = none.x;
+        normal[4 + l] = none.y;
+        met += heldBefore(none);
+    }
+    return met;
 }
 
 // Notes where lanes touch. Not inlined: hardly any contact is fast.
@@ -66,27 +74,40 @@ INLINE void noteRelaxed(const World *w, int wide, float4 normalImpulse, float4 b
     noteTouches(w, wide, t[2], impulse > 0.0f);
 }
 
-// Records the contacts of a row of groups that are in touch after the step.
-void recordRow(const World *w, int row) {
+// Records those contacts of a row of groups that have to be. Returns how many hold.
+int recordRow(const World *shared, int row, bool all) {
+    World own = *shared;
+    const World *w = &own;
+    int4 holding = (int4)(0);
     int end = w->groupStart[2 * row + 1];
     for (int wide = w->groupStart[2 * row]; wide < end; wide++) {
         global const float4 *t = touchOf(w, wide);
-        global const float4 *contact = stateOf(w, wide);
+        global const float4 *state = stateOf(w, wide);
+        float4 zero = (float4)(0.0f), approach = t[0], radii = baseOf(w, wide)[2];
+        int4 holds = state[3] > 0.0f;
+        holding += holds;
         int4 used = shapeOf(w, wide)[0] > 0.0f;
-        int4 inTouch = used && staysInTouch4(t[0], contact[2], baseOf(w, wide)[2]);
-        if (!someLane(inTouch)) continue;
-        int recorded[4] = {inTouch.x, inTouch.y, inTouch.z, inTouch.w};
+        int4 inTouch = used && staysInTouch4(approach, state[2], radii);
+        // What recordPair finds out of each lane, for all at once: hardly any has a record.
+        int4 known = t[4] != 0.0f || t[5] != 0.0f;
+        int4 before = !known && as_int4(t[4]) < 0;
+        float4 threshold = bounceThreshold4(&w->k, radii, zero, w->k.thresholdRate);
+        int4 hits = isHit4(greatest4(approach, zero), t[1], threshold, w->recording.hitSpeed) || as_int4(t[5]) < 0;
+        int4 recorded = choose4(inTouch, hits || !(before && holds), before);
+        if (all) recorded = inTouch;
+        if (!someLane(recorded)) continue;
+        int some[4] = {recorded.x, recorded.y, recorded.z, recorded.w};
         for (int l = 0; l < 4; l++) {
-            if (!recorded[l]) continue;
+            if (!some[l]) continue;
             global const float *touch = (global const float *) t + l;
-            global const float *state = (global const float *) contact + l;
+            global const float *n = (global const float *) state + l;
             uint2 pr = (uint2)(pairOf(w, wide)[l], pairOf(w, wide)[4 + l]);
-            ulong ids = (ulong) (uint) w->id[pr.x] << 32 | (uint) w->id[pr.y];
-            float4 n = (float4)(state[0], state[4], state[8], state[12]);
-            recordPair(w, w->recording.records, w->recording.room, ids, pr, n, ((global const float *) (baseOf(w, wide) + 2))[l],
-                       touch[0], touch[4], (float2)(touch[16], touch[20]), (float2)(touch[24], touch[28]));
+            recordPair(shared, all, pr, (float4)(n[0], n[4], n[8], 0.0f), n[12],
+                       ((global const float *) (baseOf(w, wide) + 2))[l], touch[0], touch[4],
+                       (float2)(touch[16], touch[20]), (float2)(touch[24], touch[28]));
         }
     }
+    return -(holding.x + holding.y + holding.z + holding.w);
 }
 
 // Begins a step for the walls of a circle.
@@ -101,7 +122,7 @@ void recordWallsOfRow(const World *w, int row) {
     if (!w->recording.walls) return;
     Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
-        recordWalls(w, w->recording.wallTouch, w->recording.records, w->recording.room, slot);
+        recordWalls(w, slot);
     }
 }
 #endif

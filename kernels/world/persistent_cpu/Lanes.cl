@@ -18,6 +18,9 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     f.speculativeDistance = searchSpeculativeDistance(w);
     f.gathered = f.groups = f.start[0] = f.contacts = 0;
     f.crowded = false;
+#ifdef RECORDING
+    f.met = 0;
+#endif
     int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
     int first = crew->group * room;
     f.wide = first;
@@ -28,6 +31,9 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
             if (f.crowded) w->status[CROWDED] = 1;
             if (f.wide > f.endWide) w->status[OUT_OF_ROOM] = 1;
             atomic_add(&w->status[CONTACTS], f.contacts);
+#ifdef RECORDING
+            atomic_add(&w->status[TOUCHES_MET], f.met);
+#endif
             atomic_max(&w->status[MOST_PLACES], 4 * (f.wide - first));
             atomic_max(&w->status[PLACES], 4 * min(f.wide, f.endWide));
             awaitCrew(w, crew); // the row after the last is another band's
@@ -121,10 +127,13 @@ void solveInPasses(World *w, int rows) {
 #ifdef RECORDING
 // Records what touches after a step, once all have made it.
 void recordBand(const World *w, const Crew *crew, const Band *band) {
+    bool all = recordsAll(w);
+    int held = 0;
     for (int row = band->from; row < band->to; row++) {
-        recordRow(w, row);
+        held += recordRow(w, row, all);
         recordWallsOfRow(w, row);
     }
+    endRecords(w, all, held);
     awaitCrew(w, crew);
 }
 #endif

@@ -175,7 +175,10 @@ void solveAll(World *w, local Tile *t) {
 // Records what touches after a step, and waits for it: the next step would take its place.
 void recordAll(const World *w) {
     int tiles = tileCount(w);
-    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) recordTile(w, tile);
+    bool all = recordsAll(w);
+    int held = 0;
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) held += recordTile(w, tile, all);
+    endRecords(w, all, held);
     recordWallsOfSlots(w, (int) get_global_id(0), (int) get_global_size(0));
     deviceBarrier(w->status + ARRIVALS);
 }

@@ -14,6 +14,12 @@ MASK NAME(staysInTouch)(REAL approach, REAL separation, REAL radii) {
     return approach >= 0.0f || separation <= TOUCH_SLACK * radii;
 }
 
+// Whether a touch is a hit. threshold: the square of the speed that it must exceed, unless a speed is set (0 or more).
+MASK NAME(isHit)(REAL approach, REAL impulse, REAL threshold, float hitSpeed) {
+    if (hitSpeed >= 0.0f) return impulse > 0.0f && approach >= hitSpeed;
+    return impulse > 0.0f && approach * approach > threshold;
+}
+
 REAL NAME(touchPoint)(REAL x, REAL displacement, REAL normal, REAL radius, REAL separation) {
     return (x + displacement) + normal * (radius + 0.5f * separation);
 }

@@ -311,6 +311,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
     global int2 *placed = contactsOf(record);
     int room = copyRoom(w);
+#ifdef RECORDING
+    int met = 0;
+#endif
     TILE_TOGETHER(first, contacts, ARRANGED) {
         int2 contact[MOST_TOGETHER];
         float4 normal[MOST_TOGETHER];
@@ -336,11 +339,14 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             placed[place].x = number;
             w->held[number] = normal[n].w;
 #ifdef RECORDING
-            clearTouch(w, number);
+            met += clearTouch(w, number, normal[n].w, a->of.circle.slot[i]);
 #endif
             w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
         }
     }
+#ifdef RECORDING
+    if (met > 0) atomic_add(&w->status[TOUCHES_MET], met);
+#endif
     if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 

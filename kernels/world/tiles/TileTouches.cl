@@ -14,10 +14,12 @@ global float2 *touchSoFar(const World *w) { return touchNow(w) + w->contactRoom;
 
 global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->contactRoom); }
 
-// Begins a step for a contact.
-void clearTouch(const World *w, int number) {
+// Begins a step for a contact. held: its impulse; slot: of the lower id. Returns whether it held before.
+bool clearTouch(const World *w, int number, float held, int slot) {
+    float2 normal = noNormal(w, held, w->id[slot]);
     touchSoFar(w)[number] = (float2)(NO_TOUCH, 0.0f);
-    touchPlace(w)[number] = (float4)(0.0f);
+    touchPlace(w)[number] = (float4)(normal.x, normal.y, 0.0f, 0.0f);
+    return heldBefore(normal);
 }
 
 // Begins a step for the walls of a circle.
@@ -65,31 +67,30 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     }
 }
 
-// Records the contacts of a tile that are in touch after the step. Once all tiles have made it.
-void recordTile(const World *w, int tile) {
+// Records those contacts of a tile that have to be, once all tiles have made the step. Returns how many of a work-item's hold.
+int recordTile(const World *w, int tile, bool all) {
     global int *record = recordOf(w, tile);
     global const int2 *placed = contactsOf(record);
     int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
+    int held = 0;
     TILE_EACH(place, contacts) {
         int number = placed[place].x;
         if (number < 0) continue;
         int copy = record[RECORD_COPIES] + place;
-        float4 n = w->contact[copy];
-        float radii = w->shape[copy].x;
+        float holds = w->held[number];
         float2 t = touchSoFar(w)[number];
-        if (!staysInTouch(t.x, n.z, radii)) continue;
         float4 at = touchPlace(w)[number];
-        uint2 pr = w->ordered[number];
-        ulong ids = (ulong) (uint) w->id[pr.x] << 32 | (uint) w->id[pr.y];
-        recordPair(w, w->recording.records, w->recording.room, ids, pr, n, radii, t.x, t.y, at.xy, at.zw);
+        recordPair(w, all, w->ordered[number], w->contact[copy], holds, w->shape[copy].x, t.x, t.y, at.xy, at.zw);
+        held += holds > 0.0f;
     }
+    return held;
 }
 
 // Records the walls that circles are in touch with. first, step: which circles.
 void recordWallsOfSlots(const World *w, int first, int step) {
     int circles = w->recording.walls ? w->circles : 0;
     for (int slot = first; slot < circles; slot += step) {
-        recordWalls(w, w->recording.wallTouch, w->recording.records, w->recording.room, slot);
+        recordWalls(w, slot);
     }
 }
 
@@ -98,7 +99,8 @@ TILE_KERNEL touches_recordTile(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     if (refused(&w)) return;
-    recordTile(&w, (int) get_group_id(0));
+    bool all = recordsAll(&w);
+    endRecords(&w, all, recordTile(&w, (int) get_group_id(0), all));
     recordWallsOfSlots(&w, (int) get_global_id(0), (int) get_global_size(0));
 }
 #endif

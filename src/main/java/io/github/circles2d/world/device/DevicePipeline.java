@@ -245,7 +245,7 @@ public final class DevicePipeline implements Pipeline {
                 thinning > 0,
                 touches != null);
         if (touches != null) {
-            touches.ensure(arrays);
+            touches.prepare(arrays, stepsSeen, reader.wantsAll(), reader.hitSpeed());
         }
         pendingSteps += steps;
         plan = Plans.first(plans, wanted);
@@ -263,7 +263,7 @@ public final class DevicePipeline implements Pipeline {
                 commands.slotsInOrder();
                 warmScale = 1f;
                 if (reader != null) {
-                    reader.endStep(status.get(StatusWord.TOUCHES));
+                    reader.endStep(status.get(StatusWord.TOUCHES), status.has(StatusWord.TOUCHES_ALL));
                 }
             }
             pendingSteps -= done;

@@ -8,10 +8,13 @@ import static io.github.circles2d.world.device.memory.TouchArrays.AT_NORMAL_Y;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_OTHER;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_X;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_Y;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_SAYS;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_THRESHOLD;
-import static io.github.circles2d.world.device.memory.TouchArrays.AT_TOUCHING;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_VN;
+import static io.github.circles2d.world.device.memory.TouchArrays.HOLDS;
+import static io.github.circles2d.world.device.memory.TouchArrays.PARTED;
 import static io.github.circles2d.world.device.memory.TouchArrays.RECORD;
+import static io.github.circles2d.world.device.memory.TouchArrays.TOUCHING;
 
 import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.events.ContactEvents;
@@ -29,8 +32,23 @@ final class TouchReader {
         this.events = events;
     }
 
-    /** Ends a step with a number of records, which are in no order. */
-    void endStep(int count) {
+    /** Whether the next step has to record all pairs in touch. */
+    boolean wantsAll() {
+        return events.wantsAll();
+    }
+
+    /** The speed that counts as a hit; negative: that of the pair. */
+    float hitSpeed() {
+        return events.hitSpeed();
+    }
+
+    /**
+     * Ends a step.
+     *
+     * @param count its records, which are in no order
+     * @param all whether they are of all pairs in touch
+     */
+    void endStep(int count, boolean all) {
         if (count > arrays.room()) {
             throw new IllegalStateException(count + " records of touches do not fit into " + arrays.room());
         }
@@ -42,10 +60,15 @@ final class TouchReader {
         for (int at = 0; at < RECORD * count; at += RECORD) {
             int id = words[at + AT_ID];
             int other = words[at + AT_OTHER];
+            int says = words[at + AT_SAYS];
+            if ((says & PARTED) != 0) {
+                events.part(id, other);
+                continue;
+            }
             float approach = real(at + AT_APPROACH);
             float impulse = real(at + AT_IMPULSE);
             float threshold = real(at + AT_THRESHOLD);
-            if (events.concerns(id, other, words[at + AT_TOUCHING] != 0, approach, impulse, threshold)) {
+            if (events.concerns(id, other, (says & TOUCHING) != 0, approach, impulse, threshold)) {
                 records.add(
                         id,
                         other,
@@ -59,7 +82,13 @@ final class TouchReader {
                         threshold);
             }
         }
-        events.endStep(records);
+        events.endStep(all, records);
+        for (int at = 0; at < RECORD * count; at += RECORD) {
+            if ((words[at + AT_SAYS] & HOLDS) != 0) {
+                events.hold(words[at + AT_ID], words[at + AT_OTHER]);
+            }
+        }
+        arrays.stepMade();
     }
 
     private float real(int at) {

@@ -53,10 +53,11 @@ final class OclgrindWorlds {
             case "COLOURS":
                 kernels.addAll(scan());
                 kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
-                kernels.addAll(events(Scenes.mixed(small ? 20 : 40, 2)));
+                kernels.addAll(events(Plans.COLOURS, Scenes.mixed(small ? 20 : 40, 2)));
                 break;
             case "TILES":
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
                 break;
             case "PERSISTENT_GPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
@@ -86,6 +87,7 @@ final class OclgrindWorlds {
     private Set<String> persistent(Plans plans) {
         Set<String> kernels = new TreeSet<>(steps(plans, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
         kernels.addAll(steps(plans, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 2));
+        kernels.addAll(events(plans, Scenes.thesis(40, 1)));
         return kernels;
     }
 
@@ -128,8 +130,8 @@ final class OclgrindWorlds {
     }
 
     /** Steps that record what contacts do. */
-    private Set<String> events(Scene scene) {
-        DevicePipeline pipeline = pipeline(Plans.COLOURS);
+    private Set<String> events(Plans plans, Scene scene) {
+        DevicePipeline pipeline = pipeline(plans);
         try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
             int events = 0;

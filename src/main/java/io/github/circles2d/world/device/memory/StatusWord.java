@@ -20,7 +20,10 @@ public enum StatusWord {
     DEPARTURES(33, "of work-groups"),
     FOUND(48, "contacts found so far, in no order; away from what every work-item reads"),
     TOUCHES(50, "records of touching pairs after the last step"),
-    MEETING(49, "by lanes: whether all work-groups are here");
+    MEETING(49, "by lanes: whether all work-groups are here"),
+    TOUCHES_HELD(60, "by the parity of the step, two words: contacts that ended it with an impulse"),
+    TOUCHES_MET(62, "contacts that start the step with an impulse"),
+    TOUCHES_ALL(63, "1 where the records of the last step are of all pairs in touch");
 
     /** Ints of the status. */
     static final int WORDS = 64;

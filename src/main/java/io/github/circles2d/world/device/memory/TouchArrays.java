@@ -13,7 +13,7 @@ public final class TouchArrays implements AutoCloseable {
     // Ints of a record, from its beginning.
     public static final int AT_ID = 0;
     public static final int AT_OTHER = 1;
-    public static final int AT_TOUCHING = 2;
+    public static final int AT_SAYS = 2;
     public static final int AT_APPROACH = 3;
     public static final int AT_IMPULSE = 4;
     public static final int AT_VN = 5;
@@ -22,6 +22,11 @@ public final class TouchArrays implements AutoCloseable {
     public static final int AT_NORMAL_Y = 8;
     public static final int AT_POINT_X = 9;
     public static final int AT_POINT_Y = 10;
+
+    // What a record says, as bits: see TouchRecords.cl.
+    public static final int TOUCHING = 1;
+    public static final int HOLDS = 2;
+    public static final int PARTED = 4;
 
     private static final long CONTACT_BYTES = 32;
     private static final long SLOT_BYTES = 32;
@@ -35,6 +40,15 @@ public final class TouchArrays implements AutoCloseable {
     private DeviceBuffer contacts;
     private DeviceBuffer slots;
     private DeviceBuffer records;
+    private DeviceBuffer hits;
+
+    /** A step's number is that of the steps made before it and this: 0, which memory is filled with at first, is of none. */
+    private static final int FIRST_STEP = 2;
+
+    private int step;
+
+    private boolean all;
+    private float hitSpeed;
 
     /**
      * No memory yet.
@@ -57,11 +71,17 @@ public final class TouchArrays implements AutoCloseable {
                     global float4 *touch; // by contact: see the plan's files
                     global float4 *wallTouch; // by slot and axis: see Touches.cl
                     global int4 *records; // see writeRecord
+                    global int *hitBy; // see hitOf
                     int room; // for records
                     int walls; // whether walls are recorded
+                    int step; // its number: two more than steps were made before it
+                    int all; // whether all pairs in touch are to be recorded
+                    float hitSpeed; // that counts as a hit; negative: that of the pair
                 } Recording;
-                #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, global int4 *records, int recordRoom, int withWalls
-                #define RECORD_IN(w) Recording recording = {touch, wallTouch, records, recordRoom, withWalls}; (w).recording = recording
+                #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, global int4 *records, \
+                    global int *hitBy, int recordRoom, int withWalls, int recordStep, int recordAll, float hitSpeed
+                #define RECORD_IN(w) Recording recording = {touch, wallTouch, records, hitBy, recordRoom, withWalls, \
+                    recordStep, recordAll, hitSpeed}; (w).recording = recording
                 #else
                 #define RECORDING_PARAMETERS
                 #define RECORD_IN(w)
@@ -74,8 +94,32 @@ public final class TouchArrays implements AutoCloseable {
         kernel.arg(StageKernels.own(first), contacts)
                 .arg(StageKernels.own(first + 1), slots)
                 .arg(StageKernels.own(first + 2), records)
-                .arg(StageKernels.own(first + 3), room())
-                .arg(StageKernels.own(first + 4), walls ? 1 : 0);
+                .arg(StageKernels.own(first + 3), hits)
+                .arg(StageKernels.own(first + 4), room())
+                .arg(StageKernels.own(first + 5), walls ? 1 : 0)
+                .arg(StageKernels.own(first + 6), step)
+                .arg(StageKernels.own(first + 7), all ? 1 : 0)
+                .arg(StageKernels.own(first + 8), hitSpeed);
+    }
+
+    /**
+     * Prepares the next step.
+     *
+     * @param stepsMade before it, since the world was made
+     * @param wanted whether it has to record all pairs in touch
+     * @param speed that counts as a hit; negative: that of the pair
+     */
+    public void prepare(DeviceArrays arrays, int stepsMade, boolean wanted, float speed) {
+        step = FIRST_STEP + stepsMade;
+        boolean forgetsHits = 2L * Integer.BYTES * arrays.idCapacity() > hits.bytes();
+        all |= wanted || forgetsHits; // until the step has been made: it may be refused at first
+        hitSpeed = speed;
+        ensure(arrays);
+    }
+
+    /** Takes note that the step has been made. */
+    public void stepMade() {
+        all = false;
     }
 
     /** Makes room for what other arrays have room for, so that no step lacks room for its records. */
@@ -84,6 +128,7 @@ public final class TouchArrays implements AutoCloseable {
         contacts = ensure("touches", contacts, CONTACT_BYTES * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
         records = ensure("records of touches", records, RECORD_BYTES * room);
+        hits = ensure("hits of circles", hits, 2L * Integer.BYTES * arrays.idCapacity());
     }
 
     private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
@@ -131,7 +176,7 @@ public final class TouchArrays implements AutoCloseable {
 
     @Override
     public void close() {
-        for (DeviceBuffer buffer : new DeviceBuffer[] {contacts, slots, records}) {
+        for (DeviceBuffer buffer : new DeviceBuffer[] {contacts, slots, records, hits}) {
             if (buffer != null) {
                 buffer.close();
             }
