@@ -42,14 +42,31 @@ class WorldOclgrindTest {
 
     @Test
     void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
-        assertThat(run("small", "PERSISTENT_CPU", "PERSISTENT_GPU", "COLOURS", "crowd", "fast", "TILES"))
+        assertThat(run(
+                        "small",
+                        "PERSISTENT_CPU",
+                        OclgrindWorlds.EVENTS_OF_LANES,
+                        "PERSISTENT_GPU",
+                        "COLOURS",
+                        "crowd",
+                        "fast",
+                        "TILES"))
                 .containsAll(kernelsInFiles());
     }
 
     @Test
     @Tag("exhaustive")
     void norDoesAnyInLargerWorldsAndInWorkGroupsOfTheUsualSize() throws Exception {
-        assertThat(run("large", "COLOURS", "PERSISTENT_GPU", "PERSISTENT_CPU", "crowd", "wide", "fast", "TILES"))
+        assertThat(run(
+                        "large",
+                        "COLOURS",
+                        "PERSISTENT_GPU",
+                        "PERSISTENT_CPU",
+                        OclgrindWorlds.EVENTS_OF_LANES,
+                        "crowd",
+                        "wide",
+                        "fast",
+                        "TILES"))
                 .containsAll(kernelsInFiles());
     }
 
@@ -84,7 +101,7 @@ class WorldOclgrindTest {
                 .option("-Djavacl.cacheBinaries=false")
                 .environment("OCL_ICD_VENDORS", driver)
                 .environment("OCLGRIND_DATA_RACES", "1")
-                .environment("OCLGRIND_UNINITIALIZED", "1")
+                .environment("OCLGRIND_UNINITIALIZED", world.equals(OclgrindWorlds.EVENTS_OF_LANES) ? "0" : "1")
                 .environment("OCLGRIND_CHECK_API", "1")
                 .environment("OCLGRIND_LOCAL_MEM_SIZE", "65536")
                 // Optimised, a vector that is put together from its parts counts as not initialised.

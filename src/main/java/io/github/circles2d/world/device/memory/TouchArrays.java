@@ -79,9 +79,9 @@ public final class TouchArrays implements AutoCloseable {
                     float hitSpeed; // that counts as a hit; negative: that of the pair
                 } Recording;
                 #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, global int4 *records, \
-                    global int *hitBy, int recordRoom, int withWalls, int recordStep, int recordAll, float hitSpeed
+                    global int *hitBy, int recordRoom, int withWalls, int stepNumber, int everyPair, float hitSpeed
                 #define RECORD_IN(w) Recording recording = {touch, wallTouch, records, hitBy, recordRoom, withWalls, \
-                    recordStep, recordAll, hitSpeed}; (w).recording = recording
+                    stepNumber, everyPair, hitSpeed}; (w).recording = recording
                 #else
                 #define RECORDING_PARAMETERS
                 #define RECORD_IN(w)
