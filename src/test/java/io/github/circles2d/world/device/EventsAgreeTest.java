@@ -7,6 +7,7 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
@@ -105,6 +106,49 @@ class EventsAgreeTest {
                 assertThat(events).as(scene.name()).isPositive();
                 twins.assertEqual(scene.name());
             }
+        }
+    }
+
+    /** Many circles, so that several work-groups share a step; most pairs press each other step after step. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void pilesHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.packed(3000, 1);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            twins.report(ContactEvents.ALL);
+            int events = 0;
+            for (int k = 0; k < 12; k++) {
+                twins.step(scene.timeStep(), k < 6 ? 1 : 10);
+                events += twins.assertSameEvents(scene.name() + " after call " + k);
+            }
+            assertThat(events).isPositive();
+            twins.assertEqual(scene.name());
+        }
+    }
+
+    /** Two plans make steps of one world in turn: what one leaves of the pairs in touch, the other goes on from. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void plansThatTakeTurnsHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.packed(1200, 5);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            twins.report(ContactEvents.ALL);
+            for (int k = 0; k < 12; k++) {
+                // A circle that is much larger makes a second level, which only the plan by colours takes; a new one
+                // moves far off.
+                if (k % 3 == 2) {
+                    twins.set(Commands.RADIUS, 0, (k % 2 == 0 ? 1 : 5) * scene.radius(0), 0);
+                }
+                if (k % 4 == 3) {
+                    twins.move(7 * k, 0.5f, 0.9f);
+                }
+                twins.step(scene.timeStep(), 1 + k % 3);
+                if (k == 5 || k == 6) {
+                    twins.exchange();
+                }
+                twins.assertSameEvents("turn " + k);
+            }
+            twins.assertEqual(scene.name());
         }
     }
 }
