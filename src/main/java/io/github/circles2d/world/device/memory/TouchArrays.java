@@ -42,7 +42,7 @@ public final class TouchArrays implements AutoCloseable {
     private DeviceBuffer records;
     private DeviceBuffer hits;
 
-    /** A step's number is that of the steps made before it and this: 0, which memory is filled with at first, is of none. */
+    /** A step's number is that of the steps made before it and this: 0, which is in memory at first, is of none. */
     private static final int FIRST_STEP = 2;
 
     private int step;
@@ -128,7 +128,11 @@ public final class TouchArrays implements AutoCloseable {
         contacts = ensure("touches", contacts, CONTACT_BYTES * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
         records = ensure("records of touches", records, RECORD_BYTES * room);
+        DeviceBuffer before = hits;
         hits = ensure("hits of circles", hits, 2L * Integer.BYTES * arrays.idCapacity());
+        if (hits != before) {
+            hits.write(0, IntBuffer.wrap(new int[Math.multiplyExact(2, arrays.idCapacity())]));
+        }
     }
 
     private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
