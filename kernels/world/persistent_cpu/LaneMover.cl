@@ -95,5 +95,8 @@ void finishRow(const World *shared, int row) {
     for (int slot = cells.from; slot < cells.to; slot++) {
         finalizePositions(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
         w->homeFirstCached[slot] = w->firstCached[slot];
+#ifdef RECORDING
+        if (w->recording.walls) recordWalls(shared, slot);
+#endif
     }
 }

@@ -116,13 +116,4 @@ void clearWallTouch(const World *w, int slot) {
     w->recording.wallTouch[2 * slot] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     w->recording.wallTouch[2 * slot + 1] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
 }
-
-// Records the walls that the circles of a row of cells are in touch with.
-void recordWallsOfRow(const World *w, int row) {
-    if (!w->recording.walls) return;
-    Cells cells = cellsOf(w, row);
-    for (int slot = cells.from; slot < cells.to; slot++) {
-        recordWalls(w, slot);
-    }
-}
 #endif

@@ -125,14 +125,11 @@ void solveInPasses(World *w, int rows) {
 }
 
 #ifdef RECORDING
-// Records what touches after a step, once all have made it.
+// Records pairs after a step, once all have made it.
 void recordBand(const World *w, const Crew *crew, const Band *band) {
     bool all = recordsAll(w);
     int held = 0;
-    for (int row = band->from; row < band->to; row++) {
-        held += recordRow(w, row, all);
-        recordWallsOfRow(w, row);
-    }
+    for (int row = band->from; row < band->to; row++) held += recordRow(w, row, all);
     endRecords(w, all, held);
     awaitCrew(w, crew);
 }
