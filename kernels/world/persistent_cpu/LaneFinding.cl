@@ -1,5 +1,5 @@
 // uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
-// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneTouches.cl
 // Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
 // lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
 // the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
@@ -20,6 +20,9 @@ typedef struct {
     int wide, endWide; // where the next wide contact goes, and where there is no more room
     int contacts;
     bool crowded;
+#ifdef RECORDING
+    int met; // see TOUCHES_MET
+#endif
 } Search;
 
 // Where circles are noted for the search, component by component: arrays that stage Grid is done with.
@@ -112,6 +115,9 @@ void deal(const World *w, Search *f) {
             left += from + 1 < last;
             if (lanes == 4 || (g == open - 1 && left < 4)) {
                 if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
+#ifdef RECORDING
+                if (f->wide < f->endWide) f->met += clearTouch(w, f->wide, ids, lanes);
+#endif
                 f->wide++;
                 lanes = 0;
             }

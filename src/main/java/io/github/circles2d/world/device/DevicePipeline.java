@@ -15,6 +15,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
+import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
@@ -27,6 +28,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -56,7 +58,10 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** What the plans share; with other kernels if they have been compiled anew. */
+    /** The kernels that have been compiled: without a special case, for contacts of any settings, for steps that record, or for both. */
+    private final Map<String, StageKernels> variants = new HashMap<>();
+
+    /** What the plans share, with the kernels of one variant. */
     private Stages stages;
 
     /** What is reported of steps; null if nobody is told. */
@@ -119,9 +124,10 @@ public final class DevicePipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
-            kernels = new StageKernels(session, Plans.source(plans, device), workGroupSize);
+            kernels = compile(false, false);
+            variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
-            load(kernels);
+            load(false, null);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
@@ -142,10 +148,25 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    private void load(StageKernels from) {
-        stages = new Stages(session.device(), from, arrays, parameters);
-        stages.record(reader == null ? null : reader.touches());
+    /** Lets the plans use kernels for contacts of any settings, and for steps that record what contacts do, or others. */
+    private void load(boolean anySettings, TouchArrays recordingIn) {
+        boolean recording = recordingIn != null;
+        String variant = (anySettings ? "tuned " : "") + (recording ? "recording" : "");
+        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, recording));
+        stages = new Stages(session.device(), loaded, arrays, parameters);
+        stages.record(recordingIn);
         plans.forEach(each -> each.load(stages));
+        loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
+    }
+
+    /** Where steps record what contacts do; null if they do not. */
+    private TouchArrays recordedIn() {
+        return reader != null && reader.isRecording() ? reader.touches() : null;
+    }
+
+    private StageKernels compile(boolean anySettings, boolean recording) {
+        KernelSource source = Plans.source(plans, session.device());
+        return new StageKernels(session, anySettings ? source.define("TUNED", 1) : source, workGroupSize, recording);
     }
 
     /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
@@ -153,8 +174,7 @@ public final class DevicePipeline implements Pipeline {
     public void prepare(ContactSettings contacts) {
         if (contacts.areTuned() && !tuned) {
             settle();
-            KernelSource source = Plans.source(plans, session.device()).define("TUNED", 1);
-            load(new StageKernels(session, source, workGroupSize));
+            load(true, recordedIn());
             tuned = true;
         }
     }
@@ -199,6 +219,9 @@ public final class DevicePipeline implements Pipeline {
             if (reader != null) {
                 reader.prepare(constants);
             }
+            if (recordedIn() != stages.touches()) {
+                load(tuned, recordedIn()); // compiles at the first report: it takes long, and few worlds report
+            }
             arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
@@ -238,7 +261,7 @@ public final class DevicePipeline implements Pipeline {
                 thinning > 0,
                 reader != null && reader.isRecording());
         if (reader != null) {
-            reader.before(stages, arrays, wanted.slots());
+            reader.before(stages, arrays, wanted.slots(), stepsSeen);
         }
         pendingSteps += steps;
         plan = Plans.first(plans, wanted);
@@ -363,7 +386,9 @@ public final class DevicePipeline implements Pipeline {
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
-        stages.record(next == null ? null : next.touches());
+        if (stages.touches() != null) {
+            load(tuned, null);
+        }
         if (reader != null) {
             reader.close();
         }

@@ -84,6 +84,9 @@ public final class ContactEvents {
     /** The stamp of the step that is being looked at. */
     private int now = 1;
 
+    /** Whether the next step has to tell of every pair in touch, since some are not as it left them. */
+    private boolean wantsAll = true;
+
     /** Steps since events were taken last: those of which there are events, those that have been asked for, and of these those of a request. */
     private int steps;
 
@@ -186,6 +189,7 @@ public final class ContactEvents {
     }
 
     private void changed(boolean was, HandleTable handles) {
+        wantsAll = true;
         if (!isOn()) {
             pairs.clear();
             step.clear();
@@ -269,6 +273,7 @@ public final class ContactEvents {
                     waiting = false;
                 }
                 kindOf[id] = (byte) commands.second(c);
+                wantsAll |= reported.dependsOnKinds();
             }
         }
         if (waiting) {
@@ -342,12 +347,44 @@ public final class ContactEvents {
         return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
     }
 
+    /** Whether the next step has to tell of every pair in touch, also of those that {@link #hold}. */
+    public boolean wantsAll() {
+        return wantsAll;
+    }
+
+    /** Takes note that a step ends with a pair that will be told of when it parts. */
+    public void hold(int lower, int higher) {
+        int pair = pairs.find(lower, higher);
+        if (pair != TouchingPairs.NONE) {
+            pairs.hold(pair);
+        }
+    }
+
+    /** Tells of a pair that was to be told of when it parts. */
+    public void part(int lower, int higher) {
+        int pair = pairs.find(lower, higher);
+        if (pair != TouchingPairs.NONE) {
+            pairs.stamp(pair, TouchingPairs.NEVER);
+        }
+    }
+
     /**
-     * Ends a step.
+     * Ends a step that has told of every pair in touch.
      *
      * @param records those that {@link #concerns} asked for, in any order
      */
     public void endStep(TouchRecords... records) {
+        endStep(true, records);
+    }
+
+    /**
+     * Ends a step.
+     *
+     * @param all whether it has told of every pair in touch; else of those that hold only if something happened to them
+     * @param records those that {@link #concerns} asked for, in any order
+     */
+    public void endStep(boolean all, TouchRecords... records) {
+        wantsAll = false;
         stillOpen.clear();
         for (TouchRecords list : records) {
             for (int r = 0; r < list.count; r++) {
@@ -355,7 +392,7 @@ public final class ContactEvents {
             }
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (pairs.stamp(pair) != now) {
+            if (pairs.stamp(pair) != now && (all || !pairs.holds(pair))) {
                 addOpenHit(pair, RANK_OF_HIT);
                 add(pair, END, RANK_OF_END);
                 pairs.remove(pair);
@@ -572,6 +609,7 @@ public final class ContactEvents {
      * @param handles those of the state
      */
     public void load(SavedTouches from, HandleTable handles) {
+        wantsAll = true;
         events.clear();
         steps = 0;
         asked = 0;

@@ -35,6 +35,7 @@ final class WorldTables {
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
+        text.append(TouchArrays.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
 
@@ -110,6 +111,7 @@ final class WorldTables {
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
         text.append("    int subStep; // the one that is made, where walls may move\n");
+        text.append("#ifdef RECORDING\n    Recording recording;\n#endif\n");
         return text.append("} World;\n").toString();
     }
 
