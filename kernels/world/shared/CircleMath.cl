@@ -11,6 +11,14 @@ float lostByRounding(float base, float displacement, float sum) {
     return (base - (sum - part)) + (displacement - part);
 }
 
+float lapsOf(float x, float min, float period) { return floor((x - min) / period); }
+
+float shareOfPeriod(float p, float period) {
+    float most = 0.125f * period;
+    float way = fabs(p);
+    return way > most ? most / way : 1.0f;
+}
+
 float inverseMass(float mass) { return 1.0f / mass; }
 
 float limitSpeed(float v) { return bounded(v, -GREATEST_SPEED, GREATEST_SPEED); }
@@ -32,7 +40,7 @@ float gain(float gravityGain, float force, float w, float h) {
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
-float travelSpeed(float from, float to, float dt) { return limitSpeed((to - from) / dt); }
+float travelSpeed(float from, float to, float dt, float period) { return limitSpeed(shortWay(to - from, period) / dt); }
 
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 

@@ -103,7 +103,13 @@ public final class BulkChanges {
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepareChange(ahead, operation, id, a, b);
+        boolean places = operation == Commands.POSITION;
+        commands.prepareChange(
+                ahead,
+                operation,
+                id,
+                places ? simulation.bounds.placeX(a) : a,
+                places ? simulation.bounds.placeY(b) : b);
     }
 
     /**
@@ -191,7 +197,7 @@ public final class BulkChanges {
     public int explode(float x, float y, float radius, float impulse, float falloff) {
         guard.enter();
         try {
-            explosion.set(x, y, radius, impulse, falloff);
+            explosion.set(x, y, radius, impulse, falloff, simulation.bounds);
             float[] circles = simulation.last.circles();
             simulation.expect(0);
             int changes = 0;

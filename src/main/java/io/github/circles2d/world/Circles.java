@@ -45,7 +45,8 @@ public final class Circles {
                 handles.fields().ensure(CircleField.KIND, handles.end() + 1);
             }
             float restitution = newRestitution(kind);
-            commands.prepare(0, x, y, radius, mass, restitution, vx, vy);
+            commands.prepare(
+                    0, simulation.bounds.placeX(x), simulation.bounds.placeY(y), radius, mass, restitution, vx, vy);
             simulation.changed();
             guard.changing = true;
             long handle = admit(restitution);
@@ -119,7 +120,8 @@ public final class Circles {
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, newRestitution(0), vx, vy);
+        commands.prepare(
+                i, simulation.bounds.placeX(x), simulation.bounds.placeY(y), radius, mass, newRestitution(0), vx, vy);
     }
 
     private void checkRoom(int more) {
@@ -231,8 +233,10 @@ public final class Circles {
             if (operation == Commands.MASS) {
                 setMass(id, a);
             }
-            commands.set(operation, id, a, b);
-            if (operation == Commands.POSITION) {
+            boolean places = operation == Commands.POSITION;
+            commands.set(
+                    operation, id, places ? simulation.bounds.placeX(a) : a, places ? simulation.bounds.placeY(b) : b);
+            if (places) {
                 simulation.travels.forget(id);
             } else if (operation == Commands.RADIUS) {
                 handles.setRadius(id, a);
@@ -269,8 +273,10 @@ public final class Circles {
             if (handles.isStatic(id)) {
                 simulation.travels.ensure(id, 0);
                 simulation.snapshots().forget();
-                simulation.journal.travel(id, x, y);
-                simulation.travels.set(id, x, y);
+                float toX = simulation.bounds.placeX(x);
+                float toY = simulation.bounds.placeY(y);
+                simulation.journal.travel(id, toX, toY);
+                simulation.travels.set(id, toX, toY);
                 return;
             }
         } catch (RuntimeException | Error e) {

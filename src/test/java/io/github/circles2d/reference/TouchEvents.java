@@ -1,5 +1,6 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -97,7 +98,7 @@ final class TouchEvents {
     }
 
     /** Ends a step. */
-    void step(List<Contact> contacts, List<Circle> circles) {
+    void step(List<Contact> contacts, List<Circle> circles, Arena arena) {
         if ((types & ~Events.WALL) == 0) {
             return;
         }
@@ -108,9 +109,14 @@ final class TouchEvents {
         if ((types & Events.WALL) != 0) {
             for (Circle c : circles) {
                 for (int a = 0; a < 2 && !c.isStatic(); a++) {
-                    c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c.handle, 0, side), t));
+                    if (arena.edges()[a] == Edge.WALL) {
+                        c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c.handle, 0, side), t));
+                    }
                 }
             }
+        }
+        for (Touch t : now.values()) {
+            t.point = new float[] {arena.inside(0, t.point[0]), arena.inside(1, t.point[1])};
         }
         now.forEach(this::look);
         end(key -> !now.containsKey(key) || !now.get(key).staysInTouch(), 3);

@@ -86,6 +86,9 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
 
+    /** Whether the plans have been compiled for axes without walls. */
+    private boolean isEdged;
+
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
 
@@ -147,14 +150,18 @@ public final class DevicePipeline implements Pipeline {
         plans.forEach(each -> each.load(stages));
     }
 
-    /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
+    /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts) {
-        if (contacts.areTuned() && !tuned) {
+    public void prepare(ContactSettings contacts, boolean edges) {
+        boolean tunes = tuned || contacts.areTuned();
+        boolean edged = isEdged || edges;
+        if (tunes != tuned || edged != isEdged) {
             settle();
-            KernelSource source = Plans.source(plans, session.device()).define("TUNED", 1);
-            load(new StageKernels(session, source, workGroupSize));
-            tuned = true;
+            KernelSource source = Plans.source(plans, session.device());
+            source = tunes ? source.define("TUNED", 1) : source;
+            load(new StageKernels(session, edged ? source.define("EDGES", 1) : source, workGroupSize));
+            tuned = tunes;
+            isEdged = edged;
         }
     }
 

@@ -3,6 +3,8 @@ package io.github.circles2d.world.events;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.SavedTouches;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TouchRule;
 import java.util.Arrays;
@@ -64,6 +66,7 @@ public final class ContactEvents {
     private int[] removedIn = new int[0];
 
     private int batch;
+    private Bounds arena = new Bounds(0, 0, 1, 1);
     private int types;
     private float hitSpeed = OF_PAIR;
 
@@ -99,6 +102,17 @@ public final class ContactEvents {
         return (types & (BEGIN | HIT | END)) != 0;
     }
 
+    /** Whether a wall is reported: where an axis ends without one, circles that come to the end of coordinates are not. */
+    private boolean reportsWall(int code) {
+        AxisEdge edge = code - Limits.CIRCLES < 2 ? arena.edgeX() : arena.edgeY();
+        return (types & WALL) != 0 && edge == AxisEdge.WALL;
+    }
+
+    /** Sets the arena of the steps to come. */
+    public void setArena(Bounds bounds) {
+        arena = bounds;
+    }
+
     /** Whether walls are reported. */
     public boolean hasWalls() {
         return isOn() && (types & WALL) != 0;
@@ -106,7 +120,7 @@ public final class ContactEvents {
 
     /** The types that are reported of a pair: the one place that decides. */
     private int typesOf(int lower, int higher) {
-        return isWall(higher) && (types & WALL) == 0 ? 0 : types & (BEGIN | HIT | END);
+        return isWall(higher) && !reportsWall(higher) ? 0 : types & (BEGIN | HIT | END);
     }
 
     /** Makes room for {@link #report}. */
@@ -247,6 +261,9 @@ public final class ContactEvents {
         stillOpen.clear();
         for (TouchRecords list : records) {
             for (int r = 0; r < list.count; r++) {
+                if (arena.wraps()) {
+                    list.bringInside(r, arena);
+                }
                 take(list, r);
             }
         }

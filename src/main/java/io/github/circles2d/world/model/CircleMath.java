@@ -73,6 +73,58 @@ public final class CircleMath {
     }
 
     /**
+     * A difference of two coordinates the short way round.
+     *
+     * @param d the difference
+     * @param period of the axis; infinite if it does not wrap, and then the difference stays as it is
+     * @return d, or d and a period
+     */
+    public static float shortWay(float d, float period) {
+        float half = 0.5f * period;
+        return d > half ? d - period : d < -half ? d + period : d;
+    }
+
+    /**
+     * How many periods a coordinate is from the first one.
+     *
+     * @param x coordinate
+     * @param min where the first period begins
+     * @param period of the axis; infinite if it does not wrap
+     * @return a whole number, 0 if the axis does not wrap
+     */
+    public static float laps(float x, float min, float period) {
+        return (float) Math.floor((x - min) / period); // the floor of a float is exact
+    }
+
+    /**
+     * A coordinate of an axis that wraps, brought inside.
+     *
+     * @param x coordinate
+     * @param min the least coordinate
+     * @param last the greatest coordinate
+     * @param period of the axis
+     * @return min to last
+     */
+    public static float wrapped(float x, float min, float last, float period) {
+        float laps = laps(x, min, period);
+        return laps == 0f ? x : bounded(x - laps * period, min, last);
+    }
+
+    /**
+     * The share of a path that a circle goes at most along an axis that wraps: an eighth of the period. So two circles can meet in a step
+     * the short way round alone.
+     *
+     * @param p component of the path
+     * @param period of the axis; infinite if it does not wrap
+     * @return 1, or less
+     */
+    public static float shareOfPeriod(float p, float period) {
+        float most = 0.125f * period;
+        float way = Math.abs(p);
+        return way > most ? most / way : 1f;
+    }
+
+    /**
      * What the sum of a base and a displacement lost by rounding (the exact error of an addition, after Knuth).
      *
      * @param base a
@@ -176,10 +228,11 @@ public final class CircleMath {
      * @param from coordinate
      * @param to coordinate at the end
      * @param dt length of the step
+     * @param period of the axis; infinite if it does not wrap
      * @return the component, which may be too small if the way is very long
      */
-    public static float travelSpeed(float from, float to, float dt) {
-        return limitSpeed((to - from) / dt);
+    public static float travelSpeed(float from, float to, float dt, float period) {
+        return limitSpeed(shortWay(to - from, period) / dt);
     }
 
     /**
