@@ -414,7 +414,7 @@ public final class ReferenceWorld implements WorldCalls {
     public long hash() {
         boolean moved =
                 startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
-        long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
+        long sum = moved ? absorb(WALLS, start(0), start(1), startOfUpper(0), startOfUpper(1)) : 0;
         if (!settings.equals(Settings.DEFAULT)) {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
@@ -443,6 +443,15 @@ public final class ReferenceWorld implements WorldCalls {
     private static long hashOfField(int field, int id, long value) {
         long h = absorb(absorb(FIELD, field), id);
         return value == 0 ? 0 : absorb(absorb(h, (int) value), (int) (value >> 32));
+    }
+
+    /** Where the lower wall of an axis starts; the bounds if there is none. */
+    private float start(int axis) {
+        return arena.edges()[axis] == Edge.WALL ? startMin[axis] : arena.min()[axis];
+    }
+
+    private float startOfUpper(int axis) {
+        return arena.edges()[axis] == Edge.WALL ? startMax[axis] : arena.max()[axis];
     }
 
     static long absorb(long hash, int word) {
