@@ -11,7 +11,7 @@ float lostByRounding(float base, float displacement, float sum) {
     return (base - (sum - part)) + (displacement - part);
 }
 
-float lapsOf(float x, float min, float period) { return floor((x - min) / period); }
+float laps(float x, float min, float period) { return floor((x - min) / period); }
 
 float shareOfPeriod(float p, float period) {
     float most = 0.125f * period;

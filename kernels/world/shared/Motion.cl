@@ -182,9 +182,9 @@ INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *m
 #ifdef EDGES
 // Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: its displacement.
 void bringInside(float *x, float *d, float min_, float last, float period) {
-    float laps = lapsOf(*x, min_, period);
-    if (laps == 0.0f) return;
-    float away = -(laps * period);
+    float lapsOfX = laps(*x, min_, period);
+    if (lapsOfX == 0.0f) return;
+    float away = -(lapsOfX * period);
     float near = *x + away;
     float rest = *d + lostByRounding(*x, away, near);
     float sum = near + rest;

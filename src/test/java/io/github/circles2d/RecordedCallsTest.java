@@ -121,6 +121,8 @@ class RecordedCallsTest {
             "mass",
             "maxX",
             "maxY",
+            "edgeX",
+            "edgeY",
             "minX",
             "minY",
             "positions",

@@ -1,10 +1,12 @@
 package io.github.circles2d.world;
 
 import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.CircleTree;
 import io.github.circles2d.world.queries.IdFilter;
+import io.github.circles2d.world.queries.Images;
 import io.github.circles2d.world.queries.NearestSearch;
 import io.github.circles2d.world.queries.OverlapSearch;
 import java.util.Objects;
@@ -26,10 +28,12 @@ public final class Searches {
 
     private static final int NO_BATCH = -1;
 
+    private final Simulation simulation;
     private final Guard guard;
     private final HandleTable handles;
     private final LastReading last;
     private final CircleTree tree = new CircleTree();
+    private final Images images = new Images();
     private final OverlapSearch overlaps = new OverlapSearch(tree);
     private final NearestSearch nearest = new NearestSearch(tree);
     private final CastSearch casts = new CastSearch(tree);
@@ -42,6 +46,7 @@ public final class Searches {
     private int query = NO_BATCH;
 
     Searches(Simulation simulation) {
+        this.simulation = simulation;
         guard = simulation.guard;
         handles = simulation.handles;
         last = simulation.last;
@@ -307,7 +312,13 @@ public final class Searches {
             }
         }
         shown = 0;
-        tree.build(circles, ids, n);
+        Bounds bounds = simulation.bounds;
+        if (bounds.wraps()) {
+            images.make(circles, ids, n, bounds);
+            tree.build(images, n == 0 ? 0 : ids[n - 1] + 1, bounds);
+        } else {
+            tree.build(circles, ids, n);
+        }
         shown = last.number();
     }
 
@@ -316,7 +327,7 @@ public final class Searches {
         requireFinite("y", y);
         requireRadius(radius);
         show();
-        return overlaps.disc(x, y, radius, ALL);
+        return overlaps.disc(simulation.bounds.placeX(x), simulation.bounds.placeY(y), radius, ALL);
     }
 
     private int findBox(float minX, float minY, float maxX, float maxY) {
@@ -325,14 +336,21 @@ public final class Searches {
         Limits.within("maxX", maxX, minX, Float.MAX_VALUE);
         Limits.within("maxY", maxY, minY, Float.MAX_VALUE);
         show();
-        return overlaps.box(minX, minY, maxX, maxY, ALL);
+        float offX = offset(simulation.bounds.placeX(0.5f * minX + 0.5f * maxX), 0.5f * minX + 0.5f * maxX);
+        float offY = offset(simulation.bounds.placeY(0.5f * minY + 0.5f * maxY), 0.5f * minY + 0.5f * maxY);
+        return overlaps.box(minX + offX, minY + offY, maxX + offX, maxY + offY, ALL);
+    }
+
+    /** How far a coordinate has been brought. A zero keeps the sign of what it is added to. */
+    private static float offset(float to, float from) {
+        return to == from ? -0f : to - from;
     }
 
     private long findAt(float x, float y) {
         requireFinite("x", x);
         requireFinite("y", y);
         show();
-        int id = overlaps.pick(x, y, ALL);
+        int id = overlaps.pick(simulation.bounds.placeX(x), simulation.bounds.placeY(y), ALL);
         return id < 0 ? 0 : handles.handle(id);
     }
 
@@ -340,7 +358,7 @@ public final class Searches {
         requireFinite("x", x);
         requireFinite("y", y);
         show();
-        return nearest.find(x, y, within, most, ALL);
+        return nearest.find(simulation.bounds.placeX(x), simulation.bounds.placeY(y), within, most, ALL);
     }
 
     private void aim(float[] queries, int stride) {
@@ -361,7 +379,7 @@ public final class Searches {
         requireFinite("dx", dx);
         requireFinite("dy", dy);
         show();
-        casts.aim(x, y, radius, dx, dy);
+        casts.aim(simulation.bounds.placeX(x), simulation.bounds.placeY(y), radius, dx, dy);
     }
 
     // ---- results

@@ -80,12 +80,17 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
 
     /** An x that a caller has given, as circles have it: inside, if x wraps. */
     public float placeX(float x) {
-        return edgeX == AxisEdge.WRAP ? CircleMath.wrapped(x, minX, lastX(), periodX()) : x;
+        return edgeX == AxisEdge.WRAP ? inside(x, minX, lastX(), periodX()) : x;
     }
 
     /** A y that a caller has given, as circles have it: inside, if y wraps. */
     public float placeY(float y) {
-        return edgeY == AxisEdge.WRAP ? CircleMath.wrapped(y, minY, lastY(), periodY()) : y;
+        return edgeY == AxisEdge.WRAP ? inside(y, minY, lastY(), periodY()) : y;
+    }
+
+    private static float inside(float x, float min, float last, float period) {
+        float laps = CircleMath.laps(x, min, period);
+        return laps == 0f ? x : CircleMath.bounded(x - laps * period, min, last);
     }
 
     /**

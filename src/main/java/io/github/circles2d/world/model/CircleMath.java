@@ -97,20 +97,6 @@ public final class CircleMath {
     }
 
     /**
-     * A coordinate of an axis that wraps, brought inside.
-     *
-     * @param x coordinate
-     * @param min the least coordinate
-     * @param last the greatest coordinate
-     * @param period of the axis
-     * @return min to last
-     */
-    public static float wrapped(float x, float min, float last, float period) {
-        float laps = laps(x, min, period);
-        return laps == 0f ? x : bounded(x - laps * period, min, last);
-    }
-
-    /**
      * The share of a path that a circle goes at most along an axis that wraps: an eighth of the period. So two circles can meet in a step
      * the short way round alone.
      *
