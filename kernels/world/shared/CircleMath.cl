@@ -1,6 +1,6 @@
 // uses: world/shared/Real.cl
 // Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
-// only + - * / sqrt, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
+// only + - * / sqrt floor, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
 
 // ---- geometry -------------------------------------------------------------------------------------------------------
 

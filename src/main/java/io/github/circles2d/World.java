@@ -64,6 +64,9 @@ import java.util.Objects;
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
  *
+ * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). Where these pages speak of walls and of what lies within
+ * the bounds, they mean axes with walls.
+ *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
  * repeats what a {@link Recording} has written.
@@ -98,7 +101,7 @@ import java.util.Objects;
  * call but close throws an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
  * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
- * the lesser extent of the bounds; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
+ * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.Arrays;
@@ -544,6 +547,27 @@ class WorldEdgesTest {
             world.step(STEP, 50);
             other.step(STEP, 50);
             assertThat(other.hash()).isEqualTo(world.hash());
+        }
+    }
+
+    @Test
+    void aRecordingCarriesTheEdges() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        try (World world = wrapped().build();
+                World player = WorldScenes.jvm().build()) {
+            long paddle = world.add(2.9f, 4.9f, 0.1f, Float.POSITIVE_INFINITY, 1, 1);
+            try (Recording recording = new Recording(world, log, 1)) {
+                for (int k = 0; k < 20; k++) {
+                    world.add(7 + 0.2f * k, 2, 0.05f, 1, 3, -k);
+                    world.setPosition(paddle, 2.9f + 0.3f * k, 8);
+                    world.step(STEP, 2);
+                    world.explode(3, 5, 0.2f, 1, 0.3f);
+                }
+                assertThat(recording.steps()).isEqualTo(40);
+            }
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), player).run();
+            assertThat(replay.equalUpTo()).isEqualTo(replay.steps()).isEqualTo(40);
+            assertThat(player.hash()).isEqualTo(world.hash());
         }
     }
 

@@ -3,7 +3,7 @@ package io.github.circles2d.world.model;
 /**
  * Every floating-point formula of the World engine except a visit of a contact or a wall ({@link Constraints}), in small functions
  * of scalars. The files in {@code kernels/world/shared} have the same functions under the same names, and both give the same bits:
- * they use {@code + - * /}, square roots, comparisons and integer operations, in one fixed bracketing, and no contraction.
+ * they use {@code + - * /}, square roots, floors, comparisons and integer operations, in one fixed bracketing, and no contraction.
  *
  * <p>Units: lengths, masses and seconds are the caller's. n is the contact normal, a unit vector from the circle of the
  * lower id to that of the higher; s the separation of two surfaces, negative if they overlap; vn the relative speed

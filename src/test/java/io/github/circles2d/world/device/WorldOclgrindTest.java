@@ -42,14 +42,23 @@ class WorldOclgrindTest {
 
     @Test
     void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
-        assertThat(run("small", "PERSISTENT_CPU", "PERSISTENT_GPU", "COLOURS", "crowd", "fast", "TILES"))
+        assertThat(run("small", "PERSISTENT_CPU", "PERSISTENT_GPU", "COLOURS", "crowd", "fast", "TILES", "edges"))
                 .containsAll(kernelsInFiles());
     }
 
     @Test
     @Tag("exhaustive")
     void norDoesAnyInLargerWorldsAndInWorkGroupsOfTheUsualSize() throws Exception {
-        assertThat(run("large", "COLOURS", "PERSISTENT_GPU", "PERSISTENT_CPU", "crowd", "wide", "fast", "TILES"))
+        assertThat(run(
+                        "large",
+                        "COLOURS",
+                        "PERSISTENT_GPU",
+                        "PERSISTENT_CPU",
+                        "crowd",
+                        "wide",
+                        "fast",
+                        "TILES",
+                        "edges"))
                 .containsAll(kernelsInFiles());
     }
 
