@@ -80,6 +80,7 @@ final class OclgrindWorlds {
             case "edges":
                 kernels.addAll(edges(Plans.COLOURS));
                 kernels.addAll(edges(Plans.PERSISTENT_CPU));
+                kernels.addAll(edges(Plans.PERSISTENT_GPU));
                 break;
             default:
                 throw new IllegalArgumentException(world);
