@@ -64,8 +64,8 @@ import java.util.Objects;
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
  *
- * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). Where these pages speak of walls and of what lies within
- * the bounds, they mean axes with walls.
+ * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). Where these pages speak of walls and of what
+ * lies within the bounds, they mean axes with walls.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
@@ -101,7 +101,8 @@ import java.util.Objects;
  * call but close throws an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
  * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
- * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
+ * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities
+ * and gravity up to 1e9; steps from 1e-6
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
@@ -1220,15 +1221,16 @@ public final class World implements AutoCloseable {
         /**
          * What there is at the ends of each axis. By default walls.
          *
-         * <p>Along an open axis the bounds are no limit. Circles go on to coordinates of 1e9 in magnitude, and bounce there as off a
-         * wall, of which no event tells. Keep circles nearer than 2^17 of their radii: farther out coordinates are too coarse for
-         * them to touch exactly. Nothing else changes out there, and no step takes longer.
+         * <p>Along an open axis the bounds are no limit. Circles go on to coordinates of 1e9 in magnitude, and bounce there as
+         * off a wall, of which no event tells. Keep circles nearer than 2^17 of their radii: farther out coordinates are too
+         * coarse for them to touch exactly. Nothing else changes out there, and no step takes longer.
          *
-         * <p>Along an axis that wraps, coordinates are from the least one of the bounds to less than the greatest. A position that a
-         * caller gives may be anywhere up to 1e9 in magnitude, and is brought inside. Circles meet across the seam, and static ones that travel
-         * take the short way round. A radius is at most an eleventh of the extent, which {@link #bounds} must
-         * make at least 2^-14 of the greatest coordinate. In one step no circle takes more than an eighth of the extent of its path
-         * along: a faster one is held up, and a static one that travels farther arrives, but pushes only what it meets on that part.
+         * <p>Along an axis that wraps, coordinates are from the least one of the bounds to less than the greatest. A position
+         * that a caller gives may be anywhere up to 1e9 in magnitude, and is brought inside. Circles meet across the seam, and
+         * static ones that travel take the short way round. A radius is at most an eleventh of the extent, which {@link #bounds}
+         * must make at least 2^-14 of the greatest coordinate. In one step no circle takes more than an eighth of the extent of
+         * its path along: a faster one is held up, and a static one that travels farther arrives, but pushes only what it meets
+         * on that part.
          *
          * <p>The edges are in snapshots; a world that restores one has its edges from then on.
          *

@@ -18,8 +18,9 @@ package io.github.circles2d.world.model;
  * Other patterns remain: a lattice whose columns are a multiple of one prime apart and whose rows are a multiple of the other,
  * or a line of circles that are a multiple of one prime apart, lie in a few buckets.
  *
- * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number of times as many
- * cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has both.
+ * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number
+ * of times as many cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has
+ * both.
  *
  * <p>In memory, a row of buckets begins at a multiple of the power of two. For OpenCL, groups of contacts are numbered so that
  * those of one colour are consecutive: the group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and is number
@@ -180,7 +181,8 @@ public final class GridLevels {
         }
     }
 
-    /** Cells along an axis: any number if it is open, and an even one if it wraps, so that the colours of groups fit at the seam. */
+    /** Cells along an axis: any number if it is open, and an even one if it wraps, so that the colours of groups fit at the seam.
+     */
     private static float cells(float extent, float edge, AxisEdge at) {
         return switch (at) {
             case WALL -> extent / edge;

@@ -3,9 +3,9 @@ package io.github.circles2d.world.model;
 /**
  * The cells of an axis without walls. {@code kernels/world/stages/World.cl} has the same functions.
  *
- * <p>An open axis has any number of cells. Their edge is a whole number of units, and a unit is a power of two, so a coordinate's cell
- * is exact wherever it is: two circles that are near to each other are in one cell or in neighbours, even where coordinates are coarse.
- * A wrapped axis has a whole number of cells a period, which is a multiple of the columns (or rows) of the torus.
+ * <p>An open axis has any number of cells. Their edge is a whole number of units, and a unit is a power of two, so a coordinate's
+ * cell is exact wherever it is: two circles that are near to each other are in one cell or in neighbours, even where coordinates
+ * are coarse. A wrapped axis has a whole number of cells a period, which is a multiple of the columns (or rows) of the torus.
  */
 final class RingCells {
     /** Units of the narrowest cell of an open axis. */
