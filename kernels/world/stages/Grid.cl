@@ -98,6 +98,11 @@ bool gatherCircle(const World *w, int i) {
         px = driven.x;
         py = driven.y;
     }
+#ifdef EDGES
+    float within_ = least(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
+    px = within_ * px;
+    py = within_ * py;
+#endif
     float path = norm(px, py);
     if (isStatic) {
         // It stops at the bounds.

@@ -329,7 +329,8 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             if (place >= contacts || copy >= room) continue;
             int i = lowerOf(contact[n].y);
             int j = higherOf(contact[n].y);
-            basesOf(w)[copy] = a->load[j] - a->load[i];
+            float2 base = a->load[j] - a->load[i];
+            basesOf(w)[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
                                       greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,

@@ -58,7 +58,7 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** The kernels that have been compiled: without a special case, for contacts of any settings, for steps that record, or for both. */
+    /** The kernels that have been compiled, by the special cases that they are for. */
     private final Map<String, StageKernels> variants = new HashMap<>();
 
     /** What the plans share, with the kernels of one variant. */
@@ -90,6 +90,9 @@ public final class DevicePipeline implements Pipeline {
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
+
+    /** Whether the plans have been compiled for axes without walls. */
+    private boolean isEdged;
 
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
@@ -124,10 +127,10 @@ public final class DevicePipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
-            kernels = compile(false, false);
+            kernels = compile(false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
-            load(false, null);
+            load(false, false, null);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
@@ -148,11 +151,11 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    /** Lets the plans use kernels for contacts of any settings, and for steps that record what contacts do, or others. */
-    private void load(boolean anySettings, TouchArrays recordingIn) {
+    /** Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that record, or others. */
+    private void load(boolean anySettings, boolean edges, TouchArrays recordingIn) {
         boolean recording = recordingIn != null;
-        String variant = (anySettings ? "tuned " : "") + (recording ? "recording" : "");
-        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, recording));
+        String variant = (anySettings ? "tuned " : "") + (edges ? "edges " : "") + (recording ? "recording" : "");
+        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, edges, recording));
         stages = new Stages(session.device(), loaded, arrays, parameters);
         stages.record(recordingIn);
         plans.forEach(each -> each.load(stages));
@@ -164,18 +167,22 @@ public final class DevicePipeline implements Pipeline {
         return reader != null && reader.isRecording() ? reader.touches() : null;
     }
 
-    private StageKernels compile(boolean anySettings, boolean recording) {
+    private StageKernels compile(boolean anySettings, boolean edges, boolean recording) {
         KernelSource source = Plans.source(plans, session.device());
-        return new StageKernels(session, anySettings ? source.define("TUNED", 1) : source, workGroupSize, recording);
+        source = anySettings ? source.define("TUNED", 1) : source;
+        return new StageKernels(session, edges ? source.define("EDGES", 1) : source, workGroupSize, recording);
     }
 
-    /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
+    /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts) {
-        if (contacts.areTuned() && !tuned) {
+    public void prepare(ContactSettings contacts, boolean edges) {
+        boolean tunes = tuned || contacts.areTuned();
+        boolean edged = isEdged || edges;
+        if (tunes != tuned || edged != isEdged) {
             settle();
-            load(true, recordedIn());
-            tuned = true;
+            load(tunes, edged, recordedIn());
+            tuned = tunes;
+            isEdged = edged;
         }
     }
 
@@ -220,7 +227,10 @@ public final class DevicePipeline implements Pipeline {
                 reader.prepare(constants);
             }
             if (recordedIn() != stages.touches()) {
-                load(tuned, recordedIn()); // compiles at the first report: it takes long, and few worlds report
+                load(
+                        tuned,
+                        isEdged,
+                        recordedIn()); // compiles at the first report: it takes long, and few worlds report
             }
             arrays.ensureBuckets(levels.buckets());
         }
@@ -387,7 +397,7 @@ public final class DevicePipeline implements Pipeline {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
         if (stages.touches() != null) {
-            load(tuned, null);
+            load(tuned, isEdged, null);
         }
         if (reader != null) {
             reader.close();

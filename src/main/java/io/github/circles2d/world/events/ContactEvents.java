@@ -5,6 +5,8 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedTouches;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
@@ -79,6 +81,8 @@ public final class ContactEvents {
     private int[] removedIn = new int[0];
 
     private int batch;
+    private Bounds arena = new Bounds(0, 0, 1, 1);
+
     private float hitSpeed = OF_PAIR;
 
     /** The stamp of the step that is being looked at. */
@@ -122,6 +126,21 @@ public final class ContactEvents {
         return reported.isOn();
     }
 
+    /** Whether there is a wall: circles that come to the end of coordinates, on an axis without walls, are not reported. */
+    private boolean hasWall(int code) {
+        return (code - Limits.CIRCLES < 2 ? arena.edgeX() : arena.edgeY()) == AxisEdge.WALL;
+    }
+
+    /** The arena of the last step. */
+    Bounds arena() {
+        return arena;
+    }
+
+    /** Sets the arena of the steps to come. */
+    public void setArena(Bounds bounds) {
+        arena = bounds;
+    }
+
     /** Whether walls are reported. */
     public boolean hasWalls() {
         return reported.hasWalls();
@@ -141,7 +160,10 @@ public final class ContactEvents {
 
     /** The types that are reported of a pair: the one place that decides. */
     private int typesOf(int lower, int higher) {
-        return isWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : typesOfCircles(lower, higher);
+        if (isWall(higher)) {
+            return hasWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : 0;
+        }
+        return typesOfCircles(lower, higher);
     }
 
     /** Tells a step what of it is reported. */
@@ -388,6 +410,9 @@ public final class ContactEvents {
         stillOpen.clear();
         for (TouchRecords list : records) {
             for (int r = 0; r < list.count; r++) {
+                if (arena.wraps()) {
+                    list.bringInside(r, arena);
+                }
                 take(list, r);
             }
         }

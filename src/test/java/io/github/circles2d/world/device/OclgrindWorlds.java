@@ -17,6 +17,7 @@ import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import java.nio.IntBuffer;
@@ -98,6 +99,11 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(Plans.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
                 break;
+            case "edges":
+                kernels.addAll(edges(Plans.COLOURS));
+                kernels.addAll(edges(Plans.PERSISTENT_CPU));
+                kernels.addAll(edges(Plans.PERSISTENT_GPU));
+                break;
             default:
                 throw new IllegalArgumentException(world);
         }
@@ -146,6 +152,18 @@ final class OclgrindWorlds {
                 twins.assertSameReadings();
                 twins.assertEqual(scene.name());
             }
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /** Fast circles in a world of which one axis wraps and the other is open. */
+    private Set<String> edges(Plans plans) {
+        Scene scene = Scenes.gas(20, 1);
+        DevicePipeline pipeline = pipeline(plans);
+        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+            twins.restoreWithEdges(AxisEdge.WRAP, AxisEdge.OPEN);
+            twins.step(0.3f, 2);
+            twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }
     }

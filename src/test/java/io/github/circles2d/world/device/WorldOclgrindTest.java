@@ -51,7 +51,8 @@ class WorldOclgrindTest {
                         "queries",
                         "crowd",
                         "fast",
-                        "TILES"))
+                        "TILES",
+                        "edges"))
                 .containsAll(kernelsInFiles());
     }
 
@@ -68,7 +69,8 @@ class WorldOclgrindTest {
                         "crowd",
                         "wide",
                         "fast",
-                        "TILES"))
+                        "TILES",
+                        "edges"))
                 .containsAll(kernelsInFiles());
     }
 

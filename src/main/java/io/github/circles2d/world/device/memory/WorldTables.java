@@ -57,6 +57,8 @@ final class WorldTables {
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
         define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
         define(text, "COMMAND_THIRD", Commands.THIRD, "third value of a change");
+        define(text, "COMMAND_FOURTH", Commands.FOURTH, "fourth value of a change");
+        define(text, "COMMAND_FIFTH", Commands.FIFTH, "fifth value of a change");
         define(text, "COMMAND_ADD_X", Commands.ADD_X, "of a new circle");
         define(text, "COMMAND_ADD_Y", Commands.ADD_Y, "of a new circle");
         define(text, "COMMAND_ADD_RADIUS", Commands.ADD_RADIUS, "of a new circle");
