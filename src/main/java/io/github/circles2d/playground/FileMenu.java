@@ -3,7 +3,9 @@ package io.github.circles2d.playground;
 import java.awt.FileDialog;
 import java.awt.Toolkit;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JOptionPane;
@@ -48,14 +50,16 @@ final class FileMenu {
             write(picture, file);
             say("saved " + file.getFileName());
         } catch (IOException e) {
-            say("not saved: " + e.getMessage());
+            say("not saved: " + FileFailure.reason(e));
         }
     }
 
     static void write(BufferedImage picture, Path file) throws IOException {
-        if (!ImageIO.write(picture, PICTURE, file.toFile())) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        if (!ImageIO.write(picture, PICTURE, bytes)) {
             throw new IOException("this Java runtime cannot write PNG files");
         }
+        Files.write(file, bytes.toByteArray()); // ImageIO prints a stack trace if it cannot open a file
     }
 
     void copyPicture() {

@@ -54,7 +54,7 @@ public final class Playground {
             }
             return showWindow(options, err);
         } catch (OpenClException | IOException e) {
-            err.println("circles2d play: " + e.getMessage());
+            err.println("circles2d play: " + FileFailure.reason(e));
             return FAILURE;
         }
     }

@@ -81,7 +81,7 @@ final class PourTool implements Tool {
             double distance = reach * Math.sqrt(random.nextDouble());
             float px = x + (float) (distance * Math.cos(angle));
             float py = y + (float) (distance * Math.sin(angle));
-            float r = grain.radius() * (LEAST_SIZE + SPREAD * random.nextFloat());
+            float r = arena.radius(grain.radius() * (LEAST_SIZE + SPREAD * random.nextFloat()));
             if (arena.contains(px - r, py - r) && arena.contains(px + r, py + r) && isFree(count, px, py, r)) {
                 discs[3 * count] = px;
                 discs[3 * count + 1] = py;

@@ -254,7 +254,7 @@ final class Session implements AutoCloseable {
             work.run();
             say(success);
         } catch (IOException | IllegalArgumentException e) {
-            say("not done: " + e.getMessage());
+            say("not done: " + FileFailure.reason(e));
         }
     }
 

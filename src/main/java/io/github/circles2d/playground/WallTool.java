@@ -12,7 +12,7 @@ final class WallTool implements Tool {
 
     @Override
     public void press(Sandbox sandbox, float x, float y, float brush) {
-        radius = sandbox.grain().radius() * brush;
+        radius = Arena.of(sandbox.world()).radius(sandbox.grain().radius() * brush);
         lastX = x;
         lastY = y;
         add(sandbox.world(), x, y);

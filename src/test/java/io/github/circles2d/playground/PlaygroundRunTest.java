@@ -17,6 +17,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The program as a person meets it: what it prints, what it writes, how it ends. */
 class PlaygroundRunTest {
@@ -93,13 +94,14 @@ class PlaygroundRunTest {
         }
     }
 
-    @Test
-    void aFileThatCannotBeWrittenIsOneLineAndStatus1(@TempDir Path folder) throws Exception {
-        Path nowhere = folder.resolve("no-such-folder/film.png");
-        assertThat(run("--film", nowhere.toString())).isEqualTo(1);
-        assertThat(err.toString(StandardCharsets.UTF_8))
-                .startsWith("circles2d play: ")
-                .contains("film.png");
+    @ParameterizedTest
+    @ValueSource(strings = {"--film", "--picture"})
+    void aFileThatCannotBeWrittenIsOneLineAndStatus1(String option, @TempDir Path folder) {
+        Path nowhere = folder.resolve("no-such-folder/file.png");
+        ForkedJvm.Result result = new ForkedJvm().run(Playground.class, "--frames", "1", option, nowhere.toString());
+        assertThat(result.exitStatus()).isEqualTo(1);
+        assertThat(result.output().lines())
+                .containsExactly("circles2d play: there is no such file or folder: " + nowhere);
     }
 
     @Test

@@ -83,6 +83,32 @@ class ToolsTest {
     }
 
     @Test
+    void inAWorldOfTheSmallestCirclesToolsAddNoneThatItRefuses() {
+        float least = 0x1p-20f;
+        try (Sandbox small = new Sandbox(smallest(least), Backend.JVM)) {
+            Tool pour = new PourTool();
+            pour.press(small, 0.5f, 0.5f, 1);
+            for (int k = 0; k < 5; k++) {
+                small.stepOnce(() -> pour.beforeStep(small));
+            }
+            int poured = small.world().size();
+            assertThat(poured).isGreaterThan(1);
+            Tool wall = new WallTool();
+            wall.press(small, 0.25f, 0.5f, 0.25f);
+            assertThat(small.world().size()).isEqualTo(poured + 1);
+            float[] circles = new float[4 * (poured + 1)];
+            small.world().read(circles);
+            for (int k = 0; k <= poured; k++) {
+                assertThat(circles[4 * k + 2]).isBetween(least, 1.25f * least);
+            }
+        }
+    }
+
+    private static Stage smallest(float radius) {
+        return new Stage("smallest", false, World::builder, world -> world.add(0.75f, 0.5f, radius, 1));
+    }
+
+    @Test
     void pouringAddsCirclesInsideTheWallsThatOverlapNothing() {
         world().add(80, 60, 2, 4);
         Tool pour = new PourTool();
