@@ -144,8 +144,8 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
     Four mj = take(w->motion, j);
     float4 zero = (float4)(0.0f);
     float4 sum = choose4(real, ci.z + cj.z, zero);
-    float4 ex = choose4(real, cj.x - ci.x, (float4)(UNUSED_LANES));
-    float4 ey = choose4(real, cj.y - ci.y, zero);
+    float4 ex = choose4(real, ACROSS_X4(w, cj.x - ci.x), (float4)(UNUSED_LANES));
+    float4 ey = choose4(real, ACROSS_Y4(w, cj.y - ci.y), zero);
     float4 e = choose4(real, greatest4(ti.y, tj.y), zero);
     float4 wi = choose4(real, ti.x, zero);
     float4 wj = choose4(real, tj.x, zero);

@@ -1,5 +1,5 @@
 // uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
-// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneTouches.cl
 // Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
 // lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
 // the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
@@ -20,6 +20,9 @@ typedef struct {
     int wide, endWide; // where the next wide contact goes, and where there is no more room
     int contacts;
     bool crowded;
+#ifdef RECORDING
+    int met; // see TOUCHES_MET
+#endif
 } Search;
 
 // Where circles are noted for the search, component by component: arrays that stage Grid is done with.
@@ -29,7 +32,7 @@ global float *searchSpeculativeDistance(const World *w) { return (global float *
 
 // Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
 // whether there are. Returns how many pairs of the group there are then.
-INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
+INLINE int scanSlots(const World *w, Search *f, int hits, int slot, int from, int to) {
     if (hits + (to - from) > HITS) {
         f->crowded = true;
         return hits;
@@ -40,8 +43,8 @@ INLINE int scanSlots(Search *f, int hits, int slot, int from, int to) {
     ulong high = (ulong) slot << 32;
     int other = from;
     do {
-        float4 dx = vload4(0, f->x + other) - x;
-        float4 dy = vload4(0, f->y + other) - y;
+        float4 dx = ACROSS_X4(w, vload4(0, f->x + other) - x);
+        float4 dy = ACROSS_Y4(w, vload4(0, f->y + other) - y);
         float4 limit = speculativeDistance + vload4(0, f->speculativeDistance + other);
         int4 hit = isNear4(dx, dy, limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
         // Whether a pair is near is as good as random: no branch.
@@ -112,6 +115,9 @@ void deal(const World *w, Search *f) {
             left += from + 1 < last;
             if (lanes == 4 || (g == open - 1 && left < 4)) {
                 if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
+#ifdef RECORDING
+                if (f->wide < f->endWide) f->met += clearTouch(w, f->wide, ids, lanes);
+#endif
                 f->wide++;
                 lanes = 0;
             }
@@ -142,13 +148,13 @@ INLINE int findGroup(const World *w, Search *f, int row, int column) {
     if (joined && from == rightTo) return 0; // every pair has a circle in the group's own row
     int hits = 0;
     for (int slot = from; slot < to; slot++) {
-        hits = scanSlots(f, hits, slot, slot + 1, joined ? rightTo : to);
-        hits = scanSlots(f, hits, slot, aboveFrom, joined ? above[right + 1] : aboveTo);
+        hits = scanSlots(w, f, hits, slot, slot + 1, joined ? rightTo : to);
+        hits = scanSlots(w, f, hits, slot, aboveFrom, joined ? above[right + 1] : aboveTo);
         if (joined) continue;
-        hits = scanSlots(f, hits, slot, rightFrom, rightTo);
-        hits = scanSlots(f, hits, slot, above[right], above[right + 1]);
+        hits = scanSlots(w, f, hits, slot, rightFrom, rightTo);
+        hits = scanSlots(w, f, hits, slot, above[right], above[right + 1]);
     }
-    for (int slot = rightFrom; slot < rightTo; slot++) hits = scanSlots(f, hits, slot, aboveFrom, aboveTo);
+    for (int slot = rightFrom; slot < rightTo; slot++) hits = scanSlots(w, f, hits, slot, aboveFrom, aboveTo);
     return hits;
 }
 

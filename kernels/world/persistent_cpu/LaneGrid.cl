@@ -110,6 +110,9 @@ Band sortCircles(World *w, const Crew *crew) {
         w->status[CONTACTS] = 0;
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;
+#ifdef RECORDING
+        startRecords(w);
+#endif
     }
     countPart(w, crew);
     awaitCrew(w, crew);
@@ -129,6 +132,9 @@ Band sortCircles(World *w, const Crew *crew) {
     for (int slot = from; slot < to; slot++) {
         float4 sight = w->sight[slot];
         noteForSearch(w, slot, sight.x, sight.y, sight.z);
+#ifdef RECORDING
+        clearWallTouch(w, slot);
+#endif
     }
     if (crew->group == 0) {
         // The search reads on to the next multiple of four.

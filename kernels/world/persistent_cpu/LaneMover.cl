@@ -1,4 +1,4 @@
-// uses: world/shared/Motion.cl
+// uses: world/shared/Motion.cl world/stages/Touches.cl
 // The circles' part of stage Solver for a row of cells. Loops have a copy of the World of their own, whose pointers stay in
 // registers; what is called for circles at walls gets the shared one: a copy that others know stays in memory.
 
@@ -28,7 +28,13 @@ INLINE void integrateVelocitiesOf(const World *shared, const World *w, Cells cel
             m.zw = v;
             t.zw = noWalls(&w->k, c);
         } else {
+#ifdef RECORDING
+            float4 old = m;
+#endif
             integrateVelocities(shared, slot, c, &m, &t, l, &before, &bounce, &loaded);
+#ifdef RECORDING
+            if (w->recording.walls) noteWallsSolved(shared, w->recording.wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
+#endif
         }
         w->motion[slot] = m;
         w->traits[slot] = t;
@@ -65,7 +71,14 @@ void integratePositionsOfRow(const World *shared, int row, bool first) {
         if (clear & (t.x != 0.0f) & (t.z == 0.0f) & (t.w == 0.0f) & (bounce.x == 0.0f) & (bounce.y == 0.0f)) {
             w->motion[slot] = moved;
         } else {
+#ifdef RECORDING
+            m = integratePositions(shared, slot, c, m, t.x == 0.0f);
+            float2 v = m.zw;
+            if (t.x != 0.0f) relaxAtWalls(shared, c, &m, &t, bounce, loaded > 0.0f);
+            if (w->recording.walls) noteWallsRelaxed(shared, w->recording.wallTouch + 2 * slot, c, t.x, v, m);
+#else
             moveCircle(shared, slot, c, &m, &t, bounce, loaded > 0.0f);
+#endif
             w->motion[slot] = m;
             w->traits[slot] = t;
         }
@@ -82,5 +95,8 @@ void finishRow(const World *shared, int row) {
     for (int slot = cells.from; slot < cells.to; slot++) {
         finalizePositions(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
         w->homeFirstCached[slot] = w->firstCached[slot];
+#ifdef RECORDING
+        if (w->recording.walls) recordWalls(shared, slot);
+#endif
     }
 }

@@ -1,4 +1,4 @@
-// uses: world/persistent_cpu/LaneContacts.cl
+// uses: world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneTouches.cl
 // The passes over wide contacts (LaneContacts.cl).
 
 // Applies impulses p along normals to the velocities of a wide contact's circles, in those lanes that move. Taking +0 away
@@ -83,6 +83,9 @@ INLINE void solveWide(const World *w, int wide, bool driving) {
     masses[3] = ready.bounce;
     contact[3] = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, masses[0], masses[1], visited.impulse, visited.leaves);
+#ifdef RECORDING
+    noteSolved(w, wide, found.before, found.separation, &visited);
+#endif
 }
 
 // Stores the impulse of a contact for the step to come, where it presses. No branch: whether it does is hard to guess.
@@ -133,6 +136,9 @@ INLINE void relaxWide(const World *w, int wide, bool last) {
         ready.flight = (float4)(INFINITY);
         visit4(&ready, vn, true, &visited);
     }
+#ifdef RECORDING
+    noteRelaxed(w, wide, found.normalImpulse, masses[3], &visited);
+#endif
     float4 next = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, wi, wj, visited.impulse, visited.leaves);
     contact[3] = next;

@@ -18,6 +18,9 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
     f.speculativeDistance = searchSpeculativeDistance(w);
     f.gathered = f.groups = f.start[0] = f.contacts = 0;
     f.crowded = false;
+#ifdef RECORDING
+    f.met = 0;
+#endif
     int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
     int first = crew->group * room;
     f.wide = first;
@@ -28,6 +31,9 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
             if (f.crowded) w->status[CROWDED] = 1;
             if (f.wide > f.endWide) w->status[OUT_OF_ROOM] = 1;
             atomic_add(&w->status[CONTACTS], f.contacts);
+#ifdef RECORDING
+            atomic_add(&w->status[TOUCHES_MET], f.met);
+#endif
             atomic_max(&w->status[MOST_PLACES], 4 * (f.wide - first));
             atomic_max(&w->status[PLACES], 4 * min(f.wide, f.endWide));
             awaitCrew(w, crew); // the row after the last is another band's
@@ -118,11 +124,23 @@ void solveInPasses(World *w, int rows) {
     for (int row = 0; row < rows; row++) finishRow(w, row);
 }
 
+#ifdef RECORDING
+// Records pairs after a step, once all have made it.
+void recordBand(const World *w, const Crew *crew, const Band *band) {
+    bool all = recordsAll(w);
+    int held = 0;
+    for (int row = band->from; row < band->to; row++) held += recordRow(w, row, all);
+    endRecords(w, all, held);
+    awaitCrew(w, crew);
+}
+#endif
+
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
 // many there are; patience: how often to look for the others before the launch is called off.
 kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(WORLD_PARAMETERS, int steps, int groups,
-                                                                        int patience) {
+                                                                        int patience RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     Crew crew = {groups, (int) get_group_id(0)};
     noteStack(&w, &crew);
     // None behind a launch that was called off: it counts on what that one would have left.
@@ -142,6 +160,9 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             } else {
                 solveInPasses(&w, band.to);
             }
+#ifdef RECORDING
+            recordBand(&w, &crew, &band);
+#endif
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;

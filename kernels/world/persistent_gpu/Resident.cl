@@ -171,11 +171,25 @@ void solveAll(World *w, local Tile *t) {
     }
 }
 
+#ifdef RECORDING
+// Records what touches after a step, and waits for it: the next step would take its place.
+void recordAll(const World *w) {
+    int tiles = tileCount(w);
+    bool all = recordsAll(w);
+    int held = 0;
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) held += recordTile(w, tile, all);
+    endRecords(w, all, held);
+    recordWallsOfSlots(w, (int) get_global_id(0), (int) get_global_size(0));
+    deviceBarrier(w->status + ARRIVALS);
+}
+#endif
+
 // Index space: no more work-groups than run at once, of RESIDENT_GROUP. steps: how many to make, unless one is out of room. No
 // reqd_work_group_size: NVIDIA's compiler would make room for two work-groups on a compute unit, with 128 registers and many
 // spills. One is all that runs there.
-kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
+kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;
@@ -188,6 +202,9 @@ kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps) {
         if (refused(&w)) break;
         int contacts = groupStart[levels->first[LEVELS]];
         solveAll(&w, &l.tile);
+#ifdef RECORDING
+        recordAll(&w);
+#endif
         // Shares the barrier of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) storeHeldImpulse(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;

@@ -1,6 +1,6 @@
 // uses: world/shared/Real.cl
 // Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
-// only + - * / sqrt, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
+// only + - * / sqrt floor, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
 
 // ---- geometry -------------------------------------------------------------------------------------------------------
 
@@ -9,6 +9,14 @@ float bounded(float a, float low, float high) { return greatest(least(a, high), 
 float lostByRounding(float base, float displacement, float sum) {
     float part = sum - base;
     return (base - (sum - part)) + (displacement - part);
+}
+
+float laps(float x, float min, float period) { return floor((x - min) / period); }
+
+float shareOfPeriod(float p, float period) {
+    float most = 0.125f * period;
+    float way = fabs(p);
+    return way > most ? most / way : 1.0f;
 }
 
 float inverseMass(float mass) { return 1.0f / mass; }
@@ -32,7 +40,7 @@ float gain(float gravityGain, float force, float w, float h) {
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
-float travelSpeed(float from, float to, float dt) { return limitSpeed((to - from) / dt); }
+float travelSpeed(float from, float to, float dt, float period) { return limitSpeed(shortWay(to - from, period) / dt); }
 
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
 

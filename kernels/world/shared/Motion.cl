@@ -179,6 +179,20 @@ INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *m
            (moved->x * moved->x + moved->y * moved->y <= allowance * fabs(allowance)) & wallsAreApart(k, c, *moved);
 }
 
+#ifdef EDGES
+// Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: its displacement.
+void bringInside(float *x, float *d, float min_, float last, float period) {
+    float lapsOfX = laps(*x, min_, period);
+    if (lapsOfX == 0.0f) return;
+    float away = -(lapsOfX * period);
+    float near = *x + away;
+    float rest = *d + lostByRounding(*x, away, near);
+    float sum = near + rest;
+    *x = bounded(sum, min_, last);
+    *d = *x == sum ? lostByRounding(near, rest, sum) : 0.0f;
+}
+#endif
+
 // Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
 INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, float4 t) {
     const StepConstants *k = &w->k;
@@ -188,9 +202,13 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
     float keptX = bounded(x, k->minX + edge, k->maxX - edge);
     float keptY = bounded(y, k->minY + edge, k->maxY - edge);
     int id = w->id[slot];
-    w->homeMotion[slot] = (float4)(keptX == x ? lostByRounding(c.x, m.x, x) : 0.0f,
-                                   keptY == y ? lostByRounding(c.y, m.y, y) : 0.0f,
-                                   limitSpeed(m.z), limitSpeed(m.w));
+    float dx = keptX == x ? lostByRounding(c.x, m.x, x) : 0.0f;
+    float dy = keptY == y ? lostByRounding(c.y, m.y, y) : 0.0f;
+#ifdef EDGES
+    bringInside(&keptX, &dx, w->levels->minX, w->levels->lastX, w->levels->periodX);
+    bringInside(&keptY, &dy, w->levels->minY, w->levels->lastY, w->levels->periodY);
+#endif
+    w->homeMotion[slot] = (float4)(dx, dy, limitSpeed(m.z), limitSpeed(m.w));
     w->homeCircle[slot] = (float4)(keptX, keptY, c.z, c.w);
     w->homeTraits[slot] = t;
     w->homeId[slot] = id;

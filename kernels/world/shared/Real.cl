@@ -32,6 +32,12 @@ REAL NAME(greatest)(REAL a, REAL b) { return NAME(choose)(a > b, a, b); }
 
 REAL NAME(least)(REAL a, REAL b) { return NAME(choose)(a < b, a, b); }
 
+// A difference of coordinates the short way round. period: of the axis; infinite if it does not wrap.
+REAL NAME(shortWay)(REAL d, float period) {
+    REAL half_ = (REAL)(0.5f * period);
+    return NAME(choose)(d > half_, d - period, NAME(choose)(d < -half_, d + period, d));
+}
+
 REAL NAME(norm)(REAL x, REAL y) { return sqrt(x * x + y * y); }
 
 REAL NAME(along)(REAL nx, REAL ny, REAL vx, REAL vy) { return nx * vx + ny * vy; }

@@ -20,7 +20,7 @@ void meetCarried(const World *w, int slot, int other, bool note) {
     float4 o = w->circle[other];
     float4 path = w->motionClamp[slot];
     float4 pathOfOther = w->motionClamp[other];
-    float4 d = (float4)(o.x - c.x, o.y - c.y, path.x - pathOfOther.x, path.y - pathOfOther.y);
+    float4 d = (float4)(ACROSS_X(w, o.x - c.x), ACROSS_Y(w, o.y - c.y), path.x - pathOfOther.x, path.y - pathOfOther.y);
     float t = timeOfCarry(d.x, d.y, path.x, path.y, pathOfOther.x, pathOfOther.y, freeShare(w, other), o.z, c.z + o.z);
     bool carries = isFast(path.w, o.z) ? t <= 1.0f : t < 1.0f && !contactHas(w, slot, other, c.z, o.z, d);
     if (!carries) return;

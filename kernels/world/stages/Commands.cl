@@ -65,8 +65,10 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         case COMMAND_DEPART:
             // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
             homeTraits[slot].zw = homeMotion[slot].zw;
-            homeMotion[slot].z = travelSpeed(homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]));
-            homeMotion[slot].w = travelSpeed(homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]));
+            homeMotion[slot].z = travelSpeed(homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
+                                             as_float(record[COMMAND_FOURTH]));
+            homeMotion[slot].w = travelSpeed(homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
+                                             as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
             homeCircle[slot].x = a;

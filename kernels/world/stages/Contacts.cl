@@ -116,7 +116,7 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
     for (int i = s->part; i < count; i += s->parts) {
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
-        if (!isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z)) continue;
+        if (!isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.z)) continue;
         if (!mayMeet(w, s->slot, s->inverseMass, other, o.w)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
@@ -172,7 +172,7 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        sum += isNear(o.x - s->x, o.y - s->y, s->speculativeDistance + o.z) && other != s->slot &&
+        sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.z) && other != s->slot &&
                mayMeet(w, s->slot, s->inverseMass, other, o.w);
     }
     return sum;
@@ -358,7 +358,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) 
 float4 baseOfPair(const World *w, uint2 p) {
     float4 ci = w->circle[p.x];
     float4 cj = w->circle[p.y];
-    return (float4)(cj.x - ci.x, cj.y - ci.y, ci.z + cj.z, greatest(w->traits[p.x].y, w->traits[p.y].y));
+    return (float4)(ACROSS_X(w, cj.x - ci.x), ACROSS_Y(w, cj.y - ci.y), ci.z + cj.z, greatest(w->traits[p.x].y, w->traits[p.y].y));
 }
 
 // Fills a contact and measures it for the first sub-step.

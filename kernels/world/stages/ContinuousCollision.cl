@@ -80,8 +80,8 @@ void meet(const World *w, const Runner *s, int other) {
     bool stands = inverseMass(c.w) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, 1.0f, other, stands ? 0.0f : 1.0f)) return;
     if (!stands && !sweeps(s->r, c.z)) return;
-    float dx = c.x - s->x;
-    float dy = c.y - s->y;
+    float dx = ACROSS_X(w, c.x - s->x);
+    float dy = ACROSS_Y(w, c.y - s->y);
     if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
     }
@@ -128,7 +128,7 @@ int inBlock(int column, int side, int most) {
 bool mayMatter(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    return mayTouch(c.x - s->x, c.y - s->y, s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
+    return mayTouch(ACROSS_X(w, c.x - s->x), ACROSS_Y(w, c.y - s->y), s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
 }
 
 void meetAll(const World *w, const Runner *s, int from, int to) {
@@ -181,22 +181,23 @@ void lookAhead(const World *w, int slot, Look look) {
         float top = w->levels->top[level];
         float path = isStatic ? carriedPath(s.path, as_float(w->status[LONGEST_PATH]), top) : s.path;
         float margin = sightMargin(s.r, path, top);
-        float minX = w->levels->minX;
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
         int columns = w->levels->columnCount[level];
         int rows = w->levels->rowCount[level];
-        int r0 = cell(least(s.y, s.y + s.py) - margin, minY, edge);
-        int r1 = cell(greatest(s.y, s.y + s.py) + margin, minY, edge);
+        float below = least(s.y, s.y + s.py) - margin;
+        int r0 = rowFrom(w, level, below);
+        int r1 = rowTo(w, level, below, greatest(s.y, s.y + s.py) + margin);
         // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
-        bool byPieces = isStatic && r1 - r0 < rows;
+        bool byPieces = isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
             int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
             float low = byPieces ? minY + (float) v / edge - margin : -INFINITY;
             float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
-            int c0 = cell(leastBetween(s.x, s.px, s.y, s.py, low, high) - margin, minX, edge);
-            int c1 = cell(greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin, minX, edge);
+            float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
+            int c0 = columnFrom(w, level, left);
+            int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
             lookAt(w, &s, level, c0, min(c1, c0 + columns - 1), v, min(end - 1, r1));
         }
     }

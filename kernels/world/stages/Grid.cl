@@ -1,4 +1,4 @@
-// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
+// uses: world/stages/World.cl world/stages/TouchRecords.cl world/shared/Wall.cl world/shared/Drive.cl
 // Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
 // sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
 // order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
@@ -13,6 +13,9 @@ void startStep(const World *w) {
     w->status[LONGEST_PATH] = 0;
     w->status[TILE_PEAK] = 0;
     w->status[FOUND] = 0;
+#ifdef RECORDING
+    startRecords(w);
+#endif
 }
 
 // The bucket of a circle of a level.
@@ -95,6 +98,11 @@ bool gatherCircle(const World *w, int i) {
         px = driven.x;
         py = driven.y;
     }
+#ifdef EDGES
+    float within_ = least(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
+    px = within_ * px;
+    py = within_ * py;
+#endif
     float path = norm(px, py);
     if (isStatic) {
         // It stops at the bounds.

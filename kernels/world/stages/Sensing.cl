@@ -41,8 +41,8 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
     s.slot = slot;
     s.x = start[s.id].x;
     s.y = start[s.id].y;
-    s.px = c.x - s.x;
-    s.py = c.y - s.y;
+    s.px = ACROSS_X(w, c.x - s.x);
+    s.py = ACROSS_Y(w, c.y - s.y);
     s.r = c.z;
     s.path = norm(s.px, s.py);
     s.fields = w->fields[s.id];
@@ -62,8 +62,8 @@ bool findsSensed(int row, const Sensed *s, const Sensed *o) {
 }
 
 void recordSensed(const World *w, global int4 *records, int recordRoom, const Sensed *a, const Sensed *b) {
-    float dx = b->x - a->x;
-    float dy = b->y - a->y;
+    float dx = ACROSS_X(w, b->x - a->x);
+    float dy = ACROSS_Y(w, b->y - a->y);
     float ux = b->px - a->px;
     float uy = b->py - a->py;
     float uu = ux * ux + uy * uy;
@@ -108,12 +108,13 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     float toY = s.y + s.py;
     for (int l = 0; l < levels->usedCount; l++) {
         int level = levels->used[l];
-        float edge = levels->inverseEdge[level];
         float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        int c0 = cell(least(s.x, toX) - margin, levels->minX, edge);
-        int c1 = cell(greatest(s.x, toX) + margin, levels->minX, edge);
-        int r0 = cell(least(s.y, toY) - margin, levels->minY, edge);
-        int r1 = cell(greatest(s.y, toY) + margin, levels->minY, edge);
+        float left = least(s.x, toX) - margin;
+        float below = least(s.y, toY) - margin;
+        int c0 = columnFrom(&w, level, left);
+        int c1 = columnTo(&w, level, left, greatest(s.x, toX) + margin);
+        int r0 = rowFrom(&w, level, below);
+        int r1 = rowTo(&w, level, below, greatest(s.y, toY) + margin);
         int columns = levels->columnCount[level];
         int rows = levels->rowCount[level];
         int first = onRing(c0, columns);

@@ -1,32 +1,20 @@
-// uses: world/stages/Solver.cl
+// uses: world/stages/TouchRecords.cl world/stages/Solver.cl
 // Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
-// wall after each pass. The Java classes world.model.TouchRule, world.jvm.Touches and world.jvm.WallTouches are the same.
+// wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
+// first world that reports.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
 // sub-step that the contact does not keep.
 // wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
-// records: by record, three int4; see writeRecord.
 
-#define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
-
-float approachSpeed(float vn) { return greatest(-vn, 0.0f); }
-
-bool touches(float approach, float separation) { return approach >= 0.0f || separation <= 0.0f; }
-
-bool staysInTouch(float approach, float separation, float radii) {
-    return approach >= 0.0f || separation <= TOUCH_SLACK * radii;
-}
-
-float touchPoint(float x, float displacement, float normal, float radius, float separation) {
-    return (x + displacement) + normal * (radius + 0.5f * separation);
-}
+#ifdef RECORDING
 
 // Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
-    if (!(approach * w->k.dt > TOUCH_SLACK * w->base[c].z)) return;
+    if (!isFastApproach(approach, w->k.dt, w->base[c].z)) return;
     uint lower = w->pair[c].x;
     float4 own = w->circle[lower];
     float4 m = w->motion[lower];
@@ -35,16 +23,20 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
 }
 
 // Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
-kernel void touches_begin(WORLD_PARAMETERS, global float4 *touch, global float4 *wallTouch) {
+kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     if (refused(&w)) return;
     int first = (int) get_global_id(0);
-    if (first == 0) status[TOUCHES] = 0;
     int contacts = groupStart[levels->first[LEVELS]];
+    int met = 0;
     for (int c = first; c < contacts; c += (int) get_global_size(0)) {
-        touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+        float2 normal = noNormal(&w, contact[c].w, (int) (key[c] >> 32));
+        touch[2 * c] = (float4)(NO_TOUCH, 0.0f, normal.x, normal.y);
         touch[2 * c + 1] = (float4)(0.0f);
+        met += heldBefore(normal);
     }
+    if (met > 0) atomic_add(&status[TOUCHES_MET], met);
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
@@ -84,6 +76,32 @@ void touchRelaxed(const World *w, global float4 *t, int axis, float side, float 
     touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
 }
 
+// Takes the visits of both walls in the biased pass down. c: circle; sum: of the impulses of its contacts; before: velocity before any
+// impulse; old, m: motion before and after integrateVelocities.
+void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
+                     float4 m) {
+    if (inverseMass == 0.0f) return;
+    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
+    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
+    float gapX = wallGap(c.x, old.x, c.z, sideX, w->k.minX, w->k.maxX);
+    float gapY = wallGap(c.y, old.y, c.z, sideY, w->k.minY, w->k.maxY);
+    float fromX = afterImpulse(before.x, inverseMass, sum.x);
+    float fromY = afterImpulse(before.y, inverseMass, sum.y);
+    touchSolved(w, t, 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
+    touchSolved(w, t + 1, 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+}
+
+// Takes the visits of both walls in the relaxing pass down. v: velocity before the visits; m: motion after them.
+void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
+    if (inverseMass == 0.0f) return;
+    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
+    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
+    float gapX = wallGap(c.x, m.x, c.z, sideX, w->k.minX, w->k.maxX);
+    float gapY = wallGap(c.y, m.y, c.z, sideY, w->k.minY, w->k.maxY);
+    touchRelaxed(w, t, 0, sideX, c.z, v.x, m.z, gapX, c.y + m.y);
+    touchRelaxed(w, t + 1, 1, sideY, c.z, v.y, m.w, gapY, c.x + m.x);
+}
+
 // Index space: a working slot a work-item.
 kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
     World w = WORLD;
@@ -102,15 +120,7 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global fl
     traits[slot] = t;
     wallBounce[slot] = bounce;
     load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-    if (t.x == 0.0f) return;
-    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
-    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
-    float gapX = wallGap(c.x, old.x, c.z, sideX, w.k.minX, w.k.maxX);
-    float gapY = wallGap(c.y, old.y, c.z, sideY, w.k.minY, w.k.maxY);
-    float fromX = afterImpulse(before.x, t.x, l.x);
-    float fromY = afterImpulse(before.y, t.x, l.y);
-    touchSolved(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
-    touchSolved(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+    noteWallsSolved(&w, wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -149,13 +159,7 @@ kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global flo
     traits[slot] = t;
     load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
     firstCached[slot] = NONE;
-    if (isStatic) return;
-    float sideX = wallSide(c.x, w.k.minX, w.k.maxX);
-    float sideY = wallSide(c.y, w.k.minY, w.k.maxY);
-    float gapX = wallGap(c.x, m.x, c.z, sideX, w.k.minX, w.k.maxX);
-    float gapY = wallGap(c.y, m.y, c.z, sideY, w.k.minY, w.k.maxY);
-    touchRelaxed(&w, &wallTouch[2 * slot], 0, sideX, c.z, before.z, m.z, gapX, c.y + m.y);
-    touchRelaxed(&w, &wallTouch[2 * slot + 1], 1, sideY, c.z, before.w, m.w, gapY, c.x + m.x);
+    noteWallsRelaxed(&w, wallTouch + 2 * slot, c, t.x, before.zw, m);
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
@@ -176,42 +180,8 @@ kernel void touches_relax(WORLD_PARAMETERS, int level, int colour, int last, glo
     }
 }
 
-// Writes the record of a pair that is in touch. other: the higher id, or the wall; vn: normal speed after the step; threshold: the
-// square of the speed of a hit.
-void writeRecord(const World *w, global int4 *records, int recordRoom, int id, int other, bool touching, float approach,
-                 float impulse, float vn, float threshold, float2 normal, float2 point) {
-    int k = atomic_inc(&w->status[TOUCHES]);
-    if (k >= recordRoom) return;
-    records[3 * k] = (int4)(id, other, touching ? 1 : 0, as_int(approach));
-    records[3 * k + 1] = (int4)(as_int(impulse), as_int(vn), as_int(threshold), as_int(normal.x));
-    records[3 * k + 2] = (int4)(as_int(normal.y), as_int(point.x), as_int(point.y), 0);
-}
-
-void recordTouch(const World *w, global const float4 *touch, global int4 *records, int recordRoom, int c) {
-    float4 t = touch[2 * c];
-    float4 n = w->contact[c];
-    float radii = w->base[c].z;
-    if (!staysInTouch(t.x, n.z, radii)) return;
-    uint2 pr = w->pair[c];
-    ulong ids = w->key[c];
-    float4 at = touch[2 * c + 1];
-    float2 normal = t.zw;
-    float2 point = at.xy;
-    if (t.z == 0.0f && t.w == 0.0f) {
-        float4 lower = w->homeCircle[pr.x];
-        normal = n.xy;
-        point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
-    }
-    float4 mi = w->homeMotion[pr.x];
-    float4 mj = w->homeMotion[pr.y];
-    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
-    writeRecord(w, records, recordRoom, (int) (ids >> 32), (int) ids, touches(t.x, n.z), greatest(t.x, 0.0f), t.y, vn,
-                threshold, normal, point);
-}
-
 // The wall of an axis. c, m: circle and motion after the step.
-void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, int slot, int axis, float4 c, float4 m) {
+void recordWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m) {
     float x = axis == 0 ? c.x : c.y;
     float dx = axis == 0 ? m.x : m.y;
     float v = axis == 0 ? m.z : m.w;
@@ -233,25 +203,37 @@ void recordWall(const World *w, float4 t, global int4 *records, int recordRoom, 
         float vn = side * v - speedFor(w, wall, c.z);
         float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
         float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
-        writeRecord(w, records, recordRoom, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), first ? t.x : 0.0f,
-                    first ? c.w * t.y : 0.0f, vn, threshold, normal, point);
+        int says = first || touches(NO_TOUCH, gap) ? TOUCHING : 0;
+        writeRecord(w, w->homeId[slot], FIRST_WALL + wall, says, first ? t.x : 0.0f, first ? c.w * t.y : 0.0f, vn, threshold,
+                    normal, point);
     }
 }
 
-// Records the pairs that are in touch after the step, and the walls if they are reported. Index space: any number of work-items,
-// which take contacts and slots in turn.
-kernel void touches_end(WORLD_PARAMETERS, int withWalls, global const float4 *touch, global const float4 *wallTouch,
-                        global int4 *records, int recordRoom) {
+// Records the walls that a circle is in touch with after the step.
+void recordWalls(const World *w, int slot) {
+    if (w->homeTraits[slot].x == 0.0f) return;
+    global const float4 *t = w->recording.wallTouch + 2 * slot;
+    recordWall(w, t[0], slot, 0, w->homeCircle[slot], w->homeMotion[slot]);
+    recordWall(w, t[1], slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
+}
+
+// Records what pairs and, if they are reported, walls did in the step. Index space: any number of work-items, which take contacts and
+// slots in turn.
+kernel void touches_end(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     if (refused(&w)) return;
     int contacts = groupStart[levels->first[LEVELS]];
+    bool all = recordsAll(&w);
+    int holding = 0;
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {
-        recordTouch(&w, touch, records, recordRoom, c);
+        float4 t = touch[2 * c];
+        float4 n = contact[c];
+        recordPair(&w, all, pair[c], n, n.w, base[c].z, t.x, t.y, t.zw, touch[2 * c + 1].xy);
+        holding += n.w > 0.0f;
     }
-    if (withWalls == 0) return;
-    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
-        if (homeTraits[slot].x == 0.0f) continue;
-        recordWall(&w, wallTouch[2 * slot], records, recordRoom, slot, 0, homeCircle[slot], homeMotion[slot]);
-        recordWall(&w, wallTouch[2 * slot + 1], records, recordRoom, slot, 1, homeCircle[slot], homeMotion[slot]);
-    }
+    endRecords(&w, all, holding);
+    if (!w.recording.walls) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) recordWalls(&w, slot);
 }
+#endif

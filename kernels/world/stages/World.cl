@@ -90,6 +90,73 @@ int neighbour(int column, int offset, int side) {
     return moved < 0 ? side - 1 : moved < side ? moved : 0;
 }
 
+// The edges of the axes (the Java class RingCells). A device is compiled for a world in which not all are walls (EDGES), so all other
+// worlds have the code for walls alone.
+#ifdef EDGES
+// The number of the cell of a coordinate of an axis without walls.
+long cellAlong(int edge, float x, float min_, float scale, int units) {
+    if (edge == EDGE_OPEN) {
+        long unit = (long) bounded(x * scale, -0x1p62f, 0x1p62f);
+        long cell_ = unit / units;
+        return unit < 0 && cell_ * units != unit ? cell_ - 1 : cell_;
+    }
+    return (long) floor(bounded((x - min_) * scale, -0x1p30f, 0x1p30f));
+}
+
+int longOnRing(long cell_, int side) {
+    int rest = (int) (cell_ % side);
+    return rest < 0 ? rest + side : rest;
+}
+
+// The column (or row) where a range from one coordinate to another ends, behind that of the first.
+int lastAlong(int edge, float from, float to, float min_, float scale, int units, int side) {
+    long first = cellAlong(edge, from, min_, scale, units);
+    long more = cellAlong(edge, to, min_, scale, units) - first;
+    return longOnRing(first, side) + (int) (more < side ? more : side);
+}
+
+int columnOf(const World *w, int atLevel, float x) {
+    constant Levels *l = w->levels;
+    if (l->edgeX == EDGE_WALL) return onRing(cell(x, l->minX, l->inverseEdge[atLevel]), l->columnCount[atLevel]);
+    return longOnRing(cellAlong(l->edgeX, x, l->minX, l->scaleX[atLevel], l->unitsX[atLevel]), l->columnCount[atLevel]);
+}
+
+int rowOf(const World *w, int atLevel, float y) {
+    constant Levels *l = w->levels;
+    if (l->edgeY == EDGE_WALL) return onRing(cell(y, l->minY, l->inverseEdge[atLevel]), l->rowCount[atLevel]);
+    return longOnRing(cellAlong(l->edgeY, y, l->minY, l->scaleY[atLevel], l->unitsY[atLevel]), l->rowCount[atLevel]);
+}
+
+// The column of a coordinate where a range begins; that where it ends is behind it by as many as the torus has, or fewer.
+int columnFrom(const World *w, int atLevel, float x) {
+    constant Levels *l = w->levels;
+    return l->edgeX == EDGE_WALL ? cell(x, l->minX, l->inverseEdge[atLevel]) : columnOf(w, atLevel, x);
+}
+
+int columnTo(const World *w, int atLevel, float from, float to) {
+    constant Levels *l = w->levels;
+    if (l->edgeX == EDGE_WALL) return cell(to, l->minX, l->inverseEdge[atLevel]);
+    return lastAlong(l->edgeX, from, to, l->minX, l->scaleX[atLevel], l->unitsX[atLevel], l->columnCount[atLevel]);
+}
+
+int rowFrom(const World *w, int atLevel, float y) {
+    constant Levels *l = w->levels;
+    return l->edgeY == EDGE_WALL ? cell(y, l->minY, l->inverseEdge[atLevel]) : rowOf(w, atLevel, y);
+}
+
+int rowTo(const World *w, int atLevel, float from, float to) {
+    constant Levels *l = w->levels;
+    if (l->edgeY == EDGE_WALL) return cell(to, l->minY, l->inverseEdge[atLevel]);
+    return lastAlong(l->edgeY, from, to, l->minY, l->scaleY[atLevel], l->unitsY[atLevel], l->rowCount[atLevel]);
+}
+
+bool rowsHaveWalls(const World *w) { return w->levels->edgeY == EDGE_WALL; }
+
+#define ACROSS_X(w, d) shortWay(d, (w)->levels->periodX)
+#define ACROSS_Y(w, d) shortWay(d, (w)->levels->periodY)
+#define ACROSS_X4(w, d) shortWay4(d, (w)->levels->periodX)
+#define ACROSS_Y4(w, d) shortWay4(d, (w)->levels->periodY)
+#else
 int columnOf(const World *w, int atLevel, float x) {
     return onRing(cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]), w->levels->columnCount[atLevel]);
 }
@@ -97,6 +164,19 @@ int columnOf(const World *w, int atLevel, float x) {
 int rowOf(const World *w, int atLevel, float y) {
     return onRing(cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]), w->levels->rowCount[atLevel]);
 }
+
+#define columnFrom(w, atLevel, x) cell(x, (w)->levels->minX, (w)->levels->inverseEdge[atLevel])
+#define columnTo(w, atLevel, from, to) columnFrom(w, atLevel, to)
+#define rowFrom(w, atLevel, y) cell(y, (w)->levels->minY, (w)->levels->inverseEdge[atLevel])
+#define rowTo(w, atLevel, from, to) rowFrom(w, atLevel, to)
+#define rowsHaveWalls(w) true
+
+// A difference of two bases, the short way round.
+#define ACROSS_X(w, d) (d)
+#define ACROSS_Y(w, d) (d)
+#define ACROSS_X4(w, d) (d)
+#define ACROSS_Y4(w, d) (d)
+#endif
 
 // The number of groups of a colour, and the first of them: those of one colour are consecutive.
 int groupsOfColour(const World *w, int atLevel) {

@@ -1,4 +1,4 @@
-// uses: world/shared/Motion.cl
+// uses: world/shared/Motion.cl world/tiles/TileTouches.cl
 // Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
 // work-group whose tile it is in. The same as integrateVelocities and integratePositions of Solver.cl. What neighbours read of
 // it is drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
@@ -58,7 +58,13 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
     }
     float2 before, bounce;
     bool loaded;
+#ifdef RECORDING
+    float4 old = m;
+#endif
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
+#ifdef RECORDING
+    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, sum, before, old, m);
+#endif
     storeWalls(w, slot, walls, t.zw);
     w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
     w->burden[slot] = burdenOf(t.x, loaded);
@@ -74,7 +80,13 @@ bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, f
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
         float2 walls = t.zw;
+#ifdef RECORDING
+        float2 moving = m.zw;
+#endif
         relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));
+#ifdef RECORDING
+        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
+#endif
         storeWalls(w, slot, walls, t.zw);
         atWall = hasWalls(w, c, t.zw);
     }

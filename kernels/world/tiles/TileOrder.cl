@@ -291,6 +291,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
             if (i >= circles) continue;
             int slot = taken[n] & ENTRY_SLOT;
             if (taken[n] >= 0) {
+#ifdef RECORDING
+                clearWallTouch(w, slot);
+#endif
                 bool carried = (a->progress[i] & HAS_CARRIED) != 0;
                 if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
             }
@@ -308,6 +311,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
     global int2 *placed = contactsOf(record);
     int room = copyRoom(w);
+#ifdef RECORDING
+    int met = 0;
+#endif
     TILE_TOGETHER(first, contacts, ARRANGED) {
         int2 contact[MOST_TOGETHER];
         float4 normal[MOST_TOGETHER];
@@ -323,7 +329,8 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             if (place >= contacts || copy >= room) continue;
             int i = lowerOf(contact[n].y);
             int j = higherOf(contact[n].y);
-            basesOf(w)[copy] = a->load[j] - a->load[i];
+            float2 base = a->load[j] - a->load[i];
+            basesOf(w)[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
                                       greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
@@ -332,9 +339,15 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
             placed[place].x = number;
             w->held[number] = normal[n].w;
+#ifdef RECORDING
+            met += clearTouch(w, number, normal[n].w, a->of.circle.slot[i]);
+#endif
             w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
         }
     }
+#ifdef RECORDING
+    if (met > 0) atomic_add(&w->status[TOUCHES_MET], met);
+#endif
     if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
@@ -383,8 +396,9 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int 
 }
 
 // Index space: a work-group a tile.
-TILE_KERNEL contacts_arrange(WORLD_PARAMETERS) {
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     local Arrangement arrangement;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);

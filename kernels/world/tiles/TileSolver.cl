@@ -89,6 +89,9 @@ typedef struct {
     float4 normal;  // normal, separation, effective mass
     float2 shape;   // sum of the radii, restitution
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
+#ifdef RECORDING
+    float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
+#endif
 } Reading;
 
 void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
@@ -98,6 +101,12 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->normal = w->contact[entry.copy];
     reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
+#ifdef RECORDING
+    if (relaxing && entry.contact.x >= 0) {
+        reading->touchNow = touchNow(w)[c];
+        reading->touchSoFar = touchSoFar(w)[c];
+    }
+#endif
 }
 
 // A contact that is ready to be visited. Contacts wait for each other only in visitContact, so all else is done before.
@@ -106,6 +115,11 @@ typedef struct {
     float nx, ny;
     float invMassA, invMassB;
     Ready ready;
+#ifdef RECORDING
+    float separation, radii;
+    float before; // in the biased pass: normal speed before any impulse
+    float2 touchNow, touchSoFar;
+#endif
 } Visit;
 
 void readyContact(const World *w, local const Tile *t, const Reading *r, bool relaxing, Visit *v) {
@@ -143,6 +157,16 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
         f.halfFall = halfFall(along(r->normal.x, r->normal.y, fall.x, fall.y), v->invMassA, v->invMassB);
         makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);
     }
+#ifdef RECORDING
+    v->separation = r->normal.z;
+    v->radii = r->shape.x;
+    if (relaxing) {
+        v->touchNow = r->touchNow;
+        v->touchSoFar = r->touchSoFar;
+    } else {
+        v->before = f.before;
+    }
+#endif
 }
 
 // Visits a contact, with as few branches as can be: they would be most of the time.
@@ -175,6 +199,14 @@ void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, 
         }
     }
     if (!there || v->contact.x < 0) return;
+#ifdef RECORDING
+    if (relaxing) {
+        noteRelaxed(w, v->contact.x, v->touchNow, v->touchSoFar, v->ready.normalImpulse, v->ready.bounce, v->nx, v->ny,
+                    v->separation, v->radii, &visited);
+    } else {
+        noteSolved(w, v->contact.x, v->before, v->nx, v->ny, v->separation, v->radii, &visited);
+    }
+#endif
     if (relaxing) {
         w->held[v->contact.x] = next;
     } else {
@@ -202,6 +234,9 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     Visit visit;
     reading.normal = (float4)(0.0f);
     reading.shape = reading.impulse = (float2)(0.0f);
+#ifdef RECORDING
+    reading.touchNow = reading.touchSoFar = (float2)(0.0f);
+#endif
     readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
     barrier(CLK_LOCAL_MEM_FENCE);
     readyContact(w, t, &reading, relaxing, &visit);
@@ -394,8 +429,9 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
 
 // Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
 
-TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
+TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     w.subStep = subStep;
     local Tile t;
     int tile = (int) get_group_id(0);
@@ -403,8 +439,9 @@ TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep) {
     solveTile(&w, &t, tile, subStep, 4);
 }
 
-TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep) {
+TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
     bool last = subStep == w.k.subSteps - 1;
     w.subStep = subStep + 1; // which the circles start into
     local Tile t;

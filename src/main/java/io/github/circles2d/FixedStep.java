@@ -1,5 +1,7 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -292,12 +294,27 @@ public final class FixedStep {
         before.get(0, from, 0, length);
         after.get(0, to, 0, length);
         float alpha = alpha();
-        for (int k = 0; k < length; k++) {
-            to[k] = from[k] + (to[k] - from[k]) * alpha;
+        Bounds arena = world.arena();
+        if (arena.wraps()) {
+            interpolateTheShortWay(length, alpha, arena);
+        } else {
+            for (int k = 0; k < length; k++) {
+                to[k] = from[k] + (to[k] - from[k]) * alpha;
+            }
         }
         shown.put(0, to, 0, length);
         world.markGone(shown, living);
         return view.clear().limit(length);
+    }
+
+    /** A circle that has crossed the seam is drawn on its way across, on one side or the other. */
+    private void interpolateTheShortWay(int length, float alpha, Bounds arena) {
+        float periodX = arena.periodX();
+        float periodY = arena.periodY();
+        for (int k = 0; k < length; k += 2) {
+            to[k] = arena.placeX(from[k] + CircleMath.shortWay(to[k] - from[k], periodX) * alpha);
+            to[k + 1] = arena.placeY(from[k + 1] + CircleMath.shortWay(to[k + 1] - from[k + 1], periodY) * alpha);
+        }
     }
 
     private void take() {

@@ -28,6 +28,11 @@ import io.github.circles2d.world.queries.QueryShape;
  *
  * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
  *
+ * <p><b>Edges:</b> along an axis that {@linkplain World.Builder#edges wraps}, a place that a query names counts as the same place
+ * inside the bounds, and a box as the one whose centre is inside. Overlaps, picks and the nearest go the short way round, across
+ * the seam too, and find each circle once. Rays and moving discs go on beyond the seam, for half of the extent of the bounds;
+ * what they meet there has coordinates beyond the bounds, and a circle that they meet on two ways is found twice.
+ *
  * <p><b>Results</b> are handles in the caller's arrays; on the JVM nothing is allocated once the world's own arrays have grown. Their order is
  * defined, and so is every bit: overlaps come by id, the lowest first; casts by distance, then by id; the nearest by distance,
  * then by id. A query that finds all circles returns how many there are. If the array is shorter, it holds the first of them; an

@@ -8,6 +8,7 @@ import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.ContactSettings;
@@ -62,6 +63,9 @@ import java.nio.LongBuffer;
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
  *
+ * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). Where these pages speak of walls and of what
+ * lies within the bounds, they mean axes with walls.
+ *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
  * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
  * repeats what a {@link Recording} has written.
@@ -96,12 +100,15 @@ import java.nio.LongBuffer;
  * call but close throws an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
  * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
- * the lesser extent of the bounds; masses from 1e-9 to 1e9; components of velocities and gravity up to 1e9; steps from 1e-6
+ * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities
+ * and gravity up to 1e9; steps from 1e-6
  * to 1 second. Within them no sequence of calls leads to a state that is not finite.
  */
 public final class World implements AutoCloseable {
     /** By the settings of the matrix of kinds. */
     private static final Response[] RESPONSES = Response.values();
+
+    private static final Edge[] EDGES = Edge.values();
 
     private final Simulation simulation;
     private final Kind[] kinds = new Kind[PairTable.KINDS];
@@ -115,7 +122,7 @@ public final class World implements AutoCloseable {
         reason = choice.reason();
         simulation = new Simulation(
                 choice.pipeline(),
-                new WorldParameters(b.bounds, b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
+                new WorldParameters(b.arena(), b.gravityX, b.gravityY, b.restitution, b.subSteps, 0).with(b.contacts));
         queries = new Queries(simulation.searches());
     }
 
@@ -641,13 +648,14 @@ public final class World implements AutoCloseable {
      * Moves the walls. They travel to their new places in the first step from here, and push the circles that they meet: these get
      * the wall's speed, or bounce off by their speed against the wall. Call it before each step to let a wall go on. A wall that is
      * set farther than the radius of a circle jumps for that circle, which is brought to the nearest place inside at once and gets
-     * no speed.
+     * no speed. Along an {@linkplain Builder#edges open} axis nothing is moved.
      *
      * @param minX left wall
      * @param minY lower wall
      * @param maxX right wall
      * @param maxY upper wall
-     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds
+     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds; or
+     *     an axis wraps, and would have another place
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         simulation.setBounds(minX, minY, maxX, maxY);
@@ -687,6 +695,29 @@ public final class World implements AutoCloseable {
      */
     public float maxY() {
         return simulation.bounds().maxY();
+    }
+
+    /** The bounds, with what there is at their edges. */
+    Bounds arena() {
+        return simulation.bounds();
+    }
+
+    /**
+     * What there is at the left and the right edge.
+     *
+     * @return as {@link Builder#edges} has set it, or a restored snapshot
+     */
+    public Edge edgeX() {
+        return EDGES[simulation.bounds().edgeX().ordinal()];
+    }
+
+    /**
+     * What there is at the lower and the upper edge.
+     *
+     * @return as {@link Builder#edges} has set it, or a restored snapshot
+     */
+    public Edge edgeY() {
+        return EDGES[simulation.bounds().edgeY().ordinal()];
     }
 
     /**
@@ -1321,6 +1352,8 @@ public final class World implements AutoCloseable {
     /** Describes a world. Every parameter has a default; each is checked when it is given. */
     public static final class Builder {
         private Bounds bounds = new Bounds(0, 0, 1, 1);
+        private AxisEdge edgeX = AxisEdge.WALL;
+        private AxisEdge edgeY = AxisEdge.WALL;
         private float gravityX;
         private float gravityY;
         private float restitution = 0.5f;
@@ -1333,6 +1366,10 @@ public final class World implements AutoCloseable {
         private boolean profiling;
 
         private Builder() {}
+
+        private Bounds arena() {
+            return bounds.with(edgeX, edgeY);
+        }
 
         static int defaultThreads() {
             return Math.min(Runtime.getRuntime().availableProcessors(), 16);
@@ -1350,6 +1387,32 @@ public final class World implements AutoCloseable {
          */
         public Builder bounds(float minX, float minY, float maxX, float maxY) {
             bounds = Limits.bounds(minX, minY, maxX, maxY);
+            return this;
+        }
+
+        /**
+         * What there is at the ends of each axis. By default walls.
+         *
+         * <p>Along an open axis the bounds are no limit. Circles go on to coordinates of 1e9 in magnitude, and bounce there as
+         * off a wall, of which no event tells. Keep circles nearer than 2^17 of their radii: farther out coordinates are too
+         * coarse for them to touch exactly. Nothing else changes out there, and no step takes longer.
+         *
+         * <p>Along an axis that wraps, coordinates are from the least one of the bounds to less than the greatest. A position
+         * that a caller gives may be anywhere up to 1e9 in magnitude, and is brought inside. Circles meet across the seam, and
+         * static ones that travel take the short way round. A radius is at most an eleventh of the extent, which {@link #bounds}
+         * must make at least 2^-14 of the greatest coordinate. In one step no circle takes more than an eighth of the extent of
+         * its path along: a faster one is held up, and a static one that travels farther arrives, but pushes only what it meets
+         * on that part.
+         *
+         * <p>The edges are in snapshots; a world that restores one has its edges from then on.
+         *
+         * @param x of the left and the right edge
+         * @param y of the lower and the upper edge
+         * @return this
+         */
+        public Builder edges(Edge x, Edge y) {
+            edgeX = AxisEdge.values()[Limits.notNull("x", x).ordinal()];
+            edgeY = AxisEdge.values()[Limits.notNull("y", y).ordinal()];
             return this;
         }
 
@@ -1518,6 +1581,7 @@ public final class World implements AutoCloseable {
          * @throws OpenClException where an OpenCL back end is asked for and its driver refuses, or memory is short
          */
         public World build() {
+            Limits.edges(arena()); // before anything is opened
             BackendChoice choice = device == null
                     ? BackendChoice.of(backend, threads, capacity, profiling)
                     : BackendChoice.of(device, capacity, profiling);

@@ -13,8 +13,15 @@ import java.util.SplittableRandom;
  * @param name the name on record
  * @param scene the start
  * @param change what a caller does every few steps
+ * @param edgeX what there is at the left and the right edge
+ * @param edgeY what there is at the lower and the upper edge
  */
-record GoldenScene(String name, Scene scene, GoldenChange change) {
+record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Edge edgeY) {
+    /** A scene with walls all around. */
+    GoldenScene(String name, Scene scene, GoldenChange change) {
+        this(name, scene, change, Edge.WALL, Edge.WALL);
+    }
+
     static List<GoldenScene> all() {
         return List.of(
                 new GoldenScene("thesis", Scenes.thesis(1250, Scenes.SEED), GoldenChange.NONE),
@@ -36,7 +43,23 @@ record GoldenScene(String name, Scene scene, GoldenChange change) {
                 new GoldenScene("pile-kinds", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::kinds),
                 new GoldenScene("crowd", HardScenes.crowd(40, Scenes.SEED), GoldenChange::turn),
                 new GoldenScene("dragged", HardScenes.paddles(20, 30, Scenes.SEED), GoldenChange::drag),
-                new GoldenScene("pile-walls", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::walls));
+                new GoldenScene("pile-walls", HardScenes.pile(40, 30, Scenes.SEED), GoldenChange::walls),
+                new GoldenScene("wrapped", Scenes.gas(2_500, Scenes.SEED), GoldenChange.NONE, Edge.WRAP, Edge.WRAP),
+                new GoldenScene(
+                        "wrapped-mixed-churned",
+                        Scenes.mixed(4_000, Scenes.SEED),
+                        GoldenChange::churn,
+                        Edge.WRAP,
+                        Edge.WALL),
+                new GoldenScene("open", Scenes.billiards(20), GoldenChange.NONE, Edge.OPEN, Edge.OPEN),
+                new GoldenScene(
+                        "open-bouncy-churned", Scenes.bouncy(Scenes.SEED), GoldenChange::churn, Edge.OPEN, Edge.WALL),
+                new GoldenScene(
+                        "wrapped-open-paddles",
+                        HardScenes.paddles(20, 30, Scenes.SEED),
+                        GoldenChange::paddles,
+                        Edge.WRAP,
+                        Edge.OPEN));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */
@@ -52,7 +75,7 @@ record GoldenScene(String name, Scene scene, GoldenChange change) {
     }
 
     World.Builder builder() {
-        return WorldScenes.builder(scene);
+        return WorldScenes.builder(scene).edges(edgeX, edgeY);
     }
 
     @Override

@@ -39,6 +39,11 @@ class NullArgumentsTest {
         StaleHandles stale = StaleHandles.REFUSE;
         FixedStep loop = new FixedStep(world, 1 / 60f);
         Map<String, Map<String, ThrowingCallable>> calls = new TreeMap<>();
+        calls.put(
+                "Builder.edges",
+                Map.of(
+                        "x", () -> World.builder().edges(null, Edge.WALL),
+                        "y", () -> World.builder().edges(Edge.WALL, null)));
         calls.put("World.touching", Map.of("handles", () -> world.touching(0, 0, null)));
         calls.put("World.readLoadsById", Map.of("loads", () -> world.readLoadsById(null, null)));
         calls.put("World.addAll", Map.of("circles", () -> world.addAll(null, values, new int[0], handles)));

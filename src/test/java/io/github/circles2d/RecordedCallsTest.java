@@ -136,6 +136,8 @@ class RecordedCallsTest {
             "mass",
             "maxX",
             "maxY",
+            "edgeX",
+            "edgeY",
             "minX",
             "minY",
             "positions",

@@ -34,6 +34,8 @@ class ReferenceFuzzTest {
         private final int subSteps;
         private final float restitution;
         private final Settings settings;
+        private final Edge edgeX;
+        private final Edge edgeY;
         private final float size;
         private final float fastest;
         private World world;
@@ -51,6 +53,10 @@ class ReferenceFuzzTest {
             size = (float) StrictMath.pow(10, random.nextInt(9) - 4);
             fastest = size * (float) StrictMath.pow(10, random.nextInt(5) - 2);
             Settings usual = Settings.DEFAULT;
+            SplittableRandom ofEdges = new SplittableRandom(~seed);
+            boolean walled = ofEdges.nextInt(3) == 0;
+            edgeX = walled ? Edge.WALL : Edge.values()[ofEdges.nextInt(3)];
+            edgeY = walled ? Edge.WALL : Edge.values()[ofEdges.nextInt(3)];
             settings = new Settings(
                     random.nextInt(4) > 0 ? usual.threshold() : random.nextInt(2) * value(0f, 0.5f * size),
                     random.nextInt(4) > 0 ? usual.frequency() : value(1f, 100f),
@@ -60,7 +66,7 @@ class ReferenceFuzzTest {
 
         void run() {
             world = newWorld();
-            reference = new ReferenceWorld(restitution, subSteps, settings);
+            reference = newReference();
             try {
                 setBounds();
                 setGravity();
@@ -79,9 +85,17 @@ class ReferenceFuzzTest {
             int[] threads = {3, 1, 2, 1, 7, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1};
             World built = WorldScenes.onThreads(
                     threads[(int) (seed % threads.length)],
-                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps)));
+                    with(settings, WorldScenes.jvm().restitution(restitution).subSteps(subSteps))
+                            .bounds(0, 0, size, size)
+                            .edges(edgeX, edgeY));
             reports.forEach(report -> report.accept(WorldCalls.of(built)));
             return built;
+        }
+
+        private ReferenceWorld newReference() {
+            ReferenceWorld fresh = new ReferenceWorld(restitution, subSteps, settings);
+            fresh.setBounds(0, 0, size, size);
+            return fresh.edges(edgeX, edgeY);
         }
 
         private static World.Builder with(Settings settings, World.Builder builder) {
@@ -436,7 +450,13 @@ class ReferenceFuzzTest {
         /** Queries of some circles alone, of which the world says itself what they are. */
         private void query(int mask) {
             float radius = value(0f, size);
-            new QueryComparison(world, mask).compare(x(), y(), radius, x(), y());
+            float x = x();
+            float y = y();
+            float toX = x();
+            float toY = y();
+            if (edgeX != Edge.WRAP && edgeY != Edge.WRAP) { // across a seam: WorldEdgesTest
+                new QueryComparison(world, mask).compare(x, y, radius, toX, toY);
+            }
         }
 
         private void setGravity() {
@@ -450,7 +470,16 @@ class ReferenceFuzzTest {
             float minY = random.nextBoolean() ? 0f : value(-10f * size, 10f * size);
             float maxX = minX + value(0.5f * size, 2f * size);
             float maxY = minY + value(0.5f * size, 2f * size);
-            both("setBounds", c -> c.setBounds(minX, minY, maxX, maxY));
+            setBounds("setBounds", minX, minY, maxX, maxY);
+        }
+
+        /** An axis that wraps keeps its bounds. */
+        private void setBounds(String what, float minX, float minY, float maxX, float maxY) {
+            float lowX = edgeX == Edge.WRAP ? world.minX() : minX;
+            float lowY = edgeY == Edge.WRAP ? world.minY() : minY;
+            float highX = edgeX == Edge.WRAP ? world.maxX() : maxX;
+            float highY = edgeY == Edge.WRAP ? world.maxY() : maxY;
+            both(what, c -> c.setBounds(lowX, lowY, highX, highY));
         }
 
         /** Moves walls by about as much as circles are large, for some steps. */
@@ -464,7 +493,7 @@ class ReferenceFuzzTest {
                 float minY = world.minY() + way[1];
                 float maxX = Math.max(world.maxX() + way[2], minX + 0.5f * size);
                 float maxY = Math.max(world.maxY() + way[3], minY + 0.5f * size);
-                both("move walls", c -> c.setBounds(minX, minY, maxX, maxY));
+                setBounds("move walls", minX, minY, maxX, maxY);
                 if (random.nextInt(4) > 0) {
                     step();
                 } else {
@@ -488,7 +517,7 @@ class ReferenceFuzzTest {
             }
             world.restore(snapshot.duplicate());
             calls = new ArrayList<>(callsUpToSnapshot);
-            reference = new ReferenceWorld(restitution, subSteps, settings);
+            reference = newReference();
             calls.forEach(call -> call.accept(reference));
             reference.takeEvents();
             compare("restore");
@@ -503,15 +532,25 @@ class ReferenceFuzzTest {
         }
 
         private float x() {
-            return random.nextInt(8) == 0
-                    ? wall(world.minX())
-                    : Math.min(value(world.minX(), world.maxX()), world.maxX());
+            return far(edgeX)
+                    + (random.nextInt(8) == 0
+                            ? wall(world.minX())
+                            : Math.min(value(world.minX(), world.maxX()), world.maxX()));
         }
 
         private float y() {
-            return random.nextInt(8) == 0
-                    ? wall(world.minY())
-                    : Math.min(value(world.minY(), world.maxY()), world.maxY());
+            return far(edgeY)
+                    + (random.nextInt(8) == 0
+                            ? wall(world.minY())
+                            : Math.min(value(world.minY(), world.maxY()), world.maxY()));
+        }
+
+        /** Without walls some places are beyond the bounds, and few far out, where coordinates are coarse. */
+        private float far(Edge edge) {
+            if (edge == Edge.WALL || random.nextInt(6) > 0) {
+                return -0f; // keeps the sign of a zero
+            }
+            return random.nextInt(20) == 0 ? (random.nextBoolean() ? 1e5f : -9e8f) : value(-3f, 3f) * size;
         }
 
         /** A coordinate at a wall, also where only the sign of a zero differs. */
@@ -520,7 +559,9 @@ class ReferenceFuzzTest {
         }
 
         private float radius() {
-            return size * (random.nextInt(3) == 0 ? value(1e-3f, 0.2f) : value(0.02f, 0.05f));
+            boolean wraps = edgeX == Edge.WRAP || edgeY == Edge.WRAP;
+            float most = wraps ? 0.09f : 0.2f;
+            return size * (random.nextInt(3) == 0 ? value(1e-3f, most) : value(0.02f, 0.05f));
         }
 
         private float mass() {

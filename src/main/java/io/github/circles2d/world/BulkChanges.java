@@ -197,7 +197,7 @@ public final class BulkChanges {
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         guard.enter();
         try {
-            explosion.set(x, y, radius, impulse, falloff);
+            explosion.set(x, y, radius, impulse, falloff, simulation.bounds);
             filter.setMask(mask);
             float[] circles = simulation.last.circles();
             changes.begin(0);

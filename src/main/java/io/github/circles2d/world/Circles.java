@@ -48,7 +48,9 @@ public final class Circles {
             if (kind != 0) {
                 handles.fields().ensure(CircleField.KIND, handles.end() + 1);
             }
-            commands.prepare(0, x, y, radius, mass, newRestitution(kind), vx, vy);
+            float restitution = newRestitution(kind);
+            commands.prepare(
+                    0, simulation.bounds.placeX(x), simulation.bounds.placeY(y), radius, mass, restitution, vx, vy);
             simulation.changed();
             guard.changing = true;
             long handle = admit();
@@ -143,7 +145,15 @@ public final class Circles {
         } catch (IllegalArgumentException e) {
             throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
         }
-        commands.prepare(i, x, y, radius, mass, newRestitution(kind), vx, vy);
+        commands.prepare(
+                i,
+                simulation.bounds.placeX(x),
+                simulation.bounds.placeY(y),
+                radius,
+                mass,
+                newRestitution(kind),
+                vx,
+                vy);
     }
 
     private void checkRoom(int more) {
@@ -252,8 +262,10 @@ public final class Circles {
             if (operation == Commands.MASS) {
                 setMass(id, a);
             }
-            commands.set(operation, id, a, b);
-            if (operation == Commands.POSITION) {
+            boolean places = operation == Commands.POSITION;
+            commands.set(
+                    operation, id, places ? simulation.bounds.placeX(a) : a, places ? simulation.bounds.placeY(b) : b);
+            if (places) {
                 simulation.travels.forget(id);
             } else if (operation == Commands.RADIUS) {
                 handles.setRadius(id, a);

@@ -61,7 +61,7 @@ final class DeviceAnswers {
 
     /** Whether the device answers such a batch. Checks all of its queries if so. */
     private boolean takes(QueryBatch batch) {
-        search = simulation.pipeline.search();
+        search = simulation.bounds.wraps() ? null : simulation.pipeline.search(); // kernels do not look across a seam
         if (search == null || batch.n == 0 || !always && !isWorthIt(batch.n)) {
             return false;
         }

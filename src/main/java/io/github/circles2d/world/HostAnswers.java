@@ -7,6 +7,7 @@ import io.github.circles2d.world.queries.TreeSearch;
 
 /** Answers queries by a tree on the host. The first after a change reads all circles and builds it. */
 final class HostAnswers {
+    private final Simulation simulation;
     private final HandleTable handles;
     private final LastReading last;
     private final TreeSearch search = new TreeSearch();
@@ -16,6 +17,7 @@ final class HostAnswers {
     private long shown;
 
     HostAnswers(Simulation simulation) {
+        this.simulation = simulation;
         handles = simulation.handles;
         last = simulation.last;
     }
@@ -92,7 +94,7 @@ final class HostAnswers {
             }
         }
         shown = 0;
-        search.build(circles, ids, n);
+        search.build(circles, ids, n, simulation.bounds);
         shown = last.number();
     }
 }

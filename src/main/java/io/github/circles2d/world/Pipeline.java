@@ -35,11 +35,12 @@ public interface Pipeline extends AutoCloseable {
     void apply(Commands commands);
 
     /**
-     * Makes ready for steps with such contacts, however they were before.
+     * Makes ready for steps with such contacts and edges, however they were before.
      *
      * @param contacts how contacts will be
+     * @param edged whether an axis will have no walls
      */
-    default void prepare(ContactSettings contacts) {}
+    default void prepare(ContactSettings contacts, boolean edged) {}
 
     /**
      * Makes steps.

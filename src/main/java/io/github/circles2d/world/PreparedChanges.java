@@ -51,7 +51,8 @@ final class PreparedChanges {
 
     /** Prepares a new position. A static circle travels there. */
     void move(int id, float x, float y) {
-        set(Commands.POSITION, id, x, y);
+        simulation.circles().checkValues(Commands.POSITION, x, y);
+        setChecked(Commands.POSITION, id, simulation.bounds.placeX(x), simulation.bounds.placeY(y));
         if (handles.isStatic(id)) {
             simulation.travels.ensure(id, travels++);
         }

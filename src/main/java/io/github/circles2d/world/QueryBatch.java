@@ -1,5 +1,6 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import java.util.Objects;
@@ -9,6 +10,7 @@ final class QueryBatch {
     /** Says that no query of the batch is at fault. */
     private static final int NONE = -1;
 
+    private final Simulation simulation;
     private final float[] single = new float[QueryShape.MOST_NUMBERS];
     private final int[] singleEnd = new int[1];
 
@@ -37,6 +39,10 @@ final class QueryBatch {
 
     /** The query that is being answered, or {@link #NONE}. */
     int query = NONE;
+
+    QueryBatch(Simulation simulation) {
+        this.simulation = simulation;
+    }
 
     /** Begins with the queries of a batch. */
     void begin(CategoryFilter only, QueryShape what, float[] numbers, int count) {
@@ -125,11 +131,27 @@ final class QueryBatch {
         return shape.stride() * q;
     }
 
-    /** Goes on to a query: takes its {@link #numbers} and checks them. */
+    /** Goes on to a query: takes its {@link #numbers}, checks them, and brings the place inside the bounds where an axis wraps. */
     void take(int q) {
         query = q;
         System.arraycopy(queries, at(q), numbers, 0, shape.stride());
         shape.check(numbers, 0);
+        Bounds bounds = simulation.bounds;
+        if (shape == QueryShape.BOX) {
+            shift(0, 0.5f * numbers[0] + 0.5f * numbers[2], bounds.placeX(0.5f * numbers[0] + 0.5f * numbers[2]));
+            shift(1, 0.5f * numbers[1] + 0.5f * numbers[3], bounds.placeY(0.5f * numbers[1] + 0.5f * numbers[3]));
+        } else {
+            numbers[0] = bounds.placeX(numbers[0]);
+            numbers[1] = bounds.placeY(numbers[1]);
+        }
+    }
+
+    /** Moves a box along an axis, by the way of its centre. */
+    private void shift(int axis, float from, float to) {
+        if (to != from) {
+            numbers[axis] += to - from;
+            numbers[axis + 2] += to - from;
+        }
     }
 
     /** How many results of queries that find all there is room for. */

@@ -10,7 +10,7 @@ import io.github.circles2d.world.queries.QueryShape;
 public final class Searches {
     private final Simulation simulation;
     private final Guard guard;
-    private final QueryBatch batch = new QueryBatch();
+    private final QueryBatch batch;
     private final HostAnswers host;
     private final DeviceAnswers device;
 
@@ -19,6 +19,7 @@ public final class Searches {
 
     Searches(Simulation simulation) {
         this.simulation = simulation;
+        batch = new QueryBatch(simulation);
         guard = simulation.guard;
         host = new HostAnswers(simulation);
         device = new DeviceAnswers(simulation);

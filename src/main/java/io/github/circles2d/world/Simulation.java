@@ -83,7 +83,7 @@ public final class Simulation implements AutoCloseable {
         searches = new Searches(this);
         setParameters(start);
         try {
-            pipeline.prepare(contacts);
+            pipeline.prepare(contacts, !bounds.isWalled());
         } catch (RuntimeException | Error e) {
             pipeline.close();
             throw e;
@@ -173,7 +173,8 @@ public final class Simulation implements AutoCloseable {
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         guard.enter();
         try {
-            Bounds next = Limits.bounds(minX, minY, maxX, maxY);
+            Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(bounds.edgeX(), bounds.edgeY());
+            Limits.moved(bounds, next);
             if (handles.size() > 0) {
                 Limits.within(
                         "the greatest radius", handles.greatestRadius(), next.leastRadius(), next.greatestRadius());
@@ -184,8 +185,8 @@ public final class Simulation implements AutoCloseable {
             journal.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
             Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
             guard.changing = true;
-            pipeline.confine(start, next);
-            travels.confine(next);
+            pipeline.confine(start.walls(), next.walls());
+            travels.confine(next.walls());
             wallStart = start;
             bounds = next;
             guard.changing = false;
@@ -273,7 +274,7 @@ public final class Simulation implements AutoCloseable {
         forces.begin();
         travels.makeRoom();
         guard.changing = true;
-        travels.depart(timeStep);
+        travels.depart(timeStep, bounds);
         journal.skipCommands();
         guard.changing = false;
         try {
@@ -303,6 +304,7 @@ public final class Simulation implements AutoCloseable {
             constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
+            events.setArena(bounds);
             events.prepare(kindTable, constants);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
             pipeline.step(constants, levels, steps);

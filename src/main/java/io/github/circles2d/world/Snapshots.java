@@ -112,7 +112,8 @@ public final class Snapshots {
         simulation.forces.makeRoom(saved);
         simulation.travels.makeRoom(saved);
         pipeline.makeRoom(saved);
-        pipeline.prepare(saved.parameters().contacts());
+        pipeline.prepare(
+                saved.parameters().contacts(), !saved.parameters().bounds().isWalled());
         simulation.events.makeRoom(saved.touches, saved.ids);
         simulation.changed();
         simulation.journal.restore(saved);

@@ -104,13 +104,13 @@ final class Travels {
     }
 
     /** Before the step: gives the circles the velocities that lead them to their targets, which they lose. */
-    void depart(float timeStep) {
+    void depart(float timeStep, Bounds bounds) {
         int travelling = 0;
         for (int k = 0; k < count; k++) {
             int id = ids[k];
             long target = target(id);
             if (target != TARGET.initial()) {
-                commands.depart(id, CircleField.placeX(target), CircleField.placeY(target), timeStep);
+                commands.depart(id, CircleField.placeX(target), CircleField.placeY(target), timeStep, bounds);
                 fields.set(TARGET, id, TARGET.initial());
                 ids[travelling] = id;
                 places[travelling++] = target;

@@ -46,7 +46,7 @@ final class Carrying {
 
     private static float timeOfCarry(Circle carrier, Circle c) {
         float radii = carrier.radius + c.radius;
-        float[] d = minus(c.base, carrier.base);
+        float[] d = carrier.wayTo(c);
         float t = ContinuousCollision.timeOfImpact(d, minus(carrier.path, c.path), radii);
         float share = freeShare(c);
         if (t < share) {

@@ -1,7 +1,6 @@
 package io.github.circles2d.reference;
 
 import static io.github.circles2d.reference.Numbers.dot;
-import static io.github.circles2d.reference.Numbers.minus;
 
 /** A circle: its state, and what a step notes about it. Arrays hold a value for x and one for y. */
 final class Circle {
@@ -31,6 +30,8 @@ final class Circle {
     // within a step
     /** The base as the step begins. */
     float[] start = base;
+
+    Arena arena;
 
     /** The whole force in this step. */
     final float[] actingForce = new float[2];
@@ -71,8 +72,13 @@ final class Circle {
         return inverseMass() == 0f;
     }
 
+    /** From this circle to another, by their bases. */
+    float[] wayTo(Circle other) {
+        return arena.way(base, other.base);
+    }
+
     boolean isNear(Circle other) {
-        float[] d = minus(other.base, base);
+        float[] d = wayTo(other);
         float distance = speculativeDistance + other.speculativeDistance;
         return dot(d, d) < distance * distance;
     }
@@ -83,10 +89,10 @@ final class Circle {
     }
 
     /** Sets out for the target; returns the velocity to go on with after the step. */
-    float[] depart(float dt) {
+    float[] depart(float dt, Arena arena) {
         float[] own = velocity.clone();
         for (int a = 0; a < 2 && target != null; a++) {
-            velocity[a] = Numbers.limitSpeed((target[a] - base[a]) / dt);
+            velocity[a] = Numbers.limitSpeed(arena.way(base, target)[a] / dt);
         }
         return own;
     }

@@ -61,7 +61,7 @@ final class Contact extends Constraint {
     }
 
     void measure() {
-        float[] d = plus(minus(higher.base, lower.base), minus(higher.displacement, lower.displacement));
+        float[] d = plus(lower.wayTo(higher), minus(higher.displacement, lower.displacement));
         normal = length(d) > COINCIDENT * radii ? unit(d) : normal;
         separation = length(d) - radii;
     }

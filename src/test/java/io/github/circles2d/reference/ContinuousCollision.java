@@ -117,7 +117,7 @@ final class ContinuousCollision {
 
     private void look(Circle c, Circle other) {
         float[] u = minus(c.path, other.path);
-        float[] d = minus(other.base, c.base);
+        float[] d = c.wayTo(other);
         boolean atStatic = other.isStatic();
         if (!kinds.mayMeet(c, other)
                 || !(length2(u) > c.leastPath * c.leastPath)
@@ -151,7 +151,7 @@ final class ContinuousCollision {
 
     static boolean areCloser(Circle a, Circle b, float slack) {
         float close = (a.radius + slack * a.radius) + (b.radius + slack * b.radius);
-        return length2(minus(a.base, b.base)) < close * close;
+        return length2(a.wayTo(b)) < close * close;
     }
 
     private static float length2(float[] a) {

@@ -1,5 +1,8 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Edge;
+import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -16,14 +19,26 @@ final class Grid {
     private final Ring[][] rings = new Ring[LEVELS][];
 
     /** Cells along an axis, the first of them from the lower wall on; after the last one comes the first again. */
-    private record Ring(int cells, float min, float inverseEdge) {
+    private record Ring(Edge edge, int cells, float min, float perLength, int units) {
         /** The number of a coordinate's cell, as if there were any number of cells. */
-        int cell(float coordinate) {
-            return (int) Numbers.max((coordinate - min) * inverseEdge, 0f);
+        BigInteger cell(float coordinate) {
+            return switch (edge) {
+                case WALL -> BigInteger.valueOf((int) Numbers.max((coordinate - min) * perLength, 0f));
+                case OPEN -> openCell(coordinate);
+                case WRAP -> BigInteger.valueOf((long) Math.floor((coordinate - min) * perLength));
+            };
+        }
+
+        /** A whole number of units, the rest of a unit cut off, and then a whole number of cells. */
+        private BigInteger openCell(float coordinate) {
+            BigDecimal most = new BigDecimal(0x1p62);
+            BigDecimal scaled = new BigDecimal(coordinate * perLength).min(most).max(most.negate());
+            BigInteger[] cell = scaled.toBigInteger().divideAndRemainder(BigInteger.valueOf(units));
+            return cell[1].signum() < 0 ? cell[0].subtract(BigInteger.ONE) : cell[0];
         }
 
         int cellOnRing(float coordinate) {
-            return cell(coordinate) % cells;
+            return cell(coordinate).mod(BigInteger.valueOf(cells)).intValue();
         }
 
         /** The lesser one of two cells that are equal or neighbours. */
@@ -53,7 +68,7 @@ final class Grid {
         circles.forEach(c -> c.level = level[sizeClass(c)]);
         finestLevel = circles.stream().mapToInt(c -> c.level).max().orElseThrow();
         for (int k = 0; k < LEVELS; k++) {
-            rings[k] = layOut(largestRadius[k], population[k], step.min(), step.max());
+            rings[k] = layOut(largestRadius[k], population[k], step.arena());
         }
     }
 
@@ -65,13 +80,15 @@ final class Grid {
         return k;
     }
 
-    private static Ring[] layOut(float radius, int circles, float[] min, float[] max) {
+    private static Ring[] layOut(float radius, int circles, Arena arena) {
+        float[] min = arena.min();
+        float[] max = arena.max();
         float m = 0f;
         for (int a = 0; a < 2; a++) {
             m = Math.max(m, Math.max(Math.max(Math.abs(min[a]), Math.abs(max[a])), max[a] - min[a]));
         }
         float edge = 2f * (radius * (1f + Circle.MARGIN + Circle.CAP)) + m * 0x1p-20f;
-        float[] extent = {(max[0] - min[0]) / edge, (max[1] - min[1]) / edge};
+        float[] extent = {cells(arena, 0, edge), cells(arena, 1, edge)};
         int[] cells = {4, 4};
         for (int a = 0; a < 2; a++) {
             while (cells[a] < 32_768 && extent[a] > cells[a]) {
@@ -84,9 +101,41 @@ final class Grid {
         Ring[] rings = new Ring[2];
         for (int a = 0; a < 2; a++) {
             boolean vast = cells[a] >= 16 && extent[a] > 4 * cells[a];
-            rings[a] = new Ring(vast ? twicePrime(cells[a], a + 1) : cells[a], min[a], 1f / edge);
+            int number = vast ? twicePrime(cells[a], a + 1) : cells[a];
+            rings[a] = switch (arena.edges()[a]) {
+                case WALL -> new Ring(Edge.WALL, number, min[a], 1f / edge, 0);
+                case OPEN -> open(number, 2f * (radius * (1f + Circle.MARGIN + Circle.CAP)));
+                case WRAP -> wrapped(Math.min(number, (int) extent[a]), (int) extent[a], min[a], arena.period(a));
+            };
         }
         return rings;
+    }
+
+    /** How many cells of an edge there are along an axis: where it wraps, an even number. */
+    private static float cells(Arena arena, int axis, float edge) {
+        return switch (arena.edges()[axis]) {
+            case WALL -> arena.period(axis) / edge;
+            case OPEN -> Float.POSITIVE_INFINITY;
+            case WRAP -> (int) (arena.period(axis) / edge) / 2 * 2;
+        };
+    }
+
+    /** Cells of a whole number of units, of which at least 1,024 are as wide as the edge. */
+    private static Ring open(int number, float edge) {
+        float perLength = 1024f;
+        for (float e = edge; e >= 2f; e *= 0.5f) {
+            perLength *= 0.5f;
+        }
+        for (float e = edge; e < 1f; e *= 2f) {
+            perLength *= 2f;
+        }
+        return new Ring(Edge.OPEN, number, 0f, perLength, (int) Math.floor(edge * perLength) + 2);
+    }
+
+    /** A ring that a period goes round a whole number of times. */
+    private static Ring wrapped(int number, int fitting, float min, float period) {
+        int cells = fitting - fitting % number;
+        return new Ring(Edge.WRAP, number, min, cells / period, 0);
     }
 
     /** Twice the greatest prime below half of a number, or the second greatest one, and so on. */

@@ -1,5 +1,6 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Edge;
 import io.github.circles2d.Kind;
 import io.github.circles2d.Response;
 import io.github.circles2d.StaleHandles;
@@ -47,8 +48,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     private final Kinds kinds = new Kinds();
     private final TouchEvents events = new TouchEvents();
-    private float[] min = {0f, 0f};
-    private float[] max = {1f, 1f};
+    private Arena arena = new Arena(new float[] {0f, 0f}, new float[] {1f, 1f}, new Edge[] {Edge.WALL, Edge.WALL});
+    private float[] min = arena.lowerWalls();
+    private float[] max = arena.upperWalls();
 
     /** Where the walls were in the last step; where they are if they have jumped since. */
     private float[] startMin = min;
@@ -68,9 +70,24 @@ public final class ReferenceWorld implements WorldCalls {
         this.settings = settings;
     }
 
+    /** Sets what there is at the edges; before there are circles. */
+    public ReferenceWorld edges(Edge x, Edge y) {
+        arena = new Arena(arena.min(), arena.max(), new Edge[] {x, y});
+        setBounds(arena.min()[0], arena.min()[1], arena.max()[0], arena.max()[1]);
+        return this;
+    }
+
     private StepParameters parameters(float dt) {
         return new StepParameters(
-                min, max, Numbers.minus(min, startMin), Numbers.minus(startMax, max), gravity, dt, subSteps, settings);
+                arena,
+                min,
+                max,
+                Numbers.minus(min, startMin),
+                Numbers.minus(startMax, max),
+                gravity,
+                dt,
+                subSteps,
+                settings);
     }
 
     /** In the order of the ids. */
@@ -85,10 +102,12 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
-            float[][] velocities = circles().stream().map(c -> c.depart(dt)).toArray(float[][]::new);
+            float[][] velocities =
+                    circles().stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
             for (Circle c : circles()) {
+                c.arena = arena;
                 c.actingForce[0] = c.force[0];
                 c.actingForce[1] = c.force[1];
                 addForce(c.actingForce, c.appliedForce[0], c.appliedForce[1]);
@@ -101,7 +120,7 @@ public final class ReferenceWorld implements WorldCalls {
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
-            events.step(contacts, circles(), kinds, dt);
+            events.step(contacts, circles(), kinds, arena, dt);
             for (int i = 0; i < size(); i++) {
                 circles().get(i).arrive(velocities[i]);
             }
@@ -191,7 +210,7 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void setPosition(long handle, float x, float y) {
         if (find(handle).isStatic()) {
-            find(handle).target = new float[] {x, y};
+            find(handle).target = new float[] {arena.inside(0, x), arena.inside(1, y)};
         } else {
             teleport(handle, x, y);
         }
@@ -200,8 +219,8 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void teleport(long handle, float x, float y) {
         find(handle).target = null;
-        find(handle).place(0, x);
-        find(handle).place(1, y);
+        find(handle).place(0, arena.inside(0, x));
+        find(handle).place(1, arena.inside(1, y));
     }
 
     @Override
@@ -422,7 +441,7 @@ public final class ReferenceWorld implements WorldCalls {
     private int explode(List<Circle> circles, float x, float y, float radius, float impulse, float falloff) {
         int pushed = 0;
         for (Circle c : circles) {
-            float[] d = {c.base[0] - x, c.base[1] - y};
+            float[] d = arena.way(new float[] {arena.inside(0, x), arena.inside(1, y)}, c.base);
             float distance = Numbers.length(d[0], d[1]);
             float gap = Numbers.max(distance - c.radius, 0f);
             if (c.isStatic() || distance == 0f || gap > radius && gap >= radius + falloff) {
@@ -445,8 +464,9 @@ public final class ReferenceWorld implements WorldCalls {
 
     @Override
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        min = new float[] {minX, minY};
-        max = new float[] {maxX, maxY};
+        arena = arena.at(new float[] {minX, minY}, new float[] {maxX, maxY});
+        min = arena.lowerWalls();
+        max = arena.upperWalls();
         startMin = starts(startMin, min);
         startMax = starts(startMax, max);
         for (Circle c : circles()) {
@@ -483,12 +503,12 @@ public final class ReferenceWorld implements WorldCalls {
     public long hash() {
         boolean moved =
                 startMin[0] != min[0] || startMin[1] != min[1] || startMax[0] != max[0] || startMax[1] != max[1];
-        long sum = moved ? absorb(WALLS, startMin[0], startMin[1], startMax[0], startMax[1]) : 0;
+        long sum = moved ? absorb(WALLS, start(0), start(1), startOfUpper(0), startOfUpper(1)) : 0;
         if (!settings.equals(Settings.DEFAULT)) {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash();
+        sum += kinds.hash() + arena.hash();
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);
@@ -515,12 +535,21 @@ public final class ReferenceWorld implements WorldCalls {
         return value == 0 ? 0 : absorb(absorb(h, (int) value), (int) (value >> 32));
     }
 
+    /** Where the lower wall of an axis starts; the bounds if there is none. */
+    private float start(int axis) {
+        return arena.edges()[axis] == Edge.WALL ? startMin[axis] : arena.min()[axis];
+    }
+
+    private float startOfUpper(int axis) {
+        return arena.edges()[axis] == Edge.WALL ? startMax[axis] : arena.max()[axis];
+    }
+
     static long absorb(long hash, int word) {
         long h = (hash ^ (word & 0xFFFFFFFFL)) * 0x9E3779B97F4A7C15L;
         return h ^ (h >>> 32);
     }
 
-    private static long absorb(long hash, float... values) {
+    static long absorb(long hash, float... values) {
         long h = hash;
         for (float value : values) {
             h = absorb(h, Float.floatToRawIntBits(value));

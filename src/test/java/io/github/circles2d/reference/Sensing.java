@@ -12,9 +12,10 @@ final class Sensing {
     private Sensing() {}
 
     static Touch touch(Circle lower, Circle higher, float dt) {
-        float[] lowerPath = minus(lower.base, lower.start);
-        float[] d = minus(higher.start, lower.start);
-        float[] u = minus(minus(higher.base, higher.start), lowerPath);
+        Arena arena = lower.arena;
+        float[] lowerPath = arena.way(lower.start, lower.base);
+        float[] d = arena.way(lower.start, higher.start);
+        float[] u = minus(arena.way(higher.start, higher.base), lowerPath);
         float sum = lower.radius + higher.radius;
         float closest = dot(u, u) > 0f ? Numbers.clamp(-dot(d, u) / dot(u, u), 0f, 1f) : 0f;
         Touch touch = new Touch();

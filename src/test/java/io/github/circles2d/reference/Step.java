@@ -94,6 +94,9 @@ final class Step {
         if (!c.isStatic()) {
             cut(c.path, kinds.getFloat(c.kind, Kinds.GREATEST_SPEED) * k.dt());
         }
+        float share = k.arena().share(c.path);
+        c.path[0] *= share;
+        c.path[1] *= share;
         c.pathLength = length(c.path);
         if (c.isStatic()) {
             ContinuousCollision.cutStaticPath(c, k);
@@ -217,8 +220,30 @@ final class Step {
             float lost = (c.base[a] - (sum - part)) + (c.displacement[a] - part);
             c.displacement[a] = inside == sum ? lost : 0f;
             c.base[a] = inside;
+            bringInside(c, a);
             c.velocity[a] = limitSpeed(c.velocity[a]);
         }
+    }
+
+    /** What leaves on one side of an axis that wraps comes in on the other, and loses nothing by rounding. */
+    private void bringInside(Circle c, int axis) {
+        float turns = k.arena().turns(axis, c.base[axis]);
+        if (turns == 0f) {
+            return;
+        }
+        float away = -(turns * k.arena().period(axis));
+        float near = c.base[axis] + away;
+        float rest = c.displacement[axis] + lost(c.base[axis], away);
+        float sum = near + rest;
+        c.base[axis] = k.arena().clamp(axis, sum);
+        c.displacement[axis] = c.base[axis] == sum ? lost(near, rest) : 0f;
+    }
+
+    /** What a sum loses by rounding. */
+    private static float lost(float a, float b) {
+        float sum = a + b;
+        float part = sum - a;
+        return (a - (sum - part)) + (b - part);
     }
 
     private void storeImpulses(Map<Contact.Pair, Float> impulseCache) {

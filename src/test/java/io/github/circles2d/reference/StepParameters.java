@@ -3,12 +3,14 @@ package io.github.circles2d.reference;
 /**
  * The walls, the gravity and the times that a step is made with. Arrays hold a value for x and one for y.
  *
+ * @param arena where the circles are; without walls that move
  * @param min the lower walls at the end of the step
  * @param max the upper walls at the end of the step
  * @param minIn what the lower walls come in during the step; negative if they go out
  * @param maxIn what the upper walls come in during the step; negative if they go out
  */
 record StepParameters(
+        Arena arena,
         float[] min,
         float[] max,
         float[] minIn,

@@ -1,5 +1,6 @@
 package io.github.circles2d.reference;
 
+import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.Response;
 import java.util.ArrayList;
@@ -155,7 +156,7 @@ final class TouchEvents {
     }
 
     /** Ends a step. */
-    void step(List<Contact> contacts, List<Circle> circles, Kinds kinds, float dt) {
+    void step(List<Contact> contacts, List<Circle> circles, Kinds kinds, Arena arena, float dt) {
         if (!types.isOn()) {
             return;
         }
@@ -165,6 +166,9 @@ final class TouchEvents {
         }
         for (Circle c : circles) {
             for (int a = 0; a < 2 && !c.isStatic(); a++) {
+                if (arena.edges()[a] != Edge.WALL) {
+                    continue;
+                }
                 c.walls[a].touchesAfterStep().forEach((side, t) -> now.put(new Key(c, null, side), t));
             }
         }
@@ -178,6 +182,9 @@ final class TouchEvents {
             }
         }
         now.keySet().removeIf(key -> typesOf(key) == 0);
+        for (Touch t : now.values()) {
+            t.point = new float[] {arena.inside(0, t.point[0]), arena.inside(1, t.point[1])};
+        }
         now.forEach(this::look);
         end(key -> !now.containsKey(key) || !now.get(key).staysInTouch(), 3);
         ofStep.sort(ORDER);

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.Bounds;
 import java.util.Arrays;
 
 /**
@@ -65,6 +66,12 @@ public final class Commands {
 
     /** Field of {@link #DEPART}: length of the step. */
     public static final int THIRD = 4;
+
+    /** Field of {@link #DEPART}: period along x, which may be infinite. */
+    public static final int FOURTH = 5;
+
+    /** Field of {@link #DEPART}: period along y. */
+    public static final int FIFTH = 6;
 
     /** Field of a new circle: x. */
     public static final int ADD_X = 2;
@@ -257,10 +264,14 @@ public final class Commands {
      * @param x place
      * @param y place
      * @param timeStep length of the step
+     * @param bounds the arena
      */
-    public void depart(int id, float x, float y, float timeStep) {
+    public void depart(int id, float x, float y, float timeStep, Bounds bounds) {
         set(DEPART, id, x, y);
-        records[STRIDE * (count - 1) + THIRD] = Float.floatToRawIntBits(timeStep);
+        int k = STRIDE * (count - 1);
+        records[k + THIRD] = Float.floatToRawIntBits(timeStep);
+        records[k + FOURTH] = Float.floatToRawIntBits(bounds.periodX());
+        records[k + FIFTH] = Float.floatToRawIntBits(bounds.periodY());
     }
 
     /**

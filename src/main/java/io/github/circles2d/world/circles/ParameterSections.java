@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
@@ -84,13 +85,23 @@ final class ParameterSections {
             in.position(
                     in.position() + FLOATS * Float.BYTES); // they were known before, and new objects would be garbage
         } else if (number == WALL_START) {
-            s.setParameters(p.startingAt(new Bounds(wall(in), wall(in), wall(in), wall(in))));
+            Bounds start = new Bounds(wall(in), wall(in), wall(in), wall(in));
+            s.setParameters(
+                    p.startingAt(start.with(p.bounds().edgeX(), p.bounds().edgeY())));
             SnapshotCodec.require(s.parameters().wallsMove(), "its walls do not move");
+            SnapshotCodec.require(startsAtWalls(s.parameters()), "an edge moves that is no wall");
         } else {
             SnapshotCodec.require(number == CONTACTS, "no section has the number " + number);
             s.setParameters(p.with(new ContactSettings(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat())));
             SnapshotCodec.require(hasContacts(s), "its contacts are as by default");
         }
+    }
+
+    private static boolean startsAtWalls(WorldParameters p) {
+        Bounds b = p.bounds();
+        Bounds start = p.wallStart();
+        return (b.edgeX() == AxisEdge.WALL || b.minX() == start.minX() && b.maxX() == start.maxX())
+                && (b.edgeY() == AxisEdge.WALL || b.minY() == start.minY() && b.maxY() == start.maxY());
     }
 
     private static float wall(ByteBuffer in) {

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -14,7 +15,8 @@ import java.nio.ByteOrder;
  *
  * <pre>
  * header     int magic, version, length of all in bytes, circles, ids, impulses;
- *            float bounds (4), gravity (2), restitution; int sub-steps; float length of the last step; int number of sections
+ *            float bounds (4), gravity (2), restitution; int sub-steps, from bit 8
+ *            on the edge of x, from bit 12 on that of y ({@link AxisEdge}); float length of the last step; int number of sections
  *            behind the records, 0 in snapshots of versions without them; long check
  * free id    byte flags; varint generation if it is not 0
  * circle     byte flags; float x, y, radius, mass, remainder x, y, velocity x, y; if the flags say so: varint generation,
@@ -39,6 +41,13 @@ public final class SnapshotCodec {
 
     /** Bytes of the header. */
     public static final int HEADER = 72;
+
+    // The int of the header that has the sub-steps, and the edges of each axis.
+    private static final int SUB_STEPS_MASK = 0xFF;
+    private static final int EDGE_X_SHIFT = 8;
+    private static final int EDGE_Y_SHIFT = 12;
+    private static final int EDGE_MASK = 0xF;
+    private static final AxisEdge[] EDGES = AxisEdge.values();
 
     // Flags of a record; the number of impulses takes the bits above them.
     private static final int LIVES = 1;
@@ -128,7 +137,7 @@ public final class SnapshotCodec {
         out.putFloat(p.bounds().minX()).putFloat(p.bounds().minY());
         out.putFloat(p.bounds().maxX()).putFloat(p.bounds().maxY());
         out.putFloat(p.gravityX()).putFloat(p.gravityY()).putFloat(p.restitution());
-        out.putInt(p.subSteps()).putFloat(p.previousTimeStep());
+        out.putInt(packed(p.subSteps(), p.bounds())).putFloat(p.previousTimeStep());
         out.putInt(FieldSections.count(s) + ParameterSections.count(s) + TouchSection.count(s.touches))
                 .putLong(0);
         int circle = 0;
@@ -290,16 +299,30 @@ public final class SnapshotCodec {
     }
 
     private static WorldParameters readParameters(ByteBuffer in) {
-        Bounds bounds = Limits.bounds(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat());
+        Bounds walled = Limits.bounds(in.getFloat(), in.getFloat(), in.getFloat(), in.getFloat());
         float gravityX = Limits.within("gravity x", in.getFloat(), -Limits.SPEED, Limits.SPEED);
         float gravityY = Limits.within("gravity y", in.getFloat(), -Limits.SPEED, Limits.SPEED);
         float restitution = Limits.restitution(in.getFloat());
-        int subSteps = Limits.within("the number of sub-steps", in.getInt(), 1, Limits.SUB_STEPS);
+        int packed = in.getInt();
+        int subSteps = Limits.within("the number of sub-steps", packed & SUB_STEPS_MASK, 1, Limits.SUB_STEPS);
+        Bounds bounds = Limits.edges(walled.with(edge(packed >> EDGE_X_SHIFT), edge(packed >> EDGE_Y_SHIFT)));
+        require(packed == packed(subSteps, bounds), "its sub-steps and edges are none");
         float step = in.getFloat();
         if (step != 0) {
             Limits.within("the time step", step, Limits.LEAST_STEP, Limits.GREATEST_STEP);
         }
         return new WorldParameters(bounds, gravityX, gravityY, restitution, subSteps, step);
+    }
+
+    /** The sub-steps and the edges, which are 0 for walls, as one int of the header. */
+    private static int packed(int subSteps, Bounds bounds) {
+        return subSteps
+                | bounds.edgeX().ordinal() << EDGE_X_SHIFT
+                | bounds.edgeY().ordinal() << EDGE_Y_SHIFT;
+    }
+
+    private static AxisEdge edge(int bits) {
+        return EDGES[Math.min(bits & EDGE_MASK, EDGES.length - 1)];
     }
 
     private static int readRecord(ByteBuffer in, SavedState s, int id, int circle, int circles, int impulses) {
@@ -350,7 +373,7 @@ public final class SnapshotCodec {
         Bounds bounds = s.parameters().bounds();
         float x = s.circle[row + CircleRow.X];
         float y = s.circle[row + CircleRow.Y];
-        Limits.position(x, y, bounds);
+        Limits.place(x, y, bounds);
         Limits.radius(s.circle[row + CircleRow.RADIUS], bounds);
         Limits.mass(s.circle[row + CircleRow.MASS]);
         checkRemainder(x, s.motion[row + CircleRow.DX]);
@@ -390,7 +413,7 @@ public final class SnapshotCodec {
                 require(
                         s.traits[CircleRow.STRIDE * k + CircleRow.INVERSE_MASS] == 0,
                         "a circle travels that is not static");
-                Limits.position(
+                Limits.place(
                         CircleField.placeX(target),
                         CircleField.placeY(target),
                         s.parameters().bounds());

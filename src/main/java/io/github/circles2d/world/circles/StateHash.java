@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 
@@ -13,7 +14,7 @@ import io.github.circles2d.world.model.ContactSettings;
  * x and y; an impulse with the lower id, the higher id and itself; a field with its number, the id,
  * and the lower and the upper half of its value; a field of a kind with its number, the kind and its value; a pair of kinds with
  * the lesser one, the greater one and 1 for solid, 2 for ignored, 3 for sensed; walls with where they start: min x, min y, max x,
- * max y; settings with their numbers in order. All floats enter as their bits.
+ * max y; edges, if not all are walls, with those of x and y ({@link AxisEdge}) and the bounds; settings with their numbers in order. All floats enter as their bits.
  */
 public final class StateHash {
     private static final long CIRCLE = 0x636972636C653264L;
@@ -23,6 +24,7 @@ public final class StateHash {
     private static final long RESPONSE = 0x726573706F6E7365L;
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long CONTACTS = 0x636F6E7461637473L;
+    private static final long EDGES = 0x6564676573324432L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -55,6 +57,12 @@ public final class StateHash {
     static long walls(Bounds start) {
         long h = absorb(absorb(WALLS, start.minX()), start.minY());
         return absorb(absorb(h, start.maxX()), start.maxY());
+    }
+
+    /** The number of bounds of which some edge is no wall. */
+    static long edges(Bounds b) {
+        long h = absorb(absorb(EDGES, b.edgeX().ordinal()), b.edgeY().ordinal());
+        return absorb(absorb(absorb(absorb(h, b.minX()), b.minY()), b.maxX()), b.maxY());
     }
 
     /** The number of settings of contacts. */

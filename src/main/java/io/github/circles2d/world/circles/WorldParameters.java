@@ -47,10 +47,14 @@ public record WorldParameters(
         return wallStart.differs(bounds);
     }
 
-    /** The part of parameters in the hash of the state: where walls that move start, and contacts that are not as by default. */
+    /**
+     * The part of parameters in the hash of the state: where walls that move start, contacts that are not as by default, and edges that
+     * are no walls.
+     */
     public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
         long walls = wallStart.differs(bounds) ? StateHash.walls(wallStart) : 0;
-        return walls + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
+        long edges = bounds.isWalled() ? 0 : StateHash.edges(bounds);
+        return walls + edges + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
     }
 
     /**

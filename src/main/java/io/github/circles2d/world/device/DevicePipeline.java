@@ -15,6 +15,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
+import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
@@ -27,6 +28,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.queries.RemoteSearch;
 import java.nio.FloatBuffer;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -56,7 +58,10 @@ public final class DevicePipeline implements Pipeline {
     private final int workGroupSize;
     private final CommandsStage commands;
 
-    /** What the plans share; with other kernels if they have been compiled anew. */
+    /** The kernels that have been compiled, by the special cases that they are for. */
+    private final Map<String, StageKernels> variants = new HashMap<>();
+
+    /** What the plans share, with the kernels of one variant. */
     private Stages stages;
 
     /** What is reported of steps; null if nobody is told. */
@@ -85,6 +90,9 @@ public final class DevicePipeline implements Pipeline {
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
+
+    /** Whether the plans have been compiled for axes without walls. */
+    private boolean isEdged;
 
     /** The steps that have been enqueued and not been looked at. */
     private int pendingSteps;
@@ -119,9 +127,10 @@ public final class DevicePipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
-            kernels = new StageKernels(session, Plans.source(plans, device), workGroupSize);
+            kernels = compile(false, false, false);
+            variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
-            load(kernels);
+            load(false, false, null);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
@@ -142,20 +151,38 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    private void load(StageKernels from) {
-        stages = new Stages(session.device(), from, arrays, parameters);
-        stages.record(reader == null ? null : reader.touches());
+    /** Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that record, or others. */
+    private void load(boolean anySettings, boolean edges, TouchArrays recordingIn) {
+        boolean recording = recordingIn != null;
+        String variant = (anySettings ? "tuned " : "") + (edges ? "edges " : "") + (recording ? "recording" : "");
+        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, edges, recording));
+        stages = new Stages(session.device(), loaded, arrays, parameters);
+        stages.record(recordingIn);
         plans.forEach(each -> each.load(stages));
+        loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
     }
 
-    /** Compiles the plans anew if contacts need what the kernels have as constants, which is rare. */
+    /** Where steps record what contacts do; null if they do not. */
+    private TouchArrays recordedIn() {
+        return reader != null && reader.isRecording() ? reader.touches() : null;
+    }
+
+    private StageKernels compile(boolean anySettings, boolean edges, boolean recording) {
+        KernelSource source = Plans.source(plans, session.device());
+        source = anySettings ? source.define("TUNED", 1) : source;
+        return new StageKernels(session, edges ? source.define("EDGES", 1) : source, workGroupSize, recording);
+    }
+
+    /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts) {
-        if (contacts.areTuned() && !tuned) {
+    public void prepare(ContactSettings contacts, boolean edges) {
+        boolean tunes = tuned || contacts.areTuned();
+        boolean edged = isEdged || edges;
+        if (tunes != tuned || edged != isEdged) {
             settle();
-            KernelSource source = Plans.source(plans, session.device()).define("TUNED", 1);
-            load(new StageKernels(session, source, workGroupSize));
-            tuned = true;
+            load(tunes, edged, recordedIn());
+            tuned = tunes;
+            isEdged = edged;
         }
     }
 
@@ -199,6 +226,12 @@ public final class DevicePipeline implements Pipeline {
             if (reader != null) {
                 reader.prepare(constants);
             }
+            if (recordedIn() != stages.touches()) {
+                load(
+                        tuned,
+                        isEdged,
+                        recordedIn()); // compiles at the first report: it takes long, and few worlds report
+            }
             arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
@@ -238,7 +271,7 @@ public final class DevicePipeline implements Pipeline {
                 thinning > 0,
                 reader != null && reader.isRecording());
         if (reader != null) {
-            reader.before(stages, arrays, wanted.slots());
+            reader.before(stages, arrays, wanted.slots(), stepsSeen);
         }
         pendingSteps += steps;
         plan = Plans.first(plans, wanted);
@@ -363,7 +396,9 @@ public final class DevicePipeline implements Pipeline {
     public void report(ContactEvents events) {
         settle();
         ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
-        stages.record(next == null ? null : next.touches());
+        if (stages.touches() != null) {
+            load(tuned, isEdged, null);
+        }
         if (reader != null) {
             reader.close();
         }

@@ -23,6 +23,9 @@ final class ReportReader implements AutoCloseable {
     /** What of the steps that have been enqueued is reported, and their length. */
     private boolean recording;
 
+    /** Whether the last step that was made recorded what contacts do. */
+    private boolean hasRecorded;
+
     private boolean sensed;
     private int seekingVersion;
     private float timeStep;
@@ -63,9 +66,9 @@ final class ReportReader implements AutoCloseable {
     }
 
     /** Comes before a step is enqueued. */
-    void before(Stages stages, DeviceArrays arrays, int slots) {
+    void before(Stages stages, DeviceArrays arrays, int slots, int stepsMade) {
         if (recording) {
-            touches.ensure(arrays);
+            touches.prepare(arrays, stepsMade, events.wantsAll() || !hasRecorded, events.hitSpeed());
         }
         if (sensed) {
             sensing.ensure(arrays);
@@ -83,8 +86,10 @@ final class ReportReader implements AutoCloseable {
     /** Hands over the records of a step that has been made. */
     void endStep(Status status, DeviceArrays arrays, Stages stages, int circles) {
         records.clear();
+        int touching = status.get(StatusWord.TOUCHES);
+        boolean all = !recording || status.has(StatusWord.TOUCHES_ALL);
         if (recording) {
-            touchReader.read(status.get(StatusWord.TOUCHES), records);
+            touchReader.read(touching, records);
         }
         if (sensed) {
             if (status.get(StatusWord.SENSED) > sensing.room()) {
@@ -96,7 +101,12 @@ final class ReportReader implements AutoCloseable {
             }
             sensedReader.read(status.get(StatusWord.SENSED), timeStep, records);
         }
-        events.endStep(records);
+        events.endStep(all, records);
+        if (recording) {
+            touchReader.hold(touching);
+            touches.stepMade();
+        }
+        hasRecorded = recording;
     }
 
     @Override

@@ -8,10 +8,13 @@ import static io.github.circles2d.world.device.memory.TouchArrays.AT_NORMAL_Y;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_OTHER;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_X;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_POINT_Y;
+import static io.github.circles2d.world.device.memory.TouchArrays.AT_SAYS;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_THRESHOLD;
-import static io.github.circles2d.world.device.memory.TouchArrays.AT_TOUCHING;
 import static io.github.circles2d.world.device.memory.TouchArrays.AT_VN;
+import static io.github.circles2d.world.device.memory.TouchArrays.HOLDS;
+import static io.github.circles2d.world.device.memory.TouchArrays.PARTED;
 import static io.github.circles2d.world.device.memory.TouchArrays.RECORD;
+import static io.github.circles2d.world.device.memory.TouchArrays.TOUCHING;
 
 import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.events.ContactEvents;
@@ -40,10 +43,15 @@ final class TouchReader {
         for (int at = 0; at < RECORD * count; at += RECORD) {
             int id = words[at + AT_ID];
             int other = words[at + AT_OTHER];
+            int says = words[at + AT_SAYS];
+            if ((says & PARTED) != 0) {
+                events.part(id, other);
+                continue;
+            }
             float approach = real(at + AT_APPROACH);
             float impulse = real(at + AT_IMPULSE);
             float threshold = real(at + AT_THRESHOLD);
-            if (events.concerns(id, other, words[at + AT_TOUCHING] != 0, approach, impulse, threshold)) {
+            if (events.concerns(id, other, (says & TOUCHING) != 0, approach, impulse, threshold)) {
                 records.add(
                         id,
                         other,
@@ -55,6 +63,15 @@ final class TouchReader {
                         real(at + AT_POINT_Y),
                         real(at + AT_VN),
                         threshold);
+            }
+        }
+    }
+
+    /** Behind the end of that step: takes note of the pairs that will be told of when they part. */
+    void hold(int count) {
+        for (int at = 0; at < RECORD * count; at += RECORD) {
+            if ((words[at + AT_SAYS] & HOLDS) != 0) {
+                events.hold(words[at + AT_ID], words[at + AT_OTHER]);
             }
         }
     }

@@ -5,6 +5,8 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedTouches;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
@@ -79,10 +81,15 @@ public final class ContactEvents {
     private int[] removedIn = new int[0];
 
     private int batch;
+    private Bounds arena = new Bounds(0, 0, 1, 1);
+
     private float hitSpeed = OF_PAIR;
 
     /** The stamp of the step that is being looked at. */
     private int now = 1;
+
+    /** Whether the next step has to tell of every pair in touch, since some are not as it left them. */
+    private boolean wantsAll = true;
 
     /** Steps since events were taken last: those of which there are events, those that have been asked for, and of these those of a request. */
     private int steps;
@@ -119,6 +126,21 @@ public final class ContactEvents {
         return reported.isOn();
     }
 
+    /** Whether there is a wall: circles that come to the end of coordinates, on an axis without walls, are not reported. */
+    private boolean hasWall(int code) {
+        return (code - Limits.CIRCLES < 2 ? arena.edgeX() : arena.edgeY()) == AxisEdge.WALL;
+    }
+
+    /** The arena of the last step. */
+    Bounds arena() {
+        return arena;
+    }
+
+    /** Sets the arena of the steps to come. */
+    public void setArena(Bounds bounds) {
+        arena = bounds;
+    }
+
     /** Whether walls are reported. */
     public boolean hasWalls() {
         return reported.hasWalls();
@@ -138,7 +160,10 @@ public final class ContactEvents {
 
     /** The types that are reported of a pair: the one place that decides. */
     private int typesOf(int lower, int higher) {
-        return isWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : typesOfCircles(lower, higher);
+        if (isWall(higher)) {
+            return hasWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : 0;
+        }
+        return typesOfCircles(lower, higher);
     }
 
     /** Tells a step what of it is reported. */
@@ -186,6 +211,7 @@ public final class ContactEvents {
     }
 
     private void changed(boolean was, HandleTable handles) {
+        wantsAll = true;
         if (!isOn()) {
             pairs.clear();
             step.clear();
@@ -269,6 +295,7 @@ public final class ContactEvents {
                     waiting = false;
                 }
                 kindOf[id] = (byte) commands.second(c);
+                wantsAll |= reported.dependsOnKinds();
             }
         }
         if (waiting) {
@@ -342,20 +369,55 @@ public final class ContactEvents {
         return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
     }
 
+    /** Whether the next step has to tell of every pair in touch, also of those that {@link #hold}. */
+    public boolean wantsAll() {
+        return wantsAll;
+    }
+
+    /** Takes note that a step ends with a pair that will be told of when it parts. */
+    public void hold(int lower, int higher) {
+        int pair = pairs.find(lower, higher);
+        if (pair != TouchingPairs.NONE) {
+            pairs.hold(pair);
+        }
+    }
+
+    /** Tells of a pair that was to be told of when it parts. */
+    public void part(int lower, int higher) {
+        int pair = pairs.find(lower, higher);
+        if (pair != TouchingPairs.NONE) {
+            pairs.stamp(pair, TouchingPairs.NEVER);
+        }
+    }
+
     /**
-     * Ends a step.
+     * Ends a step that has told of every pair in touch.
      *
      * @param records those that {@link #concerns} asked for, in any order
      */
     public void endStep(TouchRecords... records) {
+        endStep(true, records);
+    }
+
+    /**
+     * Ends a step.
+     *
+     * @param all whether it has told of every pair in touch; else of those that hold only if something happened to them
+     * @param records those that {@link #concerns} asked for, in any order
+     */
+    public void endStep(boolean all, TouchRecords... records) {
+        wantsAll = false;
         stillOpen.clear();
         for (TouchRecords list : records) {
             for (int r = 0; r < list.count; r++) {
+                if (arena.wraps()) {
+                    list.bringInside(r, arena);
+                }
                 take(list, r);
             }
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (pairs.stamp(pair) != now) {
+            if (pairs.stamp(pair) != now && (all || !pairs.holds(pair))) {
                 addOpenHit(pair, RANK_OF_HIT);
                 add(pair, END, RANK_OF_END);
                 pairs.remove(pair);
@@ -572,6 +634,7 @@ public final class ContactEvents {
      * @param handles those of the state
      */
     public void load(SavedTouches from, HandleTable handles) {
+        wantsAll = true;
         events.clear();
         steps = 0;
         asked = 0;

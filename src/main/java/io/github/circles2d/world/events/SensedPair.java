@@ -35,8 +35,8 @@ public final class SensedPair {
             float bpy,
             float br,
             float dt) {
-        float dx = bx - ax;
-        float dy = by - ay;
+        float dx = CircleMath.shortWay(bx - ax, events.arena().periodX());
+        float dy = CircleMath.shortWay(by - ay, events.arena().periodY());
         float ux = bpx - apx;
         float uy = bpy - apy;
         float sum = ar + br;

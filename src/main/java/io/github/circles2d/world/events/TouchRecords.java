@@ -1,5 +1,6 @@
 package io.github.circles2d.world.events;
 
+import io.github.circles2d.world.model.Bounds;
 import java.util.Arrays;
 
 /** Records of touching pairs of a step, for {@link ContactEvents#endStep}. Each thread fills a list. */
@@ -65,6 +66,13 @@ public final class TouchRecords {
         values[at + POINT_Y] = pointY;
         values[at + VN] = vn;
         values[at + THRESHOLD] = threshold;
+    }
+
+    /** Brings the point of a record inside, if it is beyond the edge of an axis that wraps. */
+    void bringInside(int record, Bounds arena) {
+        int at = STRIDE * record;
+        values[at + POINT_X] = arena.placeX(values[at + POINT_X]);
+        values[at + POINT_Y] = arena.placeY(values[at + POINT_Y]);
     }
 
     int lower(int record) {

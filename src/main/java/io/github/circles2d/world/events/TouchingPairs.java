@@ -9,6 +9,12 @@ import java.util.Arrays;
 final class TouchingPairs {
     static final int NONE = -1;
 
+    /** The stamp of no step. */
+    static final int NEVER = 0;
+
+    /** The stamp of pairs that hold: they touch until they are told of. */
+    private static final int HOLDING = -1;
+
     private static final int STRIDE = 4;
 
     /** The higher id, or the code of a wall. */
@@ -77,6 +83,14 @@ final class TouchingPairs {
 
     void stamp(int pair, int step) {
         rows[STRIDE * pair + STAMP] = step;
+    }
+
+    void hold(int pair) {
+        stamp(pair, HOLDING);
+    }
+
+    boolean holds(int pair) {
+        return stamp(pair) == HOLDING;
     }
 
     int open(int pair) {

@@ -112,15 +112,12 @@ final class Candidates {
     }
 
     private int countIn(int slot, int from, int to) {
-        float[] circle = state.circle;
         float[] speculativeDistance = grid.speculativeDistance;
-        float x = circle[CircleRow.of(slot) + X];
-        float y = circle[CircleRow.of(slot) + Y];
         float own = speculativeDistance[slot];
         int sum = 0;
         for (int other = from; other < to; other++) {
-            float dx = circle[CircleRow.of(other) + X] - x;
-            float dy = circle[CircleRow.of(other) + Y] - y;
+            float dx = state.differenceX(slot, other);
+            float dy = state.differenceY(slot, other);
             int near = PairRule.isNear(dx, dy, own, speculativeDistance[other]);
             if (near != 0 && other != slot && PairFilter.mayMeet(state, slot, other)) {
                 sum++;

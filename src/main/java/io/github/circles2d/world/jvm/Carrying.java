@@ -79,8 +79,8 @@ final class Carrying {
         float py = state.plan[CircleRow.vector(slot) + Y];
         float pxo = state.plan[CircleRow.vector(other) + X];
         float pyo = state.plan[CircleRow.vector(other) + Y];
-        float dx = state.circle[o + X] - state.circle[s + X];
-        float dy = state.circle[o + Y] - state.circle[s + Y];
+        float dx = state.differenceX(slot, other);
+        float dy = state.differenceY(slot, other);
         float t = CircleMath.timeOfCarry(dx, dy, px, py, pxo, pyo, free, ro, r + ro);
         boolean carries = pushes(slot, ro) ? t <= 1f : t < 1f && !contactHas(slot, other, dx, dy, px - pxo, py - pyo);
         if (!carries) {

@@ -22,6 +22,7 @@ import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -346,6 +347,32 @@ final class CirclePasses {
             circle[s + Y] = keptY;
             m[s + VX] = CircleMath.limitSpeed(m[s + VX]);
             m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
+        }
+        if (state.wraps) {
+            bringInside(from, to, k.arena);
+        }
+    }
+
+    /** Brings circles that have crossed the edge of an axis that wraps to the other side. */
+    private void bringInside(int from, int to, Bounds b) {
+        for (int slot = from; slot < to; slot++) {
+            int s = CircleRow.of(slot);
+            bringInside(s + X, s + DX, b.minX(), b.lastX(), state.periodX);
+            bringInside(s + Y, s + DY, b.minY(), b.lastY(), state.periodY);
+        }
+    }
+
+    private void bringInside(int at, int atDisplacement, float min, float last, float period) {
+        float x = state.circle[at];
+        float laps = CircleMath.laps(x, min, period);
+        if (laps != 0f) {
+            float away = -(laps * period);
+            float near = x + away;
+            float rest = state.motion[atDisplacement] + CircleMath.lostByRounding(x, away, near);
+            float sum = near + rest;
+            float inside = CircleMath.bounded(sum, min, last);
+            state.motion[atDisplacement] = inside == sum ? CircleMath.lostByRounding(near, rest, sum) : 0f;
+            state.circle[at] = inside;
         }
     }
 }

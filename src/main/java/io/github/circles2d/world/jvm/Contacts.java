@@ -255,8 +255,8 @@ public final class Contacts {
         pair[ContactRow.a(c)] = a;
         pair[ContactRow.b(c)] = b;
         float radii = circle[a + CircleRow.RADIUS] + circle[b + CircleRow.RADIUS];
-        float dx = circle[b + CircleRow.X] - circle[a + CircleRow.X];
-        float dy = circle[b + CircleRow.Y] - circle[a + CircleRow.Y];
+        float dx = state.differenceX(lower, higher);
+        float dy = state.differenceY(lower, higher);
         float restitution = CircleMath.greatest(traits[a + CircleRow.RESTITUTION], traits[b + CircleRow.RESTITUTION]);
         float invMassA = traits[a + CircleRow.INVERSE_MASS];
         float invMassB = traits[b + CircleRow.INVERSE_MASS];

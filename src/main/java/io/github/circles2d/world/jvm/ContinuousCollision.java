@@ -12,6 +12,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
@@ -225,11 +226,12 @@ public final class ContinuousCollision {
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
-            int r0 = CircleMath.cell(CircleMath.least(y, y + py) - margin, levels.minY, edge);
-            int r1 = CircleMath.cell(CircleMath.greatest(y, y + py) + margin, levels.minY, edge);
+            float below = CircleMath.least(y, y + py) - margin;
+            int r0 = levels.rowFrom(below, level);
+            int r1 = levels.rowTo(below, CircleMath.greatest(y, y + py) + margin, level);
             // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on
             // the ring.
-            boolean byPieces = state.isStatic(slot) && r1 - r0 < rows;
+            boolean byPieces = state.isStatic(slot) && levels.bounds.edgeY() == AxisEdge.WALL && r1 - r0 < rows;
             int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
             for (int v = r0; v <= Math.min(r1, r0 + rows - 1); v += rowsAtOnce) {
                 int end = Math.min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
@@ -237,8 +239,8 @@ public final class ContinuousCollision {
                 float high = byPieces ? levels.minY + end / edge + margin : Float.POSITIVE_INFINITY;
                 float left = CircleMath.leastBetween(x, px, y, py, low, high) - margin;
                 float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
-                int c0 = CircleMath.cell(left, levels.minX, edge);
-                int c1 = CircleMath.cell(right, levels.minX, edge);
+                int c0 = levels.columnFrom(left, level);
+                int c1 = levels.columnTo(left, right, level);
                 lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), look);
             }
         }
@@ -306,8 +308,8 @@ public final class ContinuousCollision {
         int o = CircleRow.of(other);
         float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
         float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
-        float dx = circle[o + X] - circle[s + X];
-        float dy = circle[o + Y] - circle[s + Y];
+        float dx = state.differenceX(slot, other);
+        float dy = state.differenceY(slot, other);
         int touches = PairRule.mayTouch(dx, dy, ux, uy, circle[s + RADIUS] + circle[o + RADIUS]);
         return touches | PairRule.isStatic(circle[o + MASS]);
     }
@@ -328,8 +330,8 @@ public final class ContinuousCollision {
         if (!stands && !CircleMath.sweeps(r, ro)) {
             return;
         }
-        float dx = circle[o + X] - circle[s + X];
-        float dy = circle[o + Y] - circle[s + Y];
+        float dx = state.differenceX(slot, other);
+        float dy = state.differenceY(slot, other);
         if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
         }

@@ -134,13 +134,11 @@ public final class Grid {
     }
 
     int column(float x, int atLevel) {
-        return GridLevels.onRing(
-                CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]), levels.columnCount[atLevel]);
+        return levels.column(x, atLevel);
     }
 
     int row(float y, int atLevel) {
-        return GridLevels.onRing(
-                CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]), levels.rowCount[atLevel]);
+        return levels.row(y, atLevel);
     }
 
     private void scatter(int from, int to) {
@@ -205,6 +203,13 @@ public final class Grid {
                 float most = CircleMath.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
                 px = most * px;
                 py = most * py;
+                length = CircleMath.norm(px, py);
+            }
+            if (state.wraps) {
+                float within = CircleMath.least(
+                        CircleMath.shareOfPeriod(px, state.periodX), CircleMath.shareOfPeriod(py, state.periodY));
+                px = within * px;
+                py = within * py;
                 length = CircleMath.norm(px, py);
             }
             if (isStatic) {

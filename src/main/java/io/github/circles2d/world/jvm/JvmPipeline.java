@@ -90,6 +90,9 @@ public final class JvmPipeline implements Pipeline {
         levels.copy(shape);
         constants = stepConstants;
         steps = count;
+        state.wraps = constants.arena.wraps();
+        state.periodX = constants.arena.periodX();
+        state.periodY = constants.arena.periodY();
         state.filtering = constants.filtering;
         state.responses = constants.responses;
         state.kindMotion = constants.driving ? constants.kindMotion : null;

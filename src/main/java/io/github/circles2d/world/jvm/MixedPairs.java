@@ -143,15 +143,12 @@ final class MixedPairs {
     }
 
     private void scan(Found f, int slot, int from, int to, int group) {
-        float[] circle = state.circle;
         float[] speculativeDistance = grid.speculativeDistance;
-        float x = circle[CircleRow.of(slot) + X];
-        float y = circle[CircleRow.of(slot) + Y];
         float own = speculativeDistance[slot];
         f.tested += to - from;
         for (int other = from; other < to; other++) {
-            float dx = circle[CircleRow.of(other) + X] - x;
-            float dy = circle[CircleRow.of(other) + Y] - y;
+            float dx = state.differenceX(slot, other);
+            float dy = state.differenceY(slot, other);
             if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && candidates.keeps(slot, other)) {
                 int rank = team.size() > 1 ? (int) INTS.getAndAdd(start, group, 1) : start[group]++;
                 f.add(slot, other, group, rank);

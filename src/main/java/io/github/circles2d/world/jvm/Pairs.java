@@ -68,6 +68,9 @@ public final class Pairs {
 
     /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */
     private int scan(FoundPairs f, int hitsBefore, int slot, int from, int to) {
+        if (state.wraps) {
+            return scanTheShortWay(f, hitsBefore, slot, from, to);
+        }
         float[] circle = state.circle;
         float[] speculativeDistance = grid.speculativeDistance;
         long[] hits = f.hits;
@@ -89,6 +92,26 @@ public final class Pairs {
                 count = 0;
             }
         }
+        return count;
+    }
+
+    /** As {@link #scan} where an axis wraps. */
+    private int scanTheShortWay(FoundPairs f, int hitsBefore, int slot, int from, int to) {
+        float own = grid.speculativeDistance[slot];
+        int count = hitsBefore;
+        for (int other = from; other < to; other++) {
+            f.hits[count] = (long) slot << 32 | other;
+            count -= PairRule.isNear(
+                    state.differenceX(slot, other),
+                    state.differenceY(slot, other),
+                    own,
+                    grid.speculativeDistance[other]);
+            if (count > BLOCK) {
+                gather(f, count);
+                count = 0;
+            }
+        }
+        f.tested += to - from;
         return count;
     }
 

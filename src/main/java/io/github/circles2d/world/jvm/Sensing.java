@@ -90,11 +90,13 @@ final class Sensing {
     }
 
     private float pathX(int slot) {
-        return state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
+        float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
+        return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
     }
 
     private float pathY(int slot) {
-        return state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
+        float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
+        return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
     }
 
     private float path(int slot) {
@@ -114,12 +116,13 @@ final class Sensing {
         float toY = y + pathY(slot);
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
-            float edge = levels.inverseEdge[level];
             float margin = SensorRule.margin(r, path, levels.top[level]);
-            int c0 = CircleMath.cell(CircleMath.least(x, toX) - margin, levels.minX, edge);
-            int c1 = CircleMath.cell(CircleMath.greatest(x, toX) + margin, levels.minX, edge);
-            int r0 = CircleMath.cell(CircleMath.least(y, toY) - margin, levels.minY, edge);
-            int r1 = CircleMath.cell(CircleMath.greatest(y, toY) + margin, levels.minY, edge);
+            float left = CircleMath.least(x, toX) - margin;
+            float below = CircleMath.least(y, toY) - margin;
+            int c0 = levels.columnFrom(left, level);
+            int c1 = levels.columnTo(left, CircleMath.greatest(x, toX) + margin, level);
+            int r0 = levels.rowFrom(below, level);
+            int r1 = levels.rowTo(below, CircleMath.greatest(y, toY) + margin, level);
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             int first = GridLevels.onRing(c0, columns);

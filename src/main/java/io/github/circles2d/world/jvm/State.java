@@ -81,6 +81,15 @@ public final class State {
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
 
+    /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain CircleMath#shortWay the short way}. */
+    boolean wraps;
+
+    /** Within a step: the period along x; infinite if x does not wrap. */
+    float periodX;
+
+    /** Within a step: the period along y. */
+    float periodY;
+
     /** Within a step: whether pairs have to be filtered. */
     boolean filtering;
 
@@ -211,7 +220,7 @@ public final class State {
                     motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
                 }
-                case Commands.DEPART -> depart(s, a, b, Float.intBitsToFloat(records[k + Commands.THIRD]));
+                case Commands.DEPART -> depart(s, a, b, records, k);
                 case Commands.ARRIVE -> arrive(s, a, b);
                 case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
                 default -> throw new AssertionError("unknown operation " + records[k + Commands.OPCODE]);
@@ -219,11 +228,14 @@ public final class State {
         }
     }
 
-    private void depart(int s, float x, float y, float dt) {
+    private void depart(int s, float x, float y, int[] records, int k) {
+        float dt = Float.intBitsToFloat(records[k + Commands.THIRD]);
+        float periodX = Float.intBitsToFloat(records[k + Commands.FOURTH]);
+        float periodY = Float.intBitsToFloat(records[k + Commands.FIFTH]);
         traits[s + WALL_X] = motion[s + VX];
         traits[s + WALL_Y] = motion[s + VY];
-        motion[s + VX] = CircleMath.travelSpeed(circle[s + X], x, dt);
-        motion[s + VY] = CircleMath.travelSpeed(circle[s + Y], y, dt);
+        motion[s + VX] = CircleMath.travelSpeed(circle[s + X], x, dt, periodX);
+        motion[s + VY] = CircleMath.travelSpeed(circle[s + Y], y, dt, periodY);
     }
 
     private void arrive(int s, float x, float y) {
@@ -299,6 +311,18 @@ public final class State {
     private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
         float w = traits[CircleRow.of(slot) + INVERSE_MASS];
         return CircleMath.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
+    }
+
+    /** How much greater the x of one slot is than that of another. */
+    float differenceX(int slot, int other) {
+        float d = circle[CircleRow.of(other) + X] - circle[CircleRow.of(slot) + X];
+        return wraps ? CircleMath.shortWay(d, periodX) : d;
+    }
+
+    /** How much greater the y of one slot is than that of another. */
+    float differenceY(int slot, int other) {
+        float d = circle[CircleRow.of(other) + Y] - circle[CircleRow.of(slot) + Y];
+        return wraps ? CircleMath.shortWay(d, periodY) : d;
     }
 
     /** Whether a circle has an infinite mass. */

@@ -3,7 +3,7 @@ package io.github.circles2d.world.model;
 /**
  * Every floating-point formula of the World engine except a visit of a contact or a wall ({@link Constraints}), in small functions
  * of scalars. The files in {@code kernels/world/shared} have the same functions under the same names, and both give the same bits:
- * they use {@code + - * /}, square roots, comparisons and integer operations, in one fixed bracketing, and no contraction.
+ * they use {@code + - * /}, square roots, floors, comparisons and integer operations, in one fixed bracketing, and no contraction.
  *
  * <p>Units: lengths, masses and seconds are the caller's. n is the contact normal, a unit vector from the circle of the
  * lower id to that of the higher; s the separation of two surfaces, negative if they overlap; vn the relative speed
@@ -70,6 +70,44 @@ public final class CircleMath {
      */
     public static float difference(float base, float from, float to) {
         return base + (to - from);
+    }
+
+    /**
+     * A difference of two coordinates the short way round.
+     *
+     * @param d the difference
+     * @param period of the axis; infinite if it does not wrap, and then the difference stays as it is
+     * @return d, or d and a period
+     */
+    public static float shortWay(float d, float period) {
+        float half = 0.5f * period;
+        return d > half ? d - period : d < -half ? d + period : d;
+    }
+
+    /**
+     * How many periods a coordinate is from the first one.
+     *
+     * @param x coordinate
+     * @param min where the first period begins
+     * @param period of the axis; infinite if it does not wrap
+     * @return a whole number, 0 if the axis does not wrap
+     */
+    public static float laps(float x, float min, float period) {
+        return (float) Math.floor((x - min) / period); // the floor of a float is exact
+    }
+
+    /**
+     * The share of a path that a circle goes at most along an axis that wraps: an eighth of the period. So two circles can meet in a step
+     * the short way round alone.
+     *
+     * @param p component of the path
+     * @param period of the axis; infinite if it does not wrap
+     * @return 1, or less
+     */
+    public static float shareOfPeriod(float p, float period) {
+        float most = 0.125f * period;
+        float way = Math.abs(p);
+        return way > most ? most / way : 1f;
     }
 
     /**
@@ -176,10 +214,11 @@ public final class CircleMath {
      * @param from coordinate
      * @param to coordinate at the end
      * @param dt length of the step
+     * @param period of the axis; infinite if it does not wrap
      * @return the component, which may be too small if the way is very long
      */
-    public static float travelSpeed(float from, float to, float dt) {
-        return limitSpeed((to - from) / dt);
+    public static float travelSpeed(float from, float to, float dt, float period) {
+        return limitSpeed(shortWay(to - from, period) / dt);
     }
 
     /**

@@ -10,6 +10,8 @@ public final class Explosion {
     private float radius;
     private float impulse;
     private float falloff;
+    private float periodX;
+    private float periodY;
     private float impulseX;
     private float impulseY;
 
@@ -24,15 +26,18 @@ public final class Explosion {
      * @param within how far from the point a circle's edge may be for the whole impulse
      * @param strength the impulse
      * @param beyond over which distance the impulse then falls to 0
+     * @param bounds the arena: where an axis wraps, impulses go the short way round
      */
-    public void set(float px, float py, float within, float strength, float beyond) {
+    public void set(float px, float py, float within, float strength, float beyond, Bounds bounds) {
         Limits.within("x of the explosion", px, -Limits.COORDINATE, Limits.COORDINATE);
         Limits.within("y of the explosion", py, -Limits.COORDINATE, Limits.COORDINATE);
         Limits.within("radius of the explosion", within, 0, Limits.EXPLOSION);
         Limits.within("impulse of the explosion", strength, -Limits.IMPULSE, Limits.IMPULSE);
         Limits.within("falloff of the explosion", beyond, 0, Limits.EXPLOSION);
-        x = px;
-        y = py;
+        x = bounds.placeX(px);
+        y = bounds.placeY(py);
+        periodX = bounds.periodX();
+        periodY = bounds.periodY();
         radius = within;
         impulse = strength;
         falloff = beyond;
@@ -46,8 +51,8 @@ public final class Explosion {
      * @return false for circles out of reach, for static ones, and if the centre is the point itself
      */
     public boolean reaches(float[] circles, int row) {
-        float dx = circles[row + CircleRow.X] - x;
-        float dy = circles[row + CircleRow.Y] - y;
+        float dx = CircleMath.shortWay(circles[row + CircleRow.X] - x, periodX);
+        float dy = CircleMath.shortWay(circles[row + CircleRow.Y] - y, periodY);
         float distance = CircleMath.norm(dx, dy);
         float gap = CircleMath.greatest(distance - circles[row + CircleRow.RADIUS], 0f);
         float reach = radius + falloff;

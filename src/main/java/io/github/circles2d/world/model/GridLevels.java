@@ -18,6 +18,10 @@ package io.github.circles2d.world.model;
  * Other patterns remain: a lattice whose columns are a multiple of one prime apart and whose rows are a multiple of the other,
  * or a line of circles that are a multiple of one prime apart, lie in a few buckets.
  *
+ * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number
+ * of times as many cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has
+ * both.
+ *
  * <p>In memory, a row of buckets begins at a multiple of the power of two. For OpenCL, groups of contacts are numbered so that
  * those of one colour are consecutive: the group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and is number
  * (oy / 2)(V / 2) + ox / 2 within its colour, where V is that power of two.
@@ -85,6 +89,21 @@ public final class GridLevels {
     /** Greatest radius of each level. */
     public final float[] top = new float[COUNT];
 
+    /** Units or cells per length along x, by level: of an axis without walls by {@link RingCells}. */
+    public final float[] scaleX = new float[COUNT];
+
+    /** The same along y. */
+    public final float[] scaleY = new float[COUNT];
+
+    /** Units of a cell along x, by level, if x is open. */
+    public final int[] unitsX = new int[COUNT];
+
+    /** The same along y. */
+    public final int[] unitsY = new int[COUNT];
+
+    /** Where the levels are. */
+    public Bounds bounds = new Bounds(0, 0, 1, 1);
+
     public int usedCount;
     public int buckets;
     public int rows;
@@ -103,6 +122,7 @@ public final class GridLevels {
      * @param counts number of circles of each size class
      */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts) {
+        this.bounds = bounds;
         minX = bounds.minX();
         minY = bounds.minY();
         rmax = greatestRadius;
@@ -138,8 +158,8 @@ public final class GridLevels {
     private void layOutLevel(int level, Bounds bounds) {
         float edge = edge(top[level], bounds);
         inverseEdge[level] = 1f / edge;
-        float across = (bounds.maxX() - bounds.minX()) / edge;
-        float down = (bounds.maxY() - bounds.minY()) / edge;
+        float across = cells(bounds.maxX() - bounds.minX(), edge, bounds.edgeX());
+        float down = cells(bounds.maxY() - bounds.minY(), edge, bounds.edgeY());
         int columns = sideLog(across);
         int rows = sideLog(down);
         int budget = Math.max(2 * LEAST_SIDE_LOG, 32 - Integer.numberOfLeadingZeros(population[level]));
@@ -156,6 +176,41 @@ public final class GridLevels {
         rowCount[level] = side(rows, down, PRIME_ROWS);
         columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columnCount[level]);
         rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
+        if (!bounds.isWalled()) {
+            layOutEdges(level, across, down);
+        }
+    }
+
+    /** Cells along an axis: any number if it is open, and an even one if it wraps, so that the colours of groups fit at the seam.
+     */
+    private static float cells(float extent, float edge, AxisEdge at) {
+        return switch (at) {
+            case WALL -> extent / edge;
+            case OPEN -> Float.POSITIVE_INFINITY;
+            case WRAP -> (int) (extent / edge) & ~1;
+        };
+    }
+
+    private void layOutEdges(int level, float across, float down) {
+        float open = 2f * speculativeDistance(top[level]);
+        scaleX[level] = inverseEdge[level];
+        scaleY[level] = inverseEdge[level];
+        unitsX[level] = RingCells.unitsOfCell(open);
+        unitsY[level] = unitsX[level];
+        if (bounds.edgeX() == AxisEdge.WRAP) {
+            columnCount[level] = Math.min(columnCount[level], (int) across);
+            scaleX[level] = (int) across / columnCount[level] * columnCount[level] / bounds.periodX();
+        } else if (bounds.edgeX() == AxisEdge.OPEN) {
+            scaleX[level] = RingCells.unitsPerLength(open);
+        }
+        if (bounds.edgeY() == AxisEdge.WRAP) {
+            rowCount[level] = Math.min(rowCount[level], (int) down);
+            scaleY[level] = (int) down / rowCount[level] * rowCount[level] / bounds.periodY();
+        } else if (bounds.edgeY() == AxisEdge.OPEN) {
+            scaleY[level] = RingCells.unitsPerLength(open);
+        }
+        columnsUsed[level] = columnCount[level];
+        rowsUsed[level] = rowCount[level];
     }
 
     private static int side(int sideLog, float cells, int[] primes) {
@@ -174,8 +229,11 @@ public final class GridLevels {
      * coordinates can move two circles apart: then whatever a circle may touch lies in 3 x 3 cells.
      */
     private static float edge(float greatestRadius, Bounds bounds) {
-        float speculativeDistance = greatestRadius * (1f + Tuning.MARGIN + Tuning.CAP);
-        return 2f * speculativeDistance + bounds.magnitude() * 0x1p-20f;
+        return 2f * speculativeDistance(greatestRadius) + bounds.magnitude() * 0x1p-20f;
+    }
+
+    private static float speculativeDistance(float radius) {
+        return radius * (1f + Tuning.MARGIN + Tuning.CAP);
     }
 
     private static int sideLog(float cells) {
@@ -197,6 +255,11 @@ public final class GridLevels {
         System.arraycopy(other.rowCount, 0, rowCount, 0, COUNT);
         System.arraycopy(other.columnsUsed, 0, columnsUsed, 0, COUNT);
         System.arraycopy(other.rowsUsed, 0, rowsUsed, 0, COUNT);
+        System.arraycopy(other.scaleX, 0, scaleX, 0, COUNT);
+        System.arraycopy(other.scaleY, 0, scaleY, 0, COUNT);
+        System.arraycopy(other.unitsX, 0, unitsX, 0, COUNT);
+        System.arraycopy(other.unitsY, 0, unitsY, 0, COUNT);
+        bounds = other.bounds;
         System.arraycopy(other.first, 0, first, 0, COUNT);
         System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
         System.arraycopy(other.used, 0, used, 0, COUNT);
@@ -216,6 +279,54 @@ public final class GridLevels {
     /** Level of a radius. */
     public int level(float r) {
         return levelOf[CircleMath.sizeClass(r, rmax)];
+    }
+
+    /** The column of the torus of a coordinate. */
+    public int column(float x, int level) {
+        AxisEdge edge = bounds.edgeX();
+        return edge == AxisEdge.WALL
+                ? onRing(CircleMath.cell(x, minX, inverseEdge[level]), columnCount[level])
+                : RingCells.onRing(RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]), columnCount[level]);
+    }
+
+    /** The row of the torus of a coordinate. */
+    public int row(float y, int level) {
+        AxisEdge edge = bounds.edgeY();
+        return edge == AxisEdge.WALL
+                ? onRing(CircleMath.cell(y, minY, inverseEdge[level]), rowCount[level])
+                : RingCells.onRing(RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level]);
+    }
+
+    /** The column of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
+    public int columnFrom(float x, int level) {
+        return bounds.edgeX() == AxisEdge.WALL ? CircleMath.cell(x, minX, inverseEdge[level]) : column(x, level);
+    }
+
+    /** The column where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
+    public int columnTo(float from, float to, int level) {
+        AxisEdge edge = bounds.edgeX();
+        return edge == AxisEdge.WALL
+                ? CircleMath.cell(to, minX, inverseEdge[level])
+                : last(edge, from, to, minX, scaleX[level], unitsX[level], columnCount[level]);
+    }
+
+    /** The row of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
+    public int rowFrom(float y, int level) {
+        return bounds.edgeY() == AxisEdge.WALL ? CircleMath.cell(y, minY, inverseEdge[level]) : row(y, level);
+    }
+
+    /** The row where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
+    public int rowTo(float from, float to, int level) {
+        AxisEdge edge = bounds.edgeY();
+        return edge == AxisEdge.WALL
+                ? CircleMath.cell(to, minY, inverseEdge[level])
+                : last(edge, from, to, minY, scaleY[level], unitsY[level], rowCount[level]);
+    }
+
+    private static int last(AxisEdge edge, float from, float to, float min, float scale, int units, int side) {
+        long first = RingCells.cell(edge, from, min, scale, units);
+        long more = RingCells.cell(edge, to, min, scale, units) - first;
+        return RingCells.onRing(first, side) + (int) Math.min(more, side);
     }
 
     /** The column (or row) of the torus of a cell's column (or row). */

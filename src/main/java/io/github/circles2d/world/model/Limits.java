@@ -14,6 +14,12 @@ public final class Limits {
     /** A quarter of the least width and height of the arena, and the least radius, in units of the arena's greatest coordinate or extent. */
     public static final float LEAST_RADIUS_SHARE = 0x1p-20f;
 
+    /** The least period of an axis that wraps, in radii of the largest circle: it has at least four cells of that circle. */
+    public static final float LEAST_PERIOD = 11f;
+
+    /** The least period of an axis that wraps, in units of the arena's greatest coordinate or extent. */
+    private static final float LEAST_PERIOD_SHARE = 64 * LEAST_RADIUS_SHARE;
+
     /** Least mass. */
     public static final float LEAST_MASS = 1e-9f;
 
@@ -146,6 +152,40 @@ public final class Limits {
     }
 
     /**
+     * Checks edges.
+     *
+     * @param bounds the arena, whose rectangle has been checked
+     * @return the bounds
+     */
+    public static Bounds edges(Bounds bounds) {
+        float least = LEAST_PERIOD_SHARE * bounds.magnitude();
+        if (bounds.periodX() < least || bounds.periodY() < least) {
+            throw new IllegalArgumentException("the bounds are " + (bounds.maxX() - bounds.minX()) + " wide and "
+                    + (bounds.maxY() - bounds.minY()) + " high, but an axis that wraps must have at least " + least
+                    + " for coordinates of this size");
+        }
+        return bounds;
+    }
+
+    /**
+     * Checks bounds that take the place of others: where an axis wraps, its edges stay where they are.
+     *
+     * @param now the bounds so far
+     * @param next the others, with the same edges
+     * @return the others
+     */
+    public static Bounds moved(Bounds now, Bounds next) {
+        boolean moves = now.edgeX() == AxisEdge.WRAP && (now.minX() != next.minX() || now.maxX() != next.maxX())
+                || now.edgeY() == AxisEdge.WRAP && (now.minY() != next.minY() || now.maxY() != next.maxY());
+        if (moves) {
+            throw new IllegalArgumentException("the bounds would be from " + next.minX() + ", " + next.minY() + " to "
+                    + next.maxX() + ", " + next.maxY() + ", but an axis that wraps keeps its own: from " + now.minX()
+                    + ", " + now.minY() + " to " + now.maxX() + ", " + now.maxY());
+        }
+        return edges(next);
+    }
+
+    /**
      * Checks a radius.
      *
      * @param radius the radius
@@ -178,8 +218,27 @@ public final class Limits {
      * @param bounds the arena
      */
     public static void position(float x, float y, Bounds bounds) {
-        within("x", x, bounds.minX(), bounds.maxX());
-        within("y", y, bounds.minY(), bounds.maxY());
+        boolean walledX = bounds.edgeX() == AxisEdge.WALL;
+        boolean walledY = bounds.edgeY() == AxisEdge.WALL;
+        within("x", x, walledX ? bounds.minX() : -COORDINATE, walledX ? bounds.maxX() : COORDINATE);
+        within("y", y, walledY ? bounds.minY() : -COORDINATE, walledY ? bounds.maxY() : COORDINATE);
+    }
+
+    /**
+     * Checks a position that a circle has: inside of an axis that wraps.
+     *
+     * @param x x
+     * @param y y
+     * @param bounds the arena
+     */
+    public static void place(float x, float y, Bounds bounds) {
+        position(x, y, bounds);
+        if (bounds.edgeX() == AxisEdge.WRAP) {
+            within("x", x, bounds.minX(), bounds.lastX());
+        }
+        if (bounds.edgeY() == AxisEdge.WRAP) {
+            within("y", y, bounds.minY(), bounds.lastY());
+        }
     }
 
     /**

@@ -74,8 +74,11 @@ public final class StepConstants {
     /** Factor for the impulses of the step before: the ratio of the two steps' lengths, limited. */
     public float warmScale;
 
-    /** The arena, at the end of the step. */
+    /** The walls at the end of the step; where there is none, it stands where no circle meets it. */
     public Bounds bounds;
+
+    /** The arena, at the end of the step, with its edges. */
+    public Bounds arena;
 
     /** How its walls move there. */
     public final WallMotion walls = new WallMotion();
@@ -147,8 +150,11 @@ public final class StepConstants {
             ContactSettings contacts) {
         this.dt = dt;
         this.subSteps = subSteps;
-        this.bounds = bounds;
-        walls.set(from, bounds, dt, subSteps);
+        if (arena != bounds) {
+            arena = bounds;
+            this.bounds = bounds.walls();
+        }
+        walls.set(from == bounds ? this.bounds : from.walls(), this.bounds, dt, subSteps);
         h = dt / subSteps;
         inverseH = subSteps / dt;
         gravityStepX = gravityX * h;

@@ -44,11 +44,14 @@ public final class WallMotion {
      * @return for each wall where it was, or where it is if it jumps
      */
     public static Bounds start(Bounds from, Bounds to, float greatestRadius) {
+        boolean walledX = to.edgeX() == AxisEdge.WALL;
+        boolean walledY = to.edgeY() == AxisEdge.WALL;
         return new Bounds(
-                start(from.minX(), to.minX(), greatestRadius),
-                start(from.minY(), to.minY(), greatestRadius),
-                start(from.maxX(), to.maxX(), greatestRadius),
-                start(from.maxY(), to.maxY(), greatestRadius));
+                        walledX ? start(from.minX(), to.minX(), greatestRadius) : to.minX(),
+                        walledY ? start(from.minY(), to.minY(), greatestRadius) : to.minY(),
+                        walledX ? start(from.maxX(), to.maxX(), greatestRadius) : to.maxX(),
+                        walledY ? start(from.maxY(), to.maxY(), greatestRadius) : to.maxY())
+                .with(to.edgeX(), to.edgeY());
     }
 
     private static float start(float from, float to, float greatestRadius) {

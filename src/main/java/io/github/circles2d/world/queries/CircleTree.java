@@ -1,5 +1,6 @@
 package io.github.circles2d.world.queries;
 
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 
 /**
@@ -32,6 +33,11 @@ public final class CircleTree {
     public static final float MARGIN = 0x1p-21f;
 
     private final HilbertOrder hilbertOrder = new HilbertOrder();
+
+    /** Half of the period along x: farther from a place, another image of a circle is nearer; infinite without images. */
+    private double halfX = Double.POSITIVE_INFINITY;
+
+    private double halfY = Double.POSITIVE_INFINITY;
 
     /** Number of circles. */
     int size;
@@ -68,6 +74,32 @@ public final class CircleTree {
      * @param n their number
      */
     public void build(float[] circles, int[] ids, int n) {
+        halfX = Double.POSITIVE_INFINITY;
+        halfY = Double.POSITIVE_INFINITY;
+        build(circles, ids, n, n == 0 ? 0 : ids[n - 1] + 1);
+    }
+
+    /**
+     * Makes the tree of circles and their images.
+     *
+     * @param images the circles
+     * @param limit more than the greatest id
+     * @param bounds the arena
+     */
+    public void build(Images images, int limit, Bounds bounds) {
+        halfX = 0.5 * bounds.periodX();
+        halfY = 0.5 * bounds.periodY();
+        build(images.circles(), images.ids(), images.count(), limit);
+    }
+
+    /** Whether a circle is the one of its images that is nearest to a place; without images it is. */
+    boolean isNearest(int k, double px, double py) {
+        double dx = x[k] - px;
+        double dy = y[k] - py;
+        return dx >= -halfX && dx < halfX && dy >= -halfY && dy < halfY;
+    }
+
+    private void build(float[] circles, int[] ids, int n, int limit) {
         size = 0;
         makeRoom(n);
         int[] order = hilbertOrder.order(circles, n);
@@ -78,7 +110,7 @@ public final class CircleTree {
             radius[k] = circles[row + CircleRow.RADIUS];
             id[k] = ids[order[k]];
         }
-        idLimit = n == 0 ? 0 : ids[n - 1] + 1;
+        idLimit = limit;
         boxCircles(n);
         for (int level = 1; level <= top; level++) {
             boxBoxes(level);

@@ -59,6 +59,7 @@ public final class NearestSearch {
         int end = Math.min(CircleTree.CIRCLES_A_BOX * (box + 1), tree.size);
         for (int k = CircleTree.CIRCLES_A_BOX * box; k < end; k++) {
             if (CircleTests.overlapsDisc(x, y, within, tree.x[k], tree.y[k], tree.radius[k])
+                    && tree.isNearest(k, x, y)
                     && (filter == null || filter.admits(tree.id[k]))) {
                 double d = CircleTests.edgeDistance(x, y, tree.x[k], tree.y[k], tree.radius[k]);
                 found.offer(d, tree.id[k], k, most);

@@ -33,7 +33,8 @@ public final class OverlapSearch {
         for (int b = 0; b < boxes; b++) {
             int end = end(near[b]);
             for (int k = first(near[b]); k < end; k++) {
-                if (CircleTests.overlapsDisc(x, y, radius, tree.x[k], tree.y[k], tree.radius[k])) {
+                if (CircleTests.overlapsDisc(x, y, radius, tree.x[k], tree.y[k], tree.radius[k])
+                        && tree.isNearest(k, x, y)) {
                     addIfAdmitted(k, filter);
                 }
             }
@@ -58,7 +59,8 @@ public final class OverlapSearch {
         for (int b = 0; b < boxes; b++) {
             int end = end(near[b]);
             for (int k = first(near[b]); k < end; k++) {
-                if (CircleTests.overlapsBox(minX, minY, maxX, maxY, tree.x[k], tree.y[k], tree.radius[k])) {
+                if (CircleTests.overlapsBox(minX, minY, maxX, maxY, tree.x[k], tree.y[k], tree.radius[k])
+                        && tree.isNearest(k, 0.5 * minX + 0.5 * maxX, 0.5 * minY + 0.5 * maxY)) {
                     addIfAdmitted(k, filter);
                 }
             }
@@ -97,6 +99,7 @@ public final class OverlapSearch {
                 boolean better = square < least || square == least && tree.id[k] < best;
                 if (better
                         && CircleTests.overlapsDisc(x, y, 0, tree.x[k], tree.y[k], tree.radius[k])
+                        && tree.isNearest(k, x, y)
                         && (filter == null || filter.admits(tree.id[k]))) {
                     best = tree.id[k];
                     least = square;

@@ -1,8 +1,11 @@
 package io.github.circles2d.world.queries;
 
+import io.github.circles2d.world.model.Bounds;
+
 /** The searches in a tree of circles, by the shape of the query. */
 public final class TreeSearch {
     private final CircleTree tree = new CircleTree();
+    private final Images images = new Images();
     private final OverlapSearch overlaps = new OverlapSearch(tree);
     private final NearestSearch nearest = new NearestSearch(tree);
     private final CastSearch casts = new CastSearch(tree);
@@ -10,9 +13,18 @@ public final class TreeSearch {
     /** No circles. */
     public TreeSearch() {}
 
-    /** Takes the place of the circles before; see {@link CircleTree#build}. */
-    public void build(float[] circles, int[] ids, int n) {
-        tree.build(circles, ids, n);
+    /**
+     * Takes the place of the circles before; see {@link CircleTree#build}.
+     *
+     * @param bounds the arena; where it wraps, circles have images beyond it
+     */
+    public void build(float[] circles, int[] ids, int n, Bounds bounds) {
+        if (bounds.wraps()) {
+            images.make(circles, ids, n, bounds);
+            tree.build(images, n == 0 ? 0 : ids[n - 1] + 1, bounds);
+        } else {
+            tree.build(circles, ids, n);
+        }
     }
 
     /**

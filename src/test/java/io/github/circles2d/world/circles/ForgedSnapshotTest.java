@@ -2,6 +2,7 @@ package io.github.circles2d.world.circles;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.Response;
 import io.github.circles2d.World;
@@ -9,7 +10,8 @@ import io.github.circles2d.WorldScenes;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
-import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Snapshots that somebody has written with a check that fits: refused, or a world as sound as any other. */
 class ForgedSnapshotTest {
@@ -32,12 +34,14 @@ class ForgedSnapshotTest {
         Integer.MIN_VALUE
     };
 
-    @Test
-    void areRefusedOrLeadToFiniteStates() {
+    @ParameterizedTest
+    @EnumSource(Edge.class)
+    void areRefusedOrLeadToFiniteStates(Edge edge) {
         Random random = new Random(8);
         int accepted = 0;
         try (World world = WorldScenes.jvm()
                         .bounds(0, 0, 100, 40)
+                        .edges(edge, edge)
                         .gravity(0, -9)
                         .threads(1)
                         .build();

@@ -7,11 +7,13 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
-import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -22,14 +24,12 @@ class EventsAgreeTest {
         return TestDevices.all();
     }
 
-    /** In Java on one thread and on more, and what a device would take for a world that reports nothing. */
+    /** In Java on one thread and on more, and one for each plan that a device can follow. */
     private static Pipeline[] pipelines(Device device) {
-        return new Pipeline[] {
-            new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false),
-            new JvmPipeline(2, 1, 0, false),
-            new JvmPipeline(7, 1, 0, false),
-            Pipelines.of(device, Plans.choose(device)),
-        };
+        List<Pipeline> pipelines = new ArrayList<>(List.of(PipelinesAgreeTest.pipelines(device)));
+        pipelines.add(1, new JvmPipeline(2, 1, 0, false));
+        pipelines.add(2, new JvmPipeline(7, 1, 0, false));
+        return pipelines.toArray(Pipeline[]::new);
     }
 
     @ParameterizedTest
@@ -172,6 +172,49 @@ class EventsAgreeTest {
                 assertThat(events).as(scene.name()).isPositive();
                 twins.assertEqual(scene.name());
             }
+        }
+    }
+
+    /** Many circles, so that several work-groups share a step; most pairs press each other step after step. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void pilesHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.packed(3000, 1);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            twins.report(ContactEvents.ALL);
+            int events = 0;
+            for (int k = 0; k < 12; k++) {
+                twins.step(scene.timeStep(), k < 6 ? 1 : 10);
+                events += twins.assertSameEvents(scene.name() + " after call " + k);
+            }
+            assertThat(events).isPositive();
+            twins.assertEqual(scene.name());
+        }
+    }
+
+    /** Two plans make steps of one world in turn: what one leaves of the pairs in touch, the other goes on from. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void plansThatTakeTurnsHaveTheSameEvents(Device device) {
+        Scene scene = Scenes.packed(1200, 5);
+        try (Twins twins = Twins.load(scene, pipelines(device))) {
+            twins.report(ContactEvents.ALL);
+            for (int k = 0; k < 12; k++) {
+                // A circle that is much larger makes a second level, which only the plan by colours takes; a new one
+                // moves far off.
+                if (k % 3 == 2) {
+                    twins.set(Commands.RADIUS, 0, (k % 2 == 0 ? 1 : 5) * scene.radius(0), 0);
+                }
+                if (k % 4 == 3) {
+                    twins.move(7 * k, 0.5f, 0.9f);
+                }
+                twins.step(scene.timeStep(), 1 + k % 3);
+                if (k == 5 || k == 6) {
+                    twins.exchange();
+                }
+                twins.assertSameEvents("turn " + k);
+            }
+            twins.assertEqual(scene.name());
         }
     }
 }

@@ -17,6 +17,7 @@ import io.github.circles2d.world.device.memory.WorldSource;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import java.nio.IntBuffer;
@@ -34,6 +35,12 @@ import java.util.TreeSet;
 final class OclgrindWorlds {
     /** Work-items of a work-group in a world of size small, if its kernel leaves that open. */
     private static final int SMALL_GROUP = 8;
+
+    /**
+     * A world in which Oclgrind 21.10 says of what is initialised that it is not: sums in memory that is allocated when a world first
+     * reports, and all that comes after.
+     */
+    static final String EVENTS_OF_LANES = "events of lanes";
 
     private final Device device;
     private final boolean small;
@@ -59,13 +66,15 @@ final class OclgrindWorlds {
             case "COLOURS":
                 kernels.addAll(scan());
                 kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
-                kernels.addAll(events(Scenes.mixed(small ? 20 : 40, 2)));
+                kernels.addAll(events(Plans.COLOURS, Scenes.mixed(small ? 20 : 40, 2)));
                 break;
             case "TILES":
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
                 break;
             case "PERSISTENT_GPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
+                kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.thesis(40, 1)));
                 break;
             case "PERSISTENT_CPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_CPU));
@@ -74,6 +83,9 @@ final class OclgrindWorlds {
                 // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
                 // wrote them.
                 kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
+                break;
+            case EVENTS_OF_LANES:
+                kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.thesis(40, 1)));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
@@ -86,6 +98,11 @@ final class OclgrindWorlds {
                 // 780 pairs: more than there is room for at first.
                 kernels.addAll(steps(Plans.TILES, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.onePoint(40, 1), 1 / 60f, 1, small ? 1 : 4));
+                break;
+            case "edges":
+                kernels.addAll(edges(Plans.COLOURS));
+                kernels.addAll(edges(Plans.PERSISTENT_CPU));
+                kernels.addAll(edges(Plans.PERSISTENT_GPU));
                 break;
             default:
                 throw new IllegalArgumentException(world);
@@ -139,9 +156,21 @@ final class OclgrindWorlds {
         }
     }
 
+    /** Fast circles in a world of which one axis wraps and the other is open. */
+    private Set<String> edges(Plans plans) {
+        Scene scene = Scenes.gas(20, 1);
+        DevicePipeline pipeline = pipeline(plans);
+        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+            twins.restoreWithEdges(AxisEdge.WRAP, AxisEdge.OPEN);
+            twins.step(0.3f, 2);
+            twins.assertEqual(scene.name());
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
     /** Steps that record what contacts do, and what sensors notice. */
-    private Set<String> events(Scene scene) {
-        DevicePipeline pipeline = pipeline(Plans.COLOURS);
+    private Set<String> events(Plans plans, Scene scene) {
+        DevicePipeline pipeline = pipeline(plans);
         try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
             twins.giveSensors(200, 5);

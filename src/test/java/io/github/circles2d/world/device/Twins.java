@@ -16,6 +16,8 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.events.EventRows;
+import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.PairTable;
@@ -314,6 +316,33 @@ final class Twins implements AutoCloseable {
     /** Sets how contacts are, by a restore. */
     void restoreWith(ContactSettings contacts) {
         restoreWith(p -> p.with(contacts));
+    }
+
+    /** Takes a scene in place of all that is, with edges of its own. Kernels are not compiled again, which takes long. */
+    void loadInPlace(Scene scene, AxisEdge x, AxisEdge y) {
+        try (Twins one = load(scene, new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false))) {
+            one.restoreWithEdges(x, y);
+            for (Simulation simulation : simulations) {
+                simulation.snapshots().restore(snapshot(one.simulations[0]));
+            }
+            handles = one.handles;
+        }
+    }
+
+    /** Goes on from the state as it is, with other edges. */
+    void restoreWithEdges(AxisEdge x, AxisEdge y) {
+        restoreWith(p -> {
+            Bounds bounds = p.bounds().with(x, y);
+            return new WorldParameters(
+                    bounds,
+                    p.gravityX(),
+                    p.gravityY(),
+                    p.restitution(),
+                    p.subSteps(),
+                    p.previousTimeStep(),
+                    p.contacts(),
+                    bounds);
+        });
     }
 
     private void restoreWith(UnaryOperator<WorldParameters> change) {

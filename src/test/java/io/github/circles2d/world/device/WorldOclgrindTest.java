@@ -42,7 +42,17 @@ class WorldOclgrindTest {
 
     @Test
     void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
-        assertThat(run("small", "PERSISTENT_CPU", "PERSISTENT_GPU", "COLOURS", "queries", "crowd", "fast", "TILES"))
+        assertThat(run(
+                        "small",
+                        "PERSISTENT_CPU",
+                        OclgrindWorlds.EVENTS_OF_LANES,
+                        "PERSISTENT_GPU",
+                        "COLOURS",
+                        "queries",
+                        "crowd",
+                        "fast",
+                        "TILES",
+                        "edges"))
                 .containsAll(kernelsInFiles());
     }
 
@@ -55,10 +65,12 @@ class WorldOclgrindTest {
                         "PERSISTENT_GPU",
                         "PERSISTENT_CPU",
                         "queries",
+                        OclgrindWorlds.EVENTS_OF_LANES,
                         "crowd",
                         "wide",
                         "fast",
-                        "TILES"))
+                        "TILES",
+                        "edges"))
                 .containsAll(kernelsInFiles());
     }
 
@@ -93,7 +105,7 @@ class WorldOclgrindTest {
                 .option("-Djavacl.cacheBinaries=false")
                 .environment("OCL_ICD_VENDORS", driver)
                 .environment("OCLGRIND_DATA_RACES", "1")
-                .environment("OCLGRIND_UNINITIALIZED", "1")
+                .environment("OCLGRIND_UNINITIALIZED", world.equals(OclgrindWorlds.EVENTS_OF_LANES) ? "0" : "1")
                 .environment("OCLGRIND_CHECK_API", "1")
                 .environment("OCLGRIND_LOCAL_MEM_SIZE", "65536")
                 // Optimised, a vector that is put together from its parts counts as not initialised.

@@ -5,8 +5,8 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Program;
 import io.github.circles2d.opencl.Session;
-import java.util.ArrayList;
-import java.util.List;
+import java.util.HashMap;
+import java.util.Map;
 
 /** The compiled stages, and the argument list that all their kernels share. */
 public final class StageKernels {
@@ -17,7 +17,8 @@ public final class StageKernels {
 
     private final Program program;
     private final int workGroupSize;
-    private final List<Kernel> staged = new ArrayList<>();
+    private final Map<String, Kernel> staged = new HashMap<>();
+    private final boolean recording;
     private int boundVersion = -1;
     private int boundSlots = -1;
     private int boundCircles = -1;
@@ -29,8 +30,24 @@ public final class StageKernels {
      *     kernel allows; or {@link #USUAL_GROUPS}
      */
     public StageKernels(Session session, KernelSource source, int workGroupSize) {
-        program = session.build(source, options(session.device()));
+        this(session, source, workGroupSize, false);
+    }
+
+    /**
+     * The same, for steps that may record what contacts do.
+     *
+     * @param recording whether they do: then kernels are compiled that know of it
+     */
+    public StageKernels(Session session, KernelSource source, int workGroupSize, boolean recording) {
+        KernelSource compiled = recording ? source.define("RECORDING", 1) : source;
+        program = session.build(compiled, options(session.device()));
         this.workGroupSize = workGroupSize;
+        this.recording = recording;
+    }
+
+    /** Whether the kernels record what contacts do. */
+    public boolean recording() {
+        return recording;
     }
 
     /** Without this option a device may round divisions and square roots as it likes, and some do. */
@@ -45,11 +62,15 @@ public final class StageKernels {
 
     /** A kernel of a stage: its first arguments are WORLD_PARAMETERS. */
     public Kernel staged(String name) {
+        return staged.computeIfAbsent(name, this::make);
+    }
+
+    private Kernel make(String name) {
         Kernel kernel = program.kernel(name);
         if (workGroupSize != USUAL_GROUPS) {
             kernel.workGroupSize(Math.min(workGroupSize, kernel.maxWorkGroupSize()));
         }
-        staged.add(kernel);
+        boundVersion = -1;
         return kernel;
     }
 
@@ -61,7 +82,7 @@ public final class StageKernels {
     /** Brings the shared arguments up to date. */
     public void bind(DeviceArrays arrays, int slots, int circles) {
         boolean replaced = boundVersion != arrays.version();
-        for (Kernel kernel : staged) {
+        for (Kernel kernel : staged.values()) {
             if (replaced) {
                 arrays.bind(kernel);
                 kernel.arg(DeviceCount.CONTACT_ROOM.position(), arrays.contactCapacity());

@@ -22,7 +22,10 @@ public enum StatusWord {
     TOUCHES(50, "records of touching pairs after the last step"),
     SENSED(51, "records of pairs that are only sensed after the last step"),
     SENSED_AFTER(52, "the steps done as that step began"),
-    MEETING(49, "by lanes: whether all work-groups are here");
+    MEETING(49, "by lanes: whether all work-groups are here"),
+    TOUCHES_HELD(60, "by the parity of the step, two words: contacts that ended it with an impulse"),
+    TOUCHES_MET(62, "contacts that start the step with an impulse"),
+    TOUCHES_ALL(63, "1 where the records of the last step are of all pairs in touch");
 
     /** Ints of the status. */
     static final int WORDS = 64;

@@ -89,6 +89,21 @@ public final class StepParameters {
                     GridLevels.COUNT + 1,
                     (s, to) -> to.put(s.first).put(s.buckets()),
                     "first bucket, and first group; and the end")
+            .field("int", "edgeX", (s, to) -> to.put(s.bounds.edgeX().ordinal()), "EDGE_WALL, EDGE_OPEN, or it wraps")
+            .field("int", "edgeY", (s, to) -> to.put(s.bounds.edgeY().ordinal()), "the same")
+            .field("float", "periodX", (s, to) -> to.put(s.bounds.periodX()), "infinite if it does not wrap")
+            .field("float", "periodY", (s, to) -> to.put(s.bounds.periodY()), "the same")
+            .field("float", "lastX", (s, to) -> to.put(s.bounds.lastX()), "greatest coordinate, if it wraps")
+            .field("float", "lastY", (s, to) -> to.put(s.bounds.lastY()), "the same")
+            .field(
+                    "float",
+                    "scaleX[LEVELS]",
+                    GridLevels.COUNT,
+                    (s, to) -> to.put(s.scaleX),
+                    "without walls: see cellAlong")
+            .field("float", "scaleY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.scaleY), "the same")
+            .field("int", "unitsX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsX), "of a cell, if it is open")
+            .field("int", "unitsY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsY), "the same")
             .apart("tileColumnsLog", "cells of a tile (Tiles.cl)")
             .apart("tileRowsLog", "the same")
             .apart("tilesAcross", "tiles that may hold circles")

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TouchRule;
@@ -32,6 +33,8 @@ public final class WorldSource {
     /** What the host tells all files: its tables and numbers. */
     public static KernelSource tables() {
         return KernelSource.ofText(WorldTables.NAME, WorldTables.text())
+                .define("EDGE_WALL", AxisEdge.WALL.ordinal())
+                .define("EDGE_OPEN", AxisEdge.OPEN.ordinal())
                 .define("LEVELS", GridLevels.COUNT)
                 .define("MARGIN", Tuning.MARGIN)
                 .define("CAP", Tuning.CAP)

@@ -35,6 +35,7 @@ final class WorldTables {
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
+        text.append(TouchArrays.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
 
@@ -56,6 +57,8 @@ final class WorldTables {
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
         define(text, "COMMAND_SECOND", Commands.SECOND, "second value of a change");
         define(text, "COMMAND_THIRD", Commands.THIRD, "third value of a change");
+        define(text, "COMMAND_FOURTH", Commands.FOURTH, "fourth value of a change");
+        define(text, "COMMAND_FIFTH", Commands.FIFTH, "fifth value of a change");
         define(text, "COMMAND_ADD_X", Commands.ADD_X, "of a new circle");
         define(text, "COMMAND_ADD_Y", Commands.ADD_Y, "of a new circle");
         define(text, "COMMAND_ADD_RADIUS", Commands.ADD_RADIUS, "of a new circle");
@@ -110,6 +113,7 @@ final class WorldTables {
         }
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
         text.append("    int subStep; // the one that is made, where walls may move\n");
+        text.append("#ifdef RECORDING\n    Recording recording;\n#endif\n");
         return text.append("} World;\n").toString();
     }
 

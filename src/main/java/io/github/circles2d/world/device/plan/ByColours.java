@@ -36,7 +36,7 @@ public final class ByColours implements Plan {
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
-        recorded = new RecordedSubSteps(stages, finalizePositions);
+        recorded = stages.recording() ? new RecordedSubSteps(stages, finalizePositions) : null;
     }
 
     @Override

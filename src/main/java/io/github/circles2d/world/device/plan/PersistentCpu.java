@@ -63,7 +63,7 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.recording() && !wanted.thinning() && wanted.haveOneLevel();
+        return !wanted.thinning() && wanted.haveOneLevel();
     }
 
     @Override
@@ -72,7 +72,8 @@ public final class PersistentCpu implements Plan {
         rows = wanted.levels().rowCount[wanted.level()];
         int useful = Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS);
         int groups = Math.max(1, Math.min(workGroups.most(), useful));
-        steps.arg(StageKernels.own(0), wanted.count())
+        stages.record(steps, 3)
+                .arg(StageKernels.own(0), wanted.count())
                 .arg(StageKernels.own(1), workGroups.awaited(groups))
                 .arg(StageKernels.own(2), workGroups.patience())
                 .run(groups, 1);

@@ -66,7 +66,7 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.recording() && !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suit(wanted);
+        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suit(wanted);
     }
 
     @Override
@@ -76,7 +76,7 @@ public final class PersistentGpu implements Plan {
         stages.begin(wanted, true);
         int needed = Math.max(sizes.tiles(), (wanted.circles() + GROUP - 1) / GROUP);
         int groups = Math.min(needed, mostGroups);
-        steps.arg(StageKernels.own(0), wanted.count()).run((long) groups * GROUP, GROUP);
+        stages.record(steps, 1).arg(StageKernels.own(0), wanted.count()).run((long) groups * GROUP, GROUP);
     }
 
     @Override

@@ -29,9 +29,7 @@ final class RecordedSubSteps {
     /** Enqueues what follows the filling of contacts. */
     void make(Steps steps) {
         TouchArrays touches = stages.touches();
-        begin.arg(StageKernels.own(0), touches.contacts())
-                .arg(StageKernels.own(1), touches.slots())
-                .run(2L * steps.circles());
+        stages.record(begin, 0).run(2L * steps.circles());
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             move(integrateVelocities, sub, steps);
             ByColours.runByColour(steps.levels(), solve.arg(StageKernels.own(2), touches.contacts()));
@@ -41,12 +39,7 @@ final class RecordedSubSteps {
             ByColours.runByColour(steps.levels(), relax);
         }
         finalizePositions.run(steps.circles());
-        end.arg(StageKernels.own(0), touches.hasWalls() ? 1 : 0)
-                .arg(StageKernels.own(1), touches.contacts())
-                .arg(StageKernels.own(2), touches.slots())
-                .arg(StageKernels.own(3), touches.records())
-                .arg(StageKernels.own(4), touches.room())
-                .run(2L * steps.circles());
+        stages.record(end, 0).run(2L * steps.circles());
     }
 
     private void move(Kernel kernel, int sub, Steps steps) {

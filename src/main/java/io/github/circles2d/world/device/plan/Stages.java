@@ -42,7 +42,8 @@ public final class Stages {
         touches = arraysOfTouches;
     }
 
-    TouchArrays touches() {
+    /** Where steps record what contacts do; null if they do not. */
+    public TouchArrays touches() {
         return touches;
     }
 
@@ -57,6 +58,19 @@ public final class Stages {
 
     Kernel kernel(String name) {
         return kernels.staged(name);
+    }
+
+    /** Whether the kernels record what contacts do. */
+    boolean recording() {
+        return kernels.recording();
+    }
+
+    /** Gives a kernel, if it records what contacts do, where it does: its arguments from one of its own on. */
+    Kernel record(Kernel kernel, int first) {
+        if (recording()) {
+            touches.bind(kernel, first);
+        }
+        return kernel;
     }
 
     /** Makes room for the tiles of steps, and notes their size and number. */

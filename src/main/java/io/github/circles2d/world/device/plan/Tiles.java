@@ -24,6 +24,9 @@ public final class Tiles implements Plan {
     private Kernel relax;
     private Kernel storeImpulses;
 
+    /** Null if steps do not record what contacts do. */
+    private Kernel record;
+
     Tiles(TileSizes sizes) {
         this.sizes = sizes;
     }
@@ -61,11 +64,12 @@ public final class Tiles implements Plan {
         solve = stages.kernel("solver_solveTile");
         relax = stages.kernel("solver_relaxTile");
         storeImpulses = stages.kernel("solver_storeImpulses");
+        record = stages.recording() ? stages.kernel("touches_recordTile") : null;
     }
 
     @Override
     public boolean suits(Steps steps) {
-        return !steps.recording() && sizes.suit(steps);
+        return sizes.suit(steps);
     }
 
     @Override
@@ -78,12 +82,17 @@ public final class Tiles implements Plan {
     private void makeSubSteps(Steps steps) {
         long items = (long) sizes.tiles() * TileRecord.GROUP;
         link.run(2L * steps.circles());
-        arrange.run(items, TileRecord.GROUP);
+        stages.record(arrange, 0).run(items, TileRecord.GROUP);
+        stages.record(solve, 1);
+        stages.record(relax, 1);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             solve.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
             relax.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
         }
         storeImpulses.run(2L * steps.circles());
+        if (record != null) {
+            stages.record(record, 0).run(items, TileRecord.GROUP);
+        }
     }
 
     @Override

@@ -46,21 +46,26 @@ class PlansTest {
 
     @ParameterizedTest
     @MethodSource("devices")
-    void stepsThatRecordWhatContactsDoAreMadeByColours(Device device) {
-        for (Plans row : new Plans[] {Plans.PERSISTENT_CPU, Plans.PERSISTENT_GPU, Plans.TILES, Plans.COLOURS}) {
-            Steps s = steps(1, 1000, false);
-            Steps recording = new Steps(
-                    s.count(),
-                    s.levels(),
-                    s.slots(),
-                    s.circles(),
-                    s.subSteps(),
-                    s.warmScale(),
-                    s.sweeping(),
-                    s.thinning(),
-                    true);
-            assertThat(Plans.first(row.of(device), recording)).isInstanceOf(ByColours.class);
+    void stepsThatRecordWhatContactsDoAreMadeByTheSamePlans(Device device) {
+        for (Plans row : Plans.values()) {
+            for (Steps silent : new Steps[] {steps(1, 1000, false), steps(2, 1000, false), steps(1, 1000, true)}) {
+                assertThat(Plans.first(row.of(device), recording(silent)))
+                        .hasSameClassAs(Plans.first(row.of(device), silent));
+            }
         }
+    }
+
+    private static Steps recording(Steps s) {
+        return new Steps(
+                s.count(),
+                s.levels(),
+                s.slots(),
+                s.circles(),
+                s.subSteps(),
+                s.warmScale(),
+                s.sweeping(),
+                s.thinning(),
+                true);
     }
 
     @ParameterizedTest

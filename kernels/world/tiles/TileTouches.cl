@@ -1,0 +1,106 @@
+// uses: world/stages/Touches.cl world/tiles/Tiles.cl
+// Records what contacts do in a step, as Touches.cl does, if events are reported: each tile for its own contacts, by their numbers.
+// Three arrays lie one behind the other, so that a pass touches no more memory than it needs:
+// - of the sub-step, the approach speed, negative (also -0) if the surfaces did not touch in the biased pass; the impulse that the
+//   contact does not keep;
+// - of the step, the approach speed and the impulse;
+// - where it touched, which is noted only if it is fast: normal x, y (0: not known yet), point x, y.
+
+#ifdef RECORDING
+
+global float2 *touchNow(const World *w) { return (global float2 *) w->recording.touch; }
+
+global float2 *touchSoFar(const World *w) { return touchNow(w) + w->contactRoom; }
+
+global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->contactRoom); }
+
+// Begins a step for a contact. held: its impulse; slot: of the lower id. Returns whether it held before.
+bool clearTouch(const World *w, int number, float held, int slot) {
+    float2 normal = noNormal(w, held, w->id[slot]);
+    touchSoFar(w)[number] = (float2)(NO_TOUCH, 0.0f);
+    touchPlace(w)[number] = (float4)(normal.x, normal.y, 0.0f, 0.0f);
+    return heldBefore(normal);
+}
+
+// Begins a step for the walls of a circle.
+void clearWallTouch(const World *w, int slot) {
+    if (!w->recording.walls) return;
+    w->recording.wallTouch[2 * slot] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+    w->recording.wallTouch[2 * slot + 1] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
+}
+
+// Notes where a contact touches. motion: of the circles, as the pass has their displacements. Not inlined: few contacts are fast.
+void placeTouch(const World *w, int number, global const float4 *motion, float nx, float ny, float separation) {
+    uint lower = w->ordered[number].x;
+    float4 c = w->circle[lower];
+    float4 m = motion[lower];
+    touchPlace(w)[number] =
+        (float4)(nx, ny, touchPoint(c.x, m.x, nx, c.z, separation), touchPoint(c.y, m.y, ny, c.z, separation));
+}
+
+// Looks at a contact after its biased pass. before: normal speed before any impulse. The step's numbers follow in the relaxing pass,
+// but if it is fast: then the normal is noted with them.
+void noteSolved(const World *w, int number, float before, float nx, float ny, float separation, float radii,
+                const Visited *visited) {
+    float approach = approachSpeed(before);
+    float notKept = visited->leaves || visited->solved ? 0.0f : visited->impulse;
+    bool touching = visited->normalImpulse + notKept > 0.0f || separation <= 0.0f;
+    touchNow(w)[number] = (float2)(touching ? approach : -approach, notKept);
+    if (touching && isFastApproach(approach, w->k.dt, radii) && approach > touchSoFar(w)[number].x) {
+        touchSoFar(w)[number].x = approach;
+        placeTouch(w, number, w->motion, nx, ny, separation);
+    }
+}
+
+// Looks at a contact after its relaxing pass. now, soFar: as noteSolved left them; normalImpulse, bounce: before the pass.
+void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float normalImpulse, float bounce, float nx, float ny,
+                 float separation, float radii, const Visited *visited) {
+    float approach = fabs(now.x);
+    float bounced = bounce > 0.0f ? normalImpulse + visited->impulse : 0.0f;
+    float notKept = visited->solved ? bounced : visited->leaves ? 0.0f : visited->impulse;
+    float impulse = (now.y + notKept) + visited->normalImpulse;
+    bool touched = as_int(now.x) >= 0;
+    bool faster = (touched || impulse > 0.0f) && approach > soFar.x;
+    touchSoFar(w)[number] = (float2)(faster ? approach : soFar.x, soFar.y + impulse);
+    if (faster && !touched && isFastApproach(approach, w->k.dt, radii)) {
+        placeTouch(w, number, w->solvedMotion, nx, ny, separation);
+    }
+}
+
+// Records those contacts of a tile that have to be, once all tiles have made the step. Returns how many of a work-item's hold.
+int recordTile(const World *w, int tile, bool all) {
+    global int *record = recordOf(w, tile);
+    global const int2 *placed = contactsOf(record);
+    int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
+    int held = 0;
+    TILE_EACH(place, contacts) {
+        int number = placed[place].x;
+        if (number < 0) continue;
+        int copy = record[RECORD_COPIES] + place;
+        float holds = w->held[number];
+        float2 t = touchSoFar(w)[number];
+        float4 at = touchPlace(w)[number];
+        recordPair(w, all, w->ordered[number], w->contact[copy], holds, w->shape[copy].x, t.x, t.y, at.xy, at.zw);
+        held += holds > 0.0f;
+    }
+    return held;
+}
+
+// Records the walls that circles are in touch with. first, step: which circles.
+void recordWallsOfSlots(const World *w, int first, int step) {
+    int circles = w->recording.walls ? w->circles : 0;
+    for (int slot = first; slot < circles; slot += step) {
+        recordWalls(w, slot);
+    }
+}
+
+// Index space: a work-group a tile.
+TILE_KERNEL touches_recordTile(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    if (refused(&w)) return;
+    bool all = recordsAll(&w);
+    endRecords(&w, all, recordTile(&w, (int) get_group_id(0), all));
+    recordWallsOfSlots(&w, (int) get_global_id(0), (int) get_global_size(0));
+}
+#endif
