@@ -19,8 +19,7 @@ import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up between four walls, come and go, and replay to
- * the bit.
+ * The engine for games: rigid circles that fall, collide, bounce and pile up, come and go, and replay to the bit.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
