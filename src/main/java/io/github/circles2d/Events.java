@@ -5,7 +5,7 @@ import io.github.circles2d.world.events.EventRows;
 
 /**
  * What happened between circles, and between circles and walls, since the last call of {@link World#events}. {@link World#report} says
- * which types of events there are.
+ * what of it is told.
  *
  * <pre>{@code
  * world.report(Events.BEGIN | Events.HIT);
@@ -21,21 +21,21 @@ import io.github.circles2d.world.events.EventRows;
  * <p><b>Touching:</b> a pair touches after a step if an impulse acted between the two within it, or if their surfaces met or
  * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It goes on
  * touching until a step in which nothing of that happens ends with a gap of more than 0.5 % of the sum of the radii (at a wall:
- * of the diameter); then it {@link #END ends}. So a pile at rest is silent. Two static circles never touch, nor do circles whose kinds or
- * groups let them ignore each other. A circle that is added where it touches another begins with the next
+ * of the diameter); then it {@link #END ends}. So a pile at rest is silent. Two static circles never touch, nor do circles that ignore
+ * each other by their kinds or groups ({@link Kind}). A circle that is added where it touches another begins with the next
  * step. A circle that is moved away, or removed, ends with the next step, a removed one under its old handle. In a crowd, where a
  * circle has more than some thirty neighbours, only the pairs that World solves count.
  *
- * <p><b>Sensors:</b> circles that are only sensed ({@link Kind#setSensor}, {@link Response#SENSE}) begin and end, and never hit. They touch in
- * a step if they do so at any time in it, on straight paths from where they were at its start to where they are at its end. So a bullet
+ * <p><b>Sensors:</b> two circles that only sense each other ({@link Kind#setSensor}, {@link Response#SENSE}) begin and end, and never hit. They
+ * touch in a step if they do so at any time in it, on straight paths from where they were at its start to where they are at its end. So a bullet
  * that flies right through a small sensor in a step begins in this step, and ends in the next. The numbers of a begin are those of the
  * moment when they first touch in the step; the speed is that at which the two approach, by their paths, and the impulse is 0. A circle
- * that is moved by {@link World#teleport}, or one that is not static by {@link World#setPosition}, touches nothing on its way. Two sensors
- * notice each other only if {@link World#setResponse} says so. A crowd hides nothing from a sensor.
+ * that is moved by {@link World#teleport}, or one that is not static by {@link World#setPosition}, touches nothing on its way. A crowd
+ * hides nothing from a sensor. Between a sensor and a wall there are the events of any circle at a wall.
  *
- * <p><b>Which pairs</b> report, kinds decide: {@link World#report(int)} asks for all, {@link World#report(int, int, int)} for those of two kinds
- * and {@link World#reportWalls} for the walls of a kind. A pair that reports nothing is not followed: it ends in silence if its circles get
- * such kinds, and begins if it touches when it reports again.
+ * <p><b>Which pairs</b> are told of, kinds decide: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for those
+ * of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A pair of which nothing is reported is not followed: it
+ * ends in silence if its circles get such kinds, and begins if it touches when it is reported again.
  *
  * <p><b>Hits:</b> a pair {@link #HIT hits} if an impulse acted and its approach speed is at least {@link World#setHitSpeed}, whether
  * or not it touched before. A hit that a step leaves half done is finished by the next step, and reported there, once: so it may

@@ -4,7 +4,7 @@ import io.github.circles2d.world.Kinds;
 import io.github.circles2d.world.circles.KindField;
 
 /**
- * A kind of circles of a world, as players, bullets or grains: what its circles meet, and what they have in common. A world has 256
+ * A kind of circles of a world, as players, bullets or grains: what its circles meet, and how they move. A world has 256
  * kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. A kind that nobody has
  * changed meets all others.
  *
@@ -27,10 +27,11 @@ import io.github.circles2d.world.circles.KindField;
  *       one's mask has a bit of the other's category.
  * </ol>
  *
- * <p><b>Mask, matrix or sensor?</b> Masks and the matrix say who meets whom; take masks for rules of many kinds, and the matrix for single
- * pairs. A sensor is for kinds that meet circles without pushing any: goals, triggers, fields of view, what is picked up. Take
- * {@link Response#SENSE} in the matrix if a kind is solid for some and only notices others, as a ghost that notices the player and stands
- * on the floor. What nobody is to notice is ignored, not sensed.
+ * <p><b>What circles that meet do:</b> they push each other, unless one of them is of a <b>sensor</b> ({@link #setSensor}). Then they
+ * pass through each other, and {@link Events} tells when they begin and end to touch, if {@link World#report} asks for it. Make a kind a
+ * sensor if it pushes nobody: goals, triggers, fields of view, what is picked up. Take {@link Response#SENSE} in the matrix if a kind
+ * is solid for some and only notices others, as a ghost that notices the player and stands on the floor. For what nobody is to
+ * notice, a mask or {@link Response#IGNORE} is enough.
  *
  * <p>Circles that ignore each other are dropped where pairs are found, and cost nothing after that. A change acts from the next step
  * on: circles that overlap and ignore each other from now on separate freely; if they are solid again they are pushed out slowly, as
@@ -98,9 +99,9 @@ public final class Kind {
     }
 
     /**
-     * Makes the kind a sensor, or solid. Circles of a sensor push nothing and are pushed by nothing, except walls and the kinds to which
-     * the matrix makes them solid. They notice what they touch, if masks let both meet and {@link World#report} asks for it; see
-     * {@link Events}. Two sensors ignore each other, unless the matrix says {@link Response#SENSE}.
+     * Makes the kind a sensor, or solid. Circles of a sensor push no circle and are pushed by none, except by kinds to which the matrix
+     * makes them solid; walls stop them. A sensor and a circle of another kind sense each other if their masks let both meet. Two
+     * sensors ignore each other, and so do two static circles; the matrix can make sensors {@link Response#SENSE} each other.
      *
      * @param sensor true for a sensor
      * @return this

@@ -19,8 +19,7 @@ import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up between four walls, come and go, and replay to
- * the bit.
+ * The engine for games: rigid circles that fall, collide, bounce and pile up, come and go, and replay to the bit.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
@@ -1195,9 +1194,9 @@ public final class World implements AutoCloseable {
      * nothing, which costs nothing. What a world reports changes no step, and is in no snapshot and no log: whoever restores or replays
      * says what he wants to hear. Pairs that touch already begin with the next step after they are first reported.
      *
-     * <p>In this version a world on an OpenCL device that reports contacts or walls makes each of its steps by launches per colour of
-     * contacts, and looks at the result of each: that takes several times as long. If it reports pairs that are only sensed, and no
-     * others, it looks at the result of each step alone. On the JVM either costs little.
+     * <p>To report all contacts and walls makes a step longer by a fifth to a half. Pairs that are only sensed ({@link Kind#setSensor},
+     * {@link Response#SENSE}) cost much less: ask for them alone by {@link #report(int, int, int)}. On an OpenCL device a step of a world
+     * that reports waits for the one before, and the first report of contacts or walls compiles the kernels a second time.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
      *     count too, which alone reports nothing; 0 for nothing
@@ -1209,7 +1208,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Sets what {@link #events} reports of the circles of two kinds, from the next step on, in place of what {@link #report(int)} says of
-     * all circles; a later call of that takes the place of this. Only pairs that are reported cost something.
+     * all circles; a later call of that takes the place of this. Pairs that only sense each other report {@link Events#BEGIN} and
+     * {@link Events#END}, and never {@link Events#HIT}. Other pairs cost next to nothing.
      *
      * @param kindA the number of a kind, 0 to 255
      * @param kindB the number of another kind, or of the same; which of them comes first does not matter
