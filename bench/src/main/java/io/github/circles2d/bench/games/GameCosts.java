@@ -42,16 +42,7 @@ public final class GameCosts implements AutoCloseable {
 
     /** All features. */
     public static final List<String> FEATURES = List.of(
-            NOTHING,
-            "positions",
-            "hits",
-            "walls",
-            "half-ignored",
-            "sensors",
-            "forces",
-            "record",
-            REWIND,
-            "fixed-step");
+            NOTHING, "positions", "hits", "walls", "half-ignored", "sensors", "forces", "record", REWIND, "fixed-step");
 
     /** Features that change how circles move, so their worlds end in other states than the silent one. */
     private static final Set<String> OTHER_STATES = Set.of("half-ignored", "sensors", "forces");
@@ -79,9 +70,17 @@ public final class GameCosts implements AutoCloseable {
     /** Steps before the measured ones, in which arrays grow and memory is touched. */
     private static final int WARM_STEPS = 30;
 
+    /** Rounds in which the JVM compiles; fewer if they take {@value #WARM_SECONDS} seconds. */
     private static final int WARM_ROUNDS = 2;
+
+    private static final double WARM_SECONDS = 5;
     private static final int LEAST_ROUNDS = 3;
-    private static final int MOST_ROUNDS = 21;
+    private static final int MOST_ROUNDS = 31;
+
+    /** Runs of one world, of which the median counts; fewer if they take {@value #RUN_SECONDS} seconds. */
+    private static final int RUNS = 5;
+
+    private static final double RUN_SECONDS = 0.4;
 
     /** After this time no further round begins. */
     private static final double SECONDS_PER_SIZE = 60;
@@ -378,18 +377,13 @@ public final class GameCosts implements AutoCloseable {
         String device = "";
         int rounds = -WARM_ROUNDS;
         long began = System.nanoTime();
-        while (rounds < LEAST_ROUNDS
-                || rounds < MOST_ROUNDS && System.nanoTime() - began < SECONDS_PER_SIZE * 1_000_000_000L) {
+        while (rounds < LEAST_ROUNDS || rounds < MOST_ROUNDS && secondsSince(began) < SECONDS_PER_SIZE) {
             double silent = 0;
             for (String feature : features) {
                 try (GameCosts costs = new GameCosts(feature, builder(backend), start)) {
                     costs.prepare();
                     costs.frames(WARM_STEPS);
-                    costs.prepare();
-                    long from = nanos(backend);
-                    costs.frames(STEPS);
-                    double time = (nanos(backend) - from) / 1e6 / STEPS;
-                    check(hashes, feature, costs.end());
+                    double time = costs.time(backend, hashes);
                     events.put(feature, (double) costs.events / STEPS);
                     device = String.valueOf(costs.world.stats().device());
                     silent = feature.equals(NOTHING) ? time : silent;
@@ -401,7 +395,7 @@ public final class GameCosts implements AutoCloseable {
                     }
                 }
             }
-            rounds++;
+            rounds = rounds < 0 && secondsSince(began) > WARM_SECONDS ? 0 : rounds + 1;
         }
         out.printf(
                 Locale.ROOT,
@@ -430,6 +424,20 @@ public final class GameCosts implements AutoCloseable {
         out.flush();
     }
 
+    /** Ms a step: the median of some runs, whose end states are checked. */
+    private double time(Backend backend, Map<String, Long> hashes) throws IOException {
+        List<Double> runs = new ArrayList<>();
+        long began = System.nanoTime();
+        do {
+            prepare();
+            long from = nanos(backend);
+            frames(STEPS);
+            runs.add((nanos(backend) - from) / 1e6 / STEPS);
+            check(hashes, feature, end());
+        } while (runs.size() < RUNS && secondsSince(began) < RUN_SECONDS);
+        return quantile(runs, 0.5);
+    }
+
     private static void check(Map<String, Long> hashes, String feature, long hash) {
         Long before = hashes.putIfAbsent(feature, hash);
         if (before != null && before != hash) {
@@ -441,7 +449,7 @@ public final class GameCosts implements AutoCloseable {
     /**
      * Checks an end state against that of the silent world.
      *
-     * @throws IllegalStateException where it differs and should not, or where a feature that moves circles has moved none
+     * @throws IllegalStateException where it differs and should not, or where a feature that changes circles has changed none
      */
     public static void checkAgainstSilent(String feature, long hash, long silent) {
         if (keepsState(feature) != (hash == silent)) {
@@ -451,11 +459,16 @@ public final class GameCosts implements AutoCloseable {
     }
 
     private static double quantile(List<Double> values, double share) {
-        double[] sorted = values.stream().mapToDouble(Double::doubleValue).sorted().toArray();
+        double[] sorted =
+                values.stream().mapToDouble(Double::doubleValue).sorted().toArray();
         double at = share * (sorted.length - 1);
         int below = (int) at;
         int above = Math.min(below + 1, sorted.length - 1);
         return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+    }
+
+    private static double secondsSince(long began) {
+        return (System.nanoTime() - began) / 1e9;
     }
 
     private static long nanos(Backend backend) {
