@@ -47,7 +47,7 @@ public final class GameCosts implements AutoCloseable {
     /** Features that change how circles move, so their worlds end in other states than the silent one. */
     private static final Set<String> OTHER_STATES = Set.of("half-ignored", "sensors", "forces");
 
-    /** More circles than this take the memory of a frame too often to be saved in each step. */
+    /** The table leaves the rewind out for more circles than this: no game keeps so large a frame in each step. */
     private static final int GREATEST_REWIND = 15_000;
 
     private static final int SETTLING = 300;
@@ -275,7 +275,7 @@ public final class GameCosts implements AutoCloseable {
         events += size;
     }
 
-    /** The hash of the state. Ends a recording, which must have taken all steps. */
+    /** Ends a recording, which must have taken all steps, and returns the hash of the state. */
     public long end() throws IOException {
         if (Double.isNaN(sum)) {
             throw new IllegalStateException(feature + ": a number that was read is no number");
