@@ -1,6 +1,7 @@
 package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
+import io.github.circles2d.bench.games.GameCosts;
 import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
@@ -72,6 +73,9 @@ public final class Bench {
                     break;
                 case "broadphase":
                     BroadPhaseBench.run(rest, System.out);
+                    break;
+                case "games":
+                    GameCosts.run(rest, System.out);
                     break;
                 case "table":
                     ConsoleTable.print(folder(rest), System.out);
