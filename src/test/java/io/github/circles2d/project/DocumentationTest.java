@@ -231,6 +231,7 @@ class DocumentationTest {
                 "docs/glossary.md",
                 "docs/how-to-extend.md",
                 "docs/notes.md",
+                "docs/opencl.md",
                 "docs/patterns.md",
                 "docs/physics.md"
             })
