@@ -52,8 +52,8 @@ import io.github.circles2d.world.queries.QueryShape;
  * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
  * circle.
  *
- * <p><b>On a GPU</b> that has 20,000 circles or more, batches of 256 queries or more are answered there, and so are the first few other
- * calls after a change: the index is built on the GPU, and only what is found comes to the host. The first of them compiles the
+ * <p><b>On a GPU</b> that has 1,000 circles or more, batches of 512 queries or more are answered there, and so are the first few other
+ * calls after a change if it has 20,000: the index is built on the GPU, and only what is found comes to the host. The first of them compiles the
  * searches, which may take a second. The index takes about 80 bytes a circle of the GPU's memory. The host answers if that is not
  * there, if the GPU has no double precision, if a call finds more than four million circles, and if thousands of circles lie where one
  * would if all were spread evenly.

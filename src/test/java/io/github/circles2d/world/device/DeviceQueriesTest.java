@@ -423,16 +423,23 @@ class DeviceQueriesTest {
         RemoteSearch search = overriding(RemoteSearch.class, "pays", () -> true, pipeline::search);
         Pipeline gpu = overriding(Pipeline.class, "search", () -> search, () -> pipeline);
         try (Simulation world = new Simulation(gpu, parameters)) {
-            for (int k = 1; k < circles; k++) {
+            float[] points = new float[2 * 512];
+            long[] handles = new long[512];
+            for (int k = 1; k < 1000; k++) {
                 world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
             }
-            float[] points = new float[2 * 256];
-            long[] handles = new long[256];
-            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a small world").isZero();
-            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
-            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            for (int k = 1000; k < circles; k++) {
+                world.circles().add(0.5f + k % 99, 0.5f + k / 99 * 0.4f, 0.1f, 1, 0, 0);
+            }
+            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).as("a large batch").isOne();
+            world.searches().one(null, QueryShape.POINT, points, 511, handles, null);
+            assertThat(DeviceSearches.answered(world))
+                    .as("a smaller one, and not enough circles for that")
+                    .isOne();
+            world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
             for (int k = 0; k < 30; k++) {
                 assertThat(world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null))
                         .isPositive();
@@ -440,9 +447,9 @@ class DeviceQueriesTest {
             assertThat(DeviceSearches.answered(world))
                     .as("a call for 1,000 circles")
                     .isEqualTo(21);
-            world.searches().one(null, QueryShape.POINT, points, 255, handles, null);
+            world.searches().one(null, QueryShape.POINT, points, 511, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(21);
-            world.searches().one(null, QueryShape.POINT, points, 256, handles, null);
+            world.searches().one(null, QueryShape.POINT, points, 512, handles, null);
             assertThat(DeviceSearches.answered(world)).isEqualTo(22);
             world.circles().add(0.5f, 0.5f, 0.1f, 1, 0, 0);
             world.searches().one(null, QueryShape.POINT, 1.5f, 0.5f, 0, 0, 0, null);
