@@ -96,7 +96,7 @@ final class Swarm implements Runnable {
     private void movePlayer(float x, float y) {
         world.setForce(player, 100 * (mouseX - x), 100 * (mouseY - y));
         long near = nearest(x, y, 400), picked = nearest(mouseX, mouseY, 24);
-        if (near != 0 && step % 2 == 0) { // the kind limits the speed
+        if (near != 0) { // the kind limits the speed
             world.add(x, y, 2.5f, 0.1f, 1000 * (world.x(near) - x), 1000 * (world.y(near) - y), BULLET);
         }
         if (isBombWanted && picked != 0) {
