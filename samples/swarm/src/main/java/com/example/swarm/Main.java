@@ -116,7 +116,7 @@ public final class Main extends JLabel {
         for (int id = 0; id < game.world.idLimit(); id++) {
             float x = positions.get(2 * id), y = positions.get(2 * id + 1), radius = circles[4 * id + 2];
             if (!Float.isNaN(x)) {
-                float heat = Math.min(1, (Math.abs(velocities[2 * id]) + Math.abs(velocities[2 * id + 1])) / 240);
+                float heat = Math.min(1, (Math.abs(velocities[2 * id]) + Math.abs(velocities[2 * id + 1])) / 340);
                 Color hunter = Color.getHSBColor(0.70f + 0.33f * heat, 0.75f - 0.15f * heat, 0.55f + 0.45f * heat);
                 Color color = kinds[id] == Swarm.SMALL ? hunter : COLORS[kinds[id]];
                 g.setColor(game.world.handle(id) == picked ? Color.WHITE : color);
