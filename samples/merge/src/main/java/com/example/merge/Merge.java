@@ -43,7 +43,8 @@ final class Merge implements Runnable {
         return stepsAboveLine >= MOST_STEPS_ABOVE_LINE;
     }
 
-    @Override // before each step of the world
+    /** Makes the changes before each step of the world. */
+    @Override
     public void run() {
         if (isOver()) {
             return;

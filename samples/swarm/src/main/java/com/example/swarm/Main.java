@@ -126,5 +126,6 @@ public final class Main extends JLabel {
         g.setColor(Color.WHITE);
         g.setFont(g.getFont().deriveFont(20f));
         g.drawString(game.world.tag(game.player) + " points", 20, 40);
+        g.dispose();
     }
 }

@@ -7,10 +7,7 @@ import io.github.circles2d.Rewind;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.World;
 
-/**
- * The rules: 5,000 hunters chase the player, who follows the mouse, fires at the nearest of them, and bombs the one that the mouse
- * picks. All that changes is in the world, the score is the player's tag: so rewinding the world rewinds the game.
- */
+/** The rules: 5,000 hunters chase the player. The score is the player's tag, so rewinding the world rewinds the whole game. */
 final class Swarm implements Runnable {
     static final int WIDTH = 1280, HEIGHT = 800, MOST_CIRCLES = 6000; // a length of 1 is a pixel, and y points down
     static final int PLAYER = 0, SMALL = 1, LARGE = 2, BULLET = 3; // kinds
@@ -20,7 +17,7 @@ final class Swarm implements Runnable {
 
     final World world;
     final long player;
-    float mouseX, mouseY;
+    float mouseX = WIDTH / 2f, mouseY = HEIGHT / 2f;
     boolean isBombWanted;
     private final Queries hunters;
     private final Rewind rewind;
@@ -29,7 +26,8 @@ final class Swarm implements Runnable {
     private int step;
 
     Swarm(Backend backend) {
-        world = World.builder().bounds(0, 0, WIDTH, HEIGHT).backend(backend).build();
+        World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).capacity(MOST_CIRCLES);
+        world = builder.backend(backend).build();
         world.kind(PLAYER).setDamping(4);
         world.kind(BULLET).setMask(HUNTERS).setSensor(true).setGreatestSpeed(560);
         world.reportWalls(BULLET, Events.BEGIN);
@@ -44,7 +42,7 @@ final class Swarm implements Runnable {
         float[] circles = new float[4 * HUNTER_COUNT];
         int[] kindOf = new int[HUNTER_COUNT];
         for (int k = 0; k < HUNTER_COUNT; k++) {
-            kindOf[k] = k % 50 == 0 ? LARGE : SMALL;
+            kindOf[k] = k * 0.618034f % 1 < 0.02f ? LARGE : SMALL;
             circles[4 * k] = k * 0.75487767f % 1 * WIDTH; // spreads them evenly
             circles[4 * k + 1] = k * 0.56984029f % 1 * HEIGHT;
             circles[4 * k + 2] = kindOf[k] == LARGE ? 10 : 3.2f;
@@ -66,7 +64,8 @@ final class Swarm implements Runnable {
         rewind.restore(step);
     }
 
-    @Override // before each step of the world
+    /** Makes the changes before each step of the world. */
+    @Override
     public void run() {
         Events events = world.events(); // taken before the step is saved, because a restored world has none
         for (int i = 0; i < events.size(); i++) {
@@ -96,7 +95,7 @@ final class Swarm implements Runnable {
     private void movePlayer(float x, float y) {
         world.setForce(player, 100 * (mouseX - x), 100 * (mouseY - y));
         long near = nearest(x, y, 400), picked = nearest(mouseX, mouseY, 24);
-        if (near != 0) { // the kind limits the speed
+        if (near != 0) { // the kind of bullets limits their speed
             world.add(x, y, 2.5f, 0.1f, 1000 * (world.x(near) - x), 1000 * (world.y(near) - y), BULLET);
         }
         if (isBombWanted && picked != 0) {
