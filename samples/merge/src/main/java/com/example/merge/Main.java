@@ -58,14 +58,14 @@ public final class Main extends ApplicationAdapter {
         if (frames > 0) {
             main.playAlone(frames);
         }
-        if (frames == 0 || !main.picture.isEmpty()) {
+        if (frames <= 0 || !main.picture.isEmpty()) { // a picture needs a window, too
             Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
             configuration.setTitle("Merge: click to drop a ball");
             configuration.setWindowedMode(12 * SCALE, 16 * SCALE);
             configuration.setResizable(false);
             configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
             configuration.disableAudio(true);
-            configuration.setInitialVisible(frames == 0);
+            configuration.setInitialVisible(frames <= 0);
             new Lwjgl3Application(main, configuration);
         }
         main.game.world.close();

@@ -44,10 +44,11 @@ public final class Main extends JLabel {
             }
         }
         Main main = new Main(Backend.valueOf(options.get("--backend")));
-        if (options.get("--frames").equals("0")) {
-            SwingUtilities.invokeLater(main::open);
+        int frames = Integer.parseInt(options.get("--frames"));
+        if (frames > 0) {
+            main.playAlone(frames, options.get("--picture"));
         } else {
-            main.playAlone(Integer.parseInt(options.get("--frames")), options.get("--picture"));
+            SwingUtilities.invokeLater(main::open);
         }
     }
 
@@ -126,6 +127,5 @@ public final class Main extends JLabel {
         g.setColor(Color.WHITE);
         g.setFont(g.getFont().deriveFont(20f));
         g.drawString(game.world.tag(game.player) + " points", 20, 40);
-        g.dispose();
     }
 }
