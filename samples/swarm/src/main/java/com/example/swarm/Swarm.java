@@ -3,246 +3,116 @@ package com.example.swarm;
 import io.github.circles2d.Backend;
 import io.github.circles2d.Events;
 import io.github.circles2d.Queries;
-import io.github.circles2d.Response;
 import io.github.circles2d.Rewind;
 import io.github.circles2d.StaleHandles;
 import io.github.circles2d.World;
-import java.nio.FloatBuffer;
-import java.util.ArrayDeque;
-import java.util.Deque;
 
-/**
- * The rules of the game: 5,000 chasers hunt the player, who shoots, bombs and turns back time. All that changes is in the world: the
- * score is the player's tag, its health is its radius, and the tag of a chaser is what it is worth. So what rewinds the world rewinds
- * the game.
- */
-final class Swarm implements Runnable, AutoCloseable {
-    static final float WIDTH = 160;
-    static final float HEIGHT = 100;
-    static final float TIME_STEP = 1 / 60f;
-    static final int MOST_CIRCLES = 6000;
-    static final float HEALTHY = 1.8f; // radii of the player
-    static final float DEAD = 0.6f;
-    static final int BOMB_PRICE = 50; // points
-    static final float BOMB_RADIUS = 6;
-
-    private static final int CHASERS = 5000;
-    private static final int PLAYER = 0; // kinds
-    private static final int CHASER = 1;
-    private static final int BULLET = 2;
-    private static final float BULLET_SPEED = 70;
-    private static final int STEPS_PER_SAVE = 4;
+/** The rules: 5,000 hunters chase the player. The score is the player's tag, so rewinding the world rewinds the whole game. */
+final class Swarm implements Runnable {
+    static final int WIDTH = 1280, HEIGHT = 800, MOST_CIRCLES = 6000; // a length of 1 is a pixel, and y points down
+    static final int PLAYER = 0, SMALL = 1, LARGE = 2, BULLET = 3; // kinds
+    private static final int[] POINTS = {-5, 1, 10, 0}; // for a hit, by kind
+    private static final float[] BLASTS = {48, 4, 24, 4}; // radii of explosions, by kind
+    private static final int HUNTERS = 0b10, HUNTER_COUNT = 5000; // a category, and how many
 
     final World world;
-    final Controls controls = new Controls();
-    final Deque<Explosion> explosions = new ArrayDeque<>();
     final long player;
-
-    private final Queries queries;
+    float mouseX = WIDTH / 2f, mouseY = HEIGHT / 2f;
+    boolean isBombWanted;
+    private final Queries hunters;
     private final Rewind rewind;
     private final long[] handles = new long[MOST_CIRCLES];
-    private final float[] impulses = new float[2 * MOST_CIRCLES];
+    private final float[] forces = new float[2 * MOST_CIRCLES];
     private int step;
 
     Swarm(Backend backend) {
-        world = World.builder()
-                .bounds(0, 0, WIDTH, HEIGHT)
-                .backend(backend)
-                .capacity(MOST_CIRCLES)
-                .build();
-        world.report(Events.BEGIN | Events.WALL);
+        World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).capacity(MOST_CIRCLES);
+        world = builder.backend(backend).build();
         world.kind(PLAYER).setDamping(4);
-        world.kind(CHASER).setDamping(1).setGreatestSpeed(30);
-        world.setResponse(BULLET, BULLET, Response.IGNORE);
-        world.setResponse(BULLET, PLAYER, Response.IGNORE);
-        queries = world.queries();
-        rewind = new Rewind(world, 600 / STEPS_PER_SAVE); // ten seconds
-
-        player = world.add(WIDTH / 2, HEIGHT / 2, HEALTHY, 20);
-        for (int k = 1; k <= CHASERS; k++) {
-            addChaser(k, spread(k, 0.7548776662) * WIDTH, spread(k, 0.5698402910) * HEIGHT);
+        world.kind(BULLET).setMask(HUNTERS).setSensor(true).setGreatestSpeed(560);
+        world.reportWalls(BULLET, Events.BEGIN);
+        for (int hunter = SMALL; hunter <= LARGE; hunter++) {
+            world.kind(hunter).setCategory(HUNTERS).setDamping(1).setGreatestSpeed(240);
+            world.report(PLAYER, hunter, Events.BEGIN);
+            world.report(BULLET, hunter, Events.BEGIN);
         }
-        clearPlaceForPlayer();
+        hunters = world.queries().withMask(HUNTERS);
+        rewind = new Rewind(world, 300); // steps
+        player = world.add(WIDTH / 2f, HEIGHT / 2f, 12, 20);
+        float[] circles = new float[4 * HUNTER_COUNT];
+        int[] kindOf = new int[HUNTER_COUNT];
+        for (int k = 0; k < HUNTER_COUNT; k++) {
+            kindOf[k] = k * 0.618034f % 1 < 0.02f ? LARGE : SMALL;
+            circles[4 * k] = k * 0.75487767f % 1 * WIDTH; // spreads them evenly
+            circles[4 * k + 1] = k * 0.56984029f % 1 * HEIGHT;
+            circles[4 * k + 2] = kindOf[k] == LARGE ? 10 : 3.2f;
+            circles[4 * k + 3] = 1; // mass
+        }
+        world.addAll(circles, null, kindOf, null);
+        world.removeAll(handles, hunters.overlapCircle(WIDTH / 2f, HEIGHT / 2f, 180, handles), StaleHandles.REFUSE);
+        rewind.save(0);
     }
 
-    private void clearPlaceForPlayer() {
-        int near = queries.overlapCircle(WIDTH / 2, HEIGHT / 2, 22, handles);
-        System.arraycopy(handles, 1, handles, 0, near - 1); // the player, who was added first, comes first
-        world.removeAll(handles, near - 1, StaleHandles.REFUSE);
+    /** The hunter nearest to a point, or 0 if none is so near. */
+    long nearest(float x, float y, float within) {
+        return hunters.nearest(x, y, within, 1, handles, null) == 0 ? 0 : handles[0];
     }
 
-    long score() {
-        return world.tag(player);
+    /** Goes back by a step, or stays at the oldest one. */
+    void rewind() {
+        step = Math.max(step - 1, rewind.oldest());
+        rewind.restore(step);
     }
 
-    float health() {
-        return world.radius(player);
-    }
-
-    boolean isOver() {
-        return health() <= DEAD;
-    }
-
-    int step() {
-        return step;
-    }
-
-    /** What comes before each step of the world. */
+    /** Makes the changes before each step of the world. */
     @Override
     public void run() {
-        judge(world.events()); // before it is saved: to go back drops the events
-        if (step % STEPS_PER_SAVE == 0) {
-            rewind.save(step);
+        Events events = world.events(); // taken before the step is saved, because a restored world has none
+        for (int i = 0; i < events.size(); i++) {
+            long a = events.a(i), b = events.b(i); // b is 0 for a wall
+            if (world.contains(a) && (b == 0 || world.contains(b))) { // no event before this one has removed them
+                hit(a);
+                if (b != 0) {
+                    hit(b);
+                }
+            }
         }
-        movePlayer();
-        if (controls.bomb) {
-            controls.bomb = false;
-            bomb();
-        }
-        chase();
-        for (int k = 2 * step; k < 2 * step + 2 && world.size() < CHASERS; k++) {
-            addChaser(k, spread(k, 0.7548776662) * WIDTH, k % 2 * HEIGHT);
-        }
+        rewind.save(step);
+        movePlayer(world.x(player), world.y(player));
+        moveHunters(world.x(player), world.y(player));
         step++;
     }
 
-    /** Goes back to the frame that was saved before this one, if it is still there. */
-    void rewind() {
-        int back = (step - 1) / STEPS_PER_SAVE * STEPS_PER_SAVE;
-        if (step > 0 && rewind.has(back)) {
-            rewind.restore(back);
-            step = back;
-            explosions.removeIf(explosion -> explosion.step >= back);
+    private void hit(long circle) {
+        int kind = world.kindOf(circle);
+        world.explode(world.x(circle), world.y(circle), BLASTS[kind], 5 * BLASTS[kind], BLASTS[kind], HUNTERS);
+        world.setTag(player, world.tag(player) + POINTS[kind]);
+        if (kind != PLAYER) {
+            world.remove(circle);
         }
     }
 
-    /** A chaser of fifty is large, and has points for ten. */
-    private void addChaser(int number, float x, float y) {
-        boolean large = number % 50 == 0;
-        long chaser = world.add(x, y, large ? 1.2f : 0.4f, 1, 0, 0, CHASER);
-        world.setTag(chaser, large ? 10 : 1);
-    }
-
-    /** Numbers that are spread evenly from 0 to 1, in an order that looks random. */
-    private static float spread(int k, double ratio) {
-        return (float) (k * ratio % 1);
-    }
-
-    /** Bullets are what has no points. */
-    boolean isBullet(long circle) {
-        return circle != player && world.tag(circle) == 0;
-    }
-
-    private void judge(Events events) {
-        for (int i = 0; i < events.size(); i++) {
-            long a = events.a(i);
-            long b = events.b(i);
-            boolean wall = events.side(i) != null;
-            if (!world.contains(a) || !wall && !world.contains(b)) {
-                continue; // an event before this one has removed it
-            }
-            if (isBullet(a)) {
-                shoot(a, b);
-            } else if (!wall && isBullet(b)) {
-                shoot(b, a);
-            } else if (!wall && a == player) {
-                bite(b);
-            }
+    private void movePlayer(float x, float y) {
+        world.setForce(player, 100 * (mouseX - x), 100 * (mouseY - y));
+        long near = nearest(x, y, 400), picked = nearest(mouseX, mouseY, 24);
+        if (near != 0) { // the kind of bullets limits their speed
+            world.add(x, y, 2.5f, 0.1f, 1000 * (world.x(near) - x), 1000 * (world.y(near) - y), BULLET);
         }
-    }
-
-    private void shoot(long bullet, long chaser) {
-        world.remove(bullet);
-        if (chaser != 0) {
-            kill(chaser);
-            world.setRadius(player, Math.min(HEALTHY, health() + 0.002f));
+        if (isBombWanted && picked != 0) {
+            world.explode(world.x(picked), world.y(picked), 80, 400, 80, HUNTERS);
+            hit(picked);
         }
+        isBombWanted = false;
     }
 
-    private void kill(long chaser) {
-        long points = world.tag(chaser);
-        explode(world.x(chaser), world.y(chaser), points == 1 ? 0.5f : BOMB_RADIUS / 2);
-        world.setTag(player, score() + points);
-        world.remove(chaser);
-    }
-
-    private void bite(long chaser) {
-        world.setRadius(player, Math.max(DEAD, health() - 0.02f * world.tag(chaser)));
-        kill(chaser);
-        explode(world.x(player), world.y(player), BOMB_RADIUS); // throws back those behind it
-    }
-
-    /** A picture of an explosion; the game does not depend on it. */
-    record Explosion(float x, float y, float radius, int step) {}
-
-    private void explode(float x, float y, float radius) {
-        world.explode(x, y, radius, 5 * radius, radius);
-        explosions.add(new Explosion(x, y, radius, step));
-        if (explosions.size() > 300) {
-            explosions.remove();
+    /** All hunters speed up towards the player, and to its side. */
+    private void moveHunters(float x, float y) {
+        int count = hunters.overlapBox(0, 0, WIDTH, HEIGHT, handles);
+        for (int k = 0; k < count; k++) {
+            float dx = x - world.x(handles[k]), dy = y - world.y(handles[k]);
+            forces[2 * k] = 0.4f * (dx - dy);
+            forces[2 * k + 1] = 0.4f * (dy + dx);
         }
-    }
-
-    /** Bombs the chaser that is nearest to the mouse, with all around it. */
-    private void bomb() {
-        long target = target();
-        if (target == 0 || score() < BOMB_PRICE) {
-            return;
-        }
-        world.setTag(player, score() - BOMB_PRICE);
-        float x = world.x(target);
-        float y = world.y(target);
-        int hit = queries.overlapCircle(x, y, BOMB_RADIUS, handles);
-        for (int k = 0; k < hit; k++) {
-            if (handles[k] != player && !isBullet(handles[k])) {
-                kill(handles[k]);
-            }
-        }
-        explode(x, y, BOMB_RADIUS);
-    }
-
-    /** The chaser that is nearest to the mouse, or 0. */
-    long target() {
-        long[] nearest = new long[1];
-        int found = queries.nearest(controls.aimX, controls.aimY, 3, 1, nearest, null);
-        return found == 0 || nearest[0] == player || isBullet(nearest[0]) ? 0 : nearest[0];
-    }
-
-    private void movePlayer() {
-        world.setForce(player, 2000 * controls.moveX, 2000 * controls.moveY);
-        if (controls.fire && step % 3 == 0) {
-            float x = world.x(player);
-            float y = world.y(player);
-            float dx = controls.aimX - x;
-            float dy = controls.aimY - y;
-            float scale = BULLET_SPEED / (float) Math.sqrt(dx * dx + dy * dy + 1e-6f);
-            world.add(x, y, 0.3f, 0.1f, scale * dx, scale * dy, BULLET);
-        }
-    }
-
-    /** All chasers speed up towards the player, and to its left, in one call. */
-    private void chase() {
-        float playerX = world.x(player);
-        float playerY = world.y(player);
-        FloatBuffer positions = world.positions();
-        world.readHandles(handles);
-        int chasers = 0;
-        for (int k = 0; k < world.size(); k++) {
-            if (handles[k] == player || isBullet(handles[k])) {
-                continue;
-            }
-            float dx = playerX - positions.get(2 * k);
-            float dy = playerY - positions.get(2 * k + 1);
-            float scale = 8 * TIME_STEP / (float) Math.sqrt(dx * dx + dy * dy + 1e-6f);
-            impulses[2 * chasers] = scale * (dx + dy);
-            impulses[2 * chasers + 1] = scale * (dy - dx);
-            handles[chasers++] = handles[k];
-        }
-        world.applyImpulses(handles, chasers, impulses, StaleHandles.REFUSE);
-    }
-
-    @Override
-    public void close() {
-        world.close();
+        world.setForces(handles, count, forces, StaleHandles.REFUSE);
     }
 }
