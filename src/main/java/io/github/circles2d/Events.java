@@ -48,6 +48,9 @@ import io.github.circles2d.world.events.EventRows;
  * hit has the same numbers; the speed is relative to a wall that moves. A circle that is fast stops where it touches, and bounces in the next step: it may begin, with speed
  * and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
  *
+ * <p><b>Circles that are gone:</b> the list is of what happened, so a circle may be in several events, and a game that removes circles
+ * while it reads finds them again under stale handles: {@link World#contains} tells. It is false for the 0 of a wall too.
+ *
  * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those
  * of one that has its id now. The events and their order are the same on every back end, device and number of threads.
  *

@@ -25,7 +25,8 @@ import java.nio.FloatBuffer;
  * <p><b>Steps.</b> Time is saved up until it is enough for a step. A frame makes at most {@link #setMaxSteps} of them, 5 at first;
  * whole steps that are due beyond that are dropped, and the game slows down. Otherwise steps that take longer than they last would
  * be more in each frame. Changes of the world that a replay is to repeat belong into the Runnable: it runs before each step, so it
- * sees the same steps at any rate of frames.
+ * sees the same steps at any rate of frames. A frame may make no step at all: a game forgets that a key was pressed only when the
+ * Runnable has seen it.
  *
  * <p><b>Positions</b> lie on the straight line from where a circle was before the last step to where it was after it, as far as
  * {@link #alpha} says. So they are up to a step old, and move evenly. Both ends are taken with no change in between: a circle that a
@@ -248,7 +249,7 @@ public final class FixedStep {
 
     /**
      * Starts again from the world as it is: no time is saved up, and {@link #positions} are those of now until the next step. Call
-     * this after {@link World#restore}, and when a level has been built. In the Runnable of {@link #advance}, the step that it comes
+     * this after {@link World#restore} and {@link Rewind#restore}, and when a level has been built. In the Runnable of {@link #advance}, the step that it comes
      * before is the last one of the frame.
      */
     public void reset() {

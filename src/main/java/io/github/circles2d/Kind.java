@@ -165,7 +165,7 @@ public final class Kind {
 
     /**
      * Sets how fast circles of the kind lose their velocity, as by the drag of air. In a time of t seconds about 1 - e^(-damping t) of
-     * it goes.
+     * it goes. A circle that a force drives comes to the speed force / (mass * damping).
      *
      * @param damping per second, 0 to 1e6
      * @return this
