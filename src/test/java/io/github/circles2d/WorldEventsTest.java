@@ -255,6 +255,26 @@ class WorldEventsTest {
         }
     }
 
+    /** What walls there are is as in the snapshot before the first step too. */
+    @Test
+    void aCircleThatIsRemovedBehindARestoreEndsAtTheWallOfTheSnapshot() {
+        world.report(ALL | Events.WALL);
+        world.setGravity(-10, 0);
+        long circle = world.add(-49, 0, 1, 1);
+        world.step(DT, 60);
+        assertThat(events()).contains("0 begin 0 LEFT");
+        ByteBuffer snapshot = ByteBuffer.allocate(world.snapshotBytes());
+        world.snapshot(snapshot);
+        try (World open = WorldScenes.jvm().edges(Edge.OPEN, Edge.WALL).build()) {
+            open.report(ALL | Events.WALL);
+            open.step(DT);
+            open.restore(snapshot.flip());
+            open.remove(circle);
+            open.step(DT);
+            assertThat(events(open)).containsExactly("0 end 0 LEFT");
+        }
+    }
+
     @Test
     void aWorldThatReportsNothingWritesTheSameSnapshotsAsBefore() {
         world.add(0, 0, 1, 1);

@@ -32,7 +32,12 @@ final class DeviceAnswers {
     private final CastSearch hits = new CastSearch(new CircleTree());
     private RemoteSearch search;
 
-    /** By query: where its circles end. Not the caller's array, into which another thread may write. */
+    // Not the caller's arrays, into which another thread may write.
+
+    /** The numbers of the queries, which have been checked. */
+    private float[] queries = new float[QueryShape.MOST_NUMBERS];
+
+    /** By query: where its circles end. */
     private int[] ends = new int[1];
 
     /** Whether the rule is left out, for tests. */
@@ -67,8 +72,13 @@ final class DeviceAnswers {
         if (search == null || batch.n == 0 || !always && !isWorthIt(batch.n)) {
             return false;
         }
+        int stride = batch.shape.stride();
+        if (queries.length < batch.n * stride) {
+            queries = new float[batch.n * stride];
+        }
         for (int q = 0; q < batch.n; q++) {
             batch.take(q);
+            System.arraycopy(batch.numbers, 0, queries, batch.at(q), stride);
         }
         simulation.settle();
         return search.show(simulation.last.changes());
@@ -94,10 +104,13 @@ final class DeviceAnswers {
 
     /** Answers queries that find all. Returns how many circles they find, or {@link #LEFT}. */
     int all(QueryBatch batch) {
+        if (!takes(batch)) {
+            return LEFT;
+        }
         if (ends.length < batch.n) {
             ends = new int[Math.max(batch.n, ends.length + (ends.length >> 1))];
         }
-        if (!takes(batch) || !search.count(batch.shape, batch.queries, batch.n, kinds(batch), ends)) {
+        if (!search.count(batch.shape, queries, batch.n, kinds(batch), ends)) {
             return LEFT;
         }
         int room = batch.room();
@@ -122,7 +135,7 @@ final class DeviceAnswers {
 
     private void take(QueryBatch batch, int q, int from, int end) {
         if (batch.hits != null && from < end) {
-            hits.aim(batch.shape, batch.queries, batch.at(q));
+            hits.aim(batch.shape, queries, batch.at(q));
         }
         for (int k = from; k < end; k++) {
             batch.handles[k] = handles.handle(search.id(k));
@@ -138,7 +151,7 @@ final class DeviceAnswers {
 
     /** Answers queries that find one circle each or none. Returns how many find one, or {@link #LEFT}. */
     int one(QueryBatch batch) {
-        if (!takes(batch) || !search.few(batch.shape, batch.queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
+        if (!takes(batch) || !search.few(batch.shape, queries, batch.n, 0, 1, kinds(batch), batch.hits != null)) {
             return LEFT;
         }
         int count = 0;
@@ -147,7 +160,7 @@ final class DeviceAnswers {
             batch.handles[q] = id < 0 ? 0 : handles.handle(id);
             count += id < 0 ? 0 : 1;
             if (batch.hits != null) {
-                hits.aim(batch.shape, batch.queries, batch.at(q));
+                hits.aim(batch.shape, queries, batch.at(q));
                 if (id < 0) {
                     hits.writeMiss(batch.hits, CastSearch.HIT_STRIDE * q);
                 } else {
@@ -165,7 +178,7 @@ final class DeviceAnswers {
         if (!takes(batch)
                 || !search.few(
                         QueryShape.NEAREST,
-                        batch.queries,
+                        queries,
                         batch.n,
                         batch.within,
                         most,

@@ -189,6 +189,7 @@ public final class Simulation implements AutoCloseable {
             travels.confine(next.walls());
             wallStart = start;
             bounds = next;
+            events.setArena(next);
             guard.changing = false;
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
@@ -304,7 +305,6 @@ public final class Simulation implements AutoCloseable {
             constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
-            events.setArena(bounds);
             events.prepare(kindTable, constants);
             levels.layOut(bounds, handles.greatestRadius(), handles.population());
             pipeline.step(constants, levels, steps);
@@ -407,6 +407,7 @@ public final class Simulation implements AutoCloseable {
 
     private void setParameters(WorldParameters p) {
         bounds = p.bounds();
+        events.setArena(bounds);
         wallStart = p.wallStart();
         gravityX = p.gravityX();
         gravityY = p.gravityY();

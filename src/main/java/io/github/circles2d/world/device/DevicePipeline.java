@@ -61,6 +61,9 @@ public final class DevicePipeline implements Pipeline {
     /** The kernels that have been compiled, by the special cases that they are for. */
     private final Map<String, StageKernels> variants = new HashMap<>();
 
+    /** By the same keys: what the plans share with these kernels. */
+    private final Map<String, Stages> stagesOf = new HashMap<>();
+
     /** What the plans share, with the kernels of one variant. */
     private Stages stages;
 
@@ -127,6 +130,7 @@ public final class DevicePipeline implements Pipeline {
         session = Session.open(device, profiling);
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
+            stats = new StepStatistics(arrays);
             kernels = compile(false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
@@ -134,7 +138,6 @@ public final class DevicePipeline implements Pipeline {
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
             search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
-            stats = new StepStatistics(kernels, arrays);
             status.write(arrays);
         } catch (RuntimeException | Error e) {
             session.close();
@@ -156,8 +159,9 @@ public final class DevicePipeline implements Pipeline {
         boolean recording = recordingIn != null;
         String variant = (anySettings ? "tuned " : "") + (edges ? "edges " : "") + (recording ? "recording" : "");
         StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, edges, recording));
-        stages = new Stages(session.device(), loaded, arrays, parameters);
+        stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
         stages.record(recordingIn);
+        stats.use(loaded);
         plans.forEach(each -> each.load(stages));
         loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
     }
@@ -235,7 +239,9 @@ public final class DevicePipeline implements Pipeline {
             arrays.ensureBuckets(levels.buckets());
         }
         for (int left = steps; left > 0; ) {
-            int most = reader == null ? MOST_PENDING : 1; // the next step takes the place of the records
+            int most = reader == null
+                    ? MOST_PENDING
+                    : 1; // the next step takes the records' place, and its number counts steps made
             if (pendingSteps == most) {
                 settle();
             }

@@ -23,12 +23,12 @@ final class ReportReader implements AutoCloseable {
     /** What of the steps that have been enqueued is reported, and their length. */
     private boolean recording;
 
-    /** Whether the last step that was made recorded what contacts do. */
-    private boolean hasRecorded;
-
     private boolean sensed;
     private int seekingVersion;
     private float timeStep;
+
+    /** Whether the last step that was made recorded what contacts do. */
+    private boolean hasRecorded;
 
     ReportReader(Session session, DeviceArrays arrays, ContactEvents events) {
         this.events = events;

@@ -9,9 +9,10 @@ import java.nio.IntBuffer;
 
 /** Counts on request what the last step did, from the grid and the contact list that it left. */
 final class StepStatistics {
-    private final StageKernels kernels;
     private final DeviceArrays arrays;
-    private final Kernel candidates;
+
+    /** Those that the plans use: they know of the world's edges. */
+    private StageKernels kernels;
 
     /** The plan of the last step; null before the first. */
     private Plan plan;
@@ -26,10 +27,13 @@ final class StepStatistics {
 
     private int greatestContacts;
 
-    StepStatistics(StageKernels kernels, DeviceArrays arrays) {
-        this.kernels = kernels;
+    StepStatistics(DeviceArrays arrays) {
         this.arrays = arrays;
-        candidates = kernels.staged("contacts_candidates");
+    }
+
+    /** Sets the kernels to count with from here on. */
+    void use(StageKernels newKernels) {
+        kernels = newKernels;
     }
 
     /** Takes note of a step. */
@@ -61,6 +65,7 @@ final class StepStatistics {
 
     long candidatePairs() {
         if (candidatePairs < 0) {
+            Kernel candidates = kernels.staged("contacts_candidates");
             kernels.bind(arrays, circles, circles);
             candidates.run(circles);
             long sum = 0;

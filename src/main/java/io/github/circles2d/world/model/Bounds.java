@@ -88,7 +88,11 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return edgeY == AxisEdge.WRAP ? inside(y, minY, lastY(), periodY()) : y;
     }
 
+    /** A place that is inside stays: a replay brings places inside that have been. */
     private static float inside(float x, float min, float last, float period) {
+        if (x >= min && x <= last) {
+            return x;
+        }
         float laps = CircleMath.laps(x, min, period);
         return laps == 0f ? x : CircleMath.bounded(x - laps * period, min, last);
     }

@@ -61,6 +61,7 @@ class EdgesAgreeTest {
                     for (int k = 0; k < 6; k++) {
                         twins.step(k == 4 ? 0.3f : scene.timeStep(), 1 + k % 3);
                         twins.assertEqual(scene.name() + " " + edges[0] + " " + edges[1] + ", call " + k);
+                        twins.assertSameFigures();
                     }
                 }
             }

@@ -52,6 +52,10 @@ public final class SensingArrays implements AutoCloseable {
 
     /** Makes room for records. */
     public void ensureRecords(int count) {
+        if (count > Integer.MAX_VALUE / (2 * RECORD)) {
+            throw new IllegalStateException(count + " pairs are sensed in a step, but must be at most "
+                    + Integer.MAX_VALUE / (2 * RECORD) + " on a device");
+        }
         records = ensure("sensing: records", records, RECORD_BYTES * (count + (count >> 1)));
     }
 
