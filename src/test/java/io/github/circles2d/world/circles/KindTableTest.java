@@ -54,12 +54,12 @@ class KindTableTest {
     }
 
     @Test
-    void aSensorSensesWhatItWouldMeetAndNothingElse() {
+    void aSensorSensesWhatItWouldMeetButNoOtherSensor() {
         kinds.set(KindField.SENSOR, 5, 1);
         set(6, 2, -1);
         kinds.set(KindField.MASK, 5, 1);
         assertThat(response(5, 4)).isEqualTo(SENSE);
-        assertThat(response(5, 5)).isEqualTo(SENSE);
+        assertThat(response(5, 5)).isEqualTo(IGNORE);
         assertThat(response(5, 6)).isEqualTo(IGNORE);
         assertThat(response(4, 6)).isEqualTo(SOLID);
     }
