@@ -30,7 +30,6 @@ public final class Device {
     private final long maxBufferBytes;
     private final long localMemoryBytes;
     private final boolean correctlyRounded;
-    private final boolean doublePrecision;
 
     Device(String platform, CLDevice handle) {
         this.handle = handle;
@@ -51,7 +50,6 @@ public final class Device {
         maxBufferBytes = handle.getMaxMemAllocSize();
         localMemoryBytes = handle.getLocalMemSize();
         correctlyRounded = handle.getSingleFPConfig().contains(CLDevice.FpConfig.CorrectlyRoundedDivideSqrt);
-        doublePrecision = handle.isDoubleSupportedKHR();
     }
 
     CLDevice handle() {
@@ -182,7 +180,7 @@ public final class Device {
      * @return true if it does
      */
     public boolean doublePrecision() {
-        return doublePrecision;
+        return handle.isDoubleSupportedKHR(); // a long text of the driver's, which few ask for
     }
 
     /** Returns one line for people: name, kind, compute units, memory, platform and driver. */
