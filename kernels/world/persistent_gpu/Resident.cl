@@ -138,7 +138,7 @@ void listAll(World *w, local Local *l) {
     if (outOfRoom(w) || tooCrowded(w)) return;
     EACH(c, w->groupStart[buckets]) linkContact(w, c);
     deviceBarrier(arrivals);
-    int tiles = tileCount(w);
+    int tiles = w->levels->tileCount;
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
         arrangeTile(w, &l->arrangement, tile, false, 3);
@@ -149,7 +149,7 @@ void listAll(World *w, local Local *l) {
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
-    int tiles = tileCount(w);
+    int tiles = w->levels->tileCount;
     int group = (int) get_group_id(0);
     int groups = (int) get_num_groups(0);
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
@@ -174,7 +174,7 @@ void solveAll(World *w, local Tile *t) {
 #ifdef RECORDING
 // Records what touches after a step, and waits for it: the next step would take its place.
 void recordAll(const World *w) {
-    int tiles = tileCount(w);
+    int tiles = w->levels->tileCount;
     bool all = recordsAll(w);
     int held = 0;
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) held += recordTile(w, tile, all);

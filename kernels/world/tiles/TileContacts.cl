@@ -15,21 +15,28 @@ uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow
            (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
 }
 
+int levelOfBucket(const World *w, int bucket) {
+    constant Levels *levels = w->levels;
+    int n = 0;
+    while (n < levels->usedCount - 1 && bucket >= levels->first[levels->used[n + 1]]) n++;
+    return levels->used[n];
+}
+
 // Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
         w->status[TILE_NUMBERS] = 0;
         w->status[TILE_COPIES] = 0;
     }
-    int l = w->levels->used[0];
-    int first = w->levels->first[l];
-    int cl = w->levels->columnsLog[l];
-    int columnMask = (1 << cl) - 1;
     ulong2 own = listedOf(w)[listed];
     ulong ids = own.x;
     uint2 p = as_uint2(own.y);
     int low = w->bucketOf[p.x];
     int high = w->bucketOf[p.y];
+    int l = levelOfBucket(w, low);
+    int first = w->levels->first[l];
+    int cl = w->levels->columnsLog[l];
+    int columnMask = (1 << cl) - 1;
     int lowColumn = (low - first) & columnMask;
     int highColumn = (high - first) & columnMask;
     int lowRow = (low - first) >> cl;

@@ -38,7 +38,7 @@ typedef struct {
 
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
-    return w->levels->first[w->levels->used[0]] + (wrapped(r->firstRow + row, r->torusRows) << r->columnsLog);
+    return w->levels->first[r->level] + (wrapped(r->firstRow + row, r->torusRows) << r->columnsLog);
 }
 
 // The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).

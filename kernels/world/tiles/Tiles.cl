@@ -1,6 +1,6 @@
 // uses: world/stages/World.cl
-// Tiles: how a pass over all contacts is made in one launch, where all circles are of one level. A work-group takes a tile
-// of cells and a region around it, copies the circles of the region into local memory, makes the pass there, and writes back
+// Tiles: how a pass over all like contacts, those of circles of one level, is made in one launch. A work-group takes a tile
+// of cells of a level and a region around it, copies the circles of the region into local memory, makes the pass there, and writes back
 // what is its own: the circles in the cells of the tile, and the contacts of the groups there.
 //
 // A group touches the 2 x 2 cells from its own on, so what a colour changes depends on the cells next to it alone. Tiles
@@ -70,6 +70,7 @@ int roundOf(int circles) { return circles >> 22 & 0x7f; }
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {
+    int level;
     int columnsLog, torusColumns, torusRows; // of the torus
     int firstColumn, firstRow;               // where the region begins
     int columns, rows;                       // of the region
@@ -81,21 +82,29 @@ typedef struct {
 // The column (or row) of the torus of one that may lie beyond its end, by less than once around.
 int wrapped(int column, int side) { return column < side ? column : column - side; }
 
-int tileCount(const World *w) { return w->levels->tilesAcross * w->levels->tilesDown; }
+// Tiles are numbered level after level, the finest first.
+int levelOfTile(const World *w, int tile) {
+    constant Levels *levels = w->levels;
+    int n = 0;
+    while (n < levels->usedCount - 1 && tile >= levels->firstTile[levels->used[n + 1]]) n++;
+    return levels->used[n];
+}
 
 Region regionOf(const World *w, int tile) {
-    int l = w->levels->used[0];
+    int l = levelOfTile(w, tile);
     int cl = w->levels->columnsLog[l];
-    int wl = w->levels->tileColumnsLog;
-    int hl = w->levels->tileRowsLog;
+    int wl = w->levels->tileColumnsLog[l];
+    int hl = w->levels->tileRowsLog[l];
     Region r;
+    r.level = l;
     r.columnsLog = cl;
     r.torusColumns = w->levels->columnCount[l];
     r.torusRows = w->levels->rowCount[l];
     r.ringX = wl == cl;
     r.ringY = hl == w->levels->rowsLog[l];
-    int ty = tile / w->levels->tilesAcross;
-    int tx = tile - ty * w->levels->tilesAcross;
+    int number = tile - w->levels->firstTile[l];
+    int ty = number / w->levels->tilesAcross[l];
+    int tx = number - ty * w->levels->tilesAcross[l];
     r.width = min(1 << wl, r.torusColumns - (tx << wl));
     r.height = min(1 << hl, r.torusRows - (ty << hl));
     r.left = r.ringX ? 0 : HALO_COLUMNS;
@@ -115,7 +124,7 @@ bool owns(const Region *r, int column, int row) {
 
 // The number of the group that begins at a cell of a region.
 int groupAt(const World *w, const Region *r, int column, int row) {
-    return groupOf(w, w->levels->used[0], wrapped(r->firstColumn + column, r->torusColumns),
+    return groupOf(w, r->level, wrapped(r->firstColumn + column, r->torusColumns),
                    wrapped(r->firstRow + row, r->torusRows));
 }
 

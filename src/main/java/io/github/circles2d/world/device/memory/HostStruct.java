@@ -71,7 +71,12 @@ final class HostStruct<T> {
 
     /** Adds an int that {@link #pack} leaves alone. */
     HostStruct<T> apart(String field, String comment) {
-        return field("int", field, 1, (from, to) -> to.at++, comment);
+        return apart(field, 1, comment);
+    }
+
+    /** The same of an array of ints, which has its length in brackets behind its name. */
+    HostStruct<T> apart(String field, int count, String comment) {
+        return field("int", field, count, (from, to) -> to.at += count, comment);
     }
 
     /** Number of ints that the struct takes. */

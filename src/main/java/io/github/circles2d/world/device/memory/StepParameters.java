@@ -104,19 +104,21 @@ public final class StepParameters {
             .field("float", "scaleY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.scaleY), "the same")
             .field("int", "unitsX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsX), "of a cell, if it is open")
             .field("int", "unitsY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsY), "the same")
-            .apart("tileColumnsLog", "cells of a tile (Tiles.cl)")
-            .apart("tileRowsLog", "the same")
-            .apart("tilesAcross", "tiles that may hold circles")
-            .apart("tilesDown", "the same");
+            .apart("tileColumnsLog[LEVELS]", GridLevels.COUNT, "cells of a tile (Tiles.cl)")
+            .apart("tileRowsLog[LEVELS]", GridLevels.COUNT, "the same")
+            .apart("tilesAcross[LEVELS]", GridLevels.COUNT, "tiles side by side that may hold circles")
+            .apart("firstTile[LEVELS]", GridLevels.COUNT, "first tile")
+            .apart("tileCount", "tiles of all levels");
 
     private static final int WARM_SCALE = CONSTANTS.at("warmScale");
     private static final int SWEEPING = CONSTANTS.at("sweeping");
     private static final int THINNING = CONSTANTS.at("thinning");
     private static final int TILED = CONSTANTS.at("tiled");
-    private static final int TILE_COLUMNS_LOG = LEVELS.at("tileColumnsLog");
-    private static final int TILE_ROWS_LOG = LEVELS.at("tileRowsLog");
-    private static final int TILES_ACROSS = LEVELS.at("tilesAcross");
-    private static final int TILES_DOWN = LEVELS.at("tilesDown");
+    private static final int TILE_COLUMNS_LOG = LEVELS.at("tileColumnsLog[LEVELS]");
+    private static final int TILE_ROWS_LOG = LEVELS.at("tileRowsLog[LEVELS]");
+    private static final int TILES_ACROSS = LEVELS.at("tilesAcross[LEVELS]");
+    private static final int FIRST_TILE = LEVELS.at("firstTile[LEVELS]");
+    private static final int TILE_COUNT = LEVELS.at("tileCount");
 
     private final int[] constants = new int[CONSTANTS.words()];
     private final int[] levels = new int[LEVELS.words()];
@@ -179,12 +181,20 @@ public final class StepParameters {
                 && Arrays.equals(walls, otherWalls);
     }
 
-    /** Sets the size of a tile, log2 of its columns and rows of cells, and how many there are side by side and in a column. */
-    public void setTile(int columnsLog, int rowsLog, int across, int down) {
-        levels[TILE_COLUMNS_LOG] = columnsLog;
-        levels[TILE_ROWS_LOG] = rowsLog;
-        levels[TILES_ACROSS] = across;
-        levels[TILES_DOWN] = down;
+    /**
+     * Sets the tiles of a level: log2 of their columns and rows of cells, how many there are side by side, and the number of the
+     * first.
+     */
+    public void setTiles(int level, int columnsLog, int rowsLog, int across, int first) {
+        levels[TILE_COLUMNS_LOG + level] = columnsLog;
+        levels[TILE_ROWS_LOG + level] = rowsLog;
+        levels[TILES_ACROSS + level] = across;
+        levels[FIRST_TILE + level] = first;
+    }
+
+    /** Sets the number of tiles of all levels. */
+    public void setTileCount(int tiles) {
+        levels[TILE_COUNT] = tiles;
     }
 
     /** Sets what impulses of the step before are multiplied by. */

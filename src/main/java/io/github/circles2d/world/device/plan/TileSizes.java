@@ -78,31 +78,41 @@ final class TileSizes {
         return tiles;
     }
 
-    /** Tells kernels the size that was chosen. */
+    /** Tells kernels the size that was chosen: in a level of few cells a tile has no more than there are. */
     void describe(Steps steps, StepParameters parameters) {
         GridLevels levels = steps.levels();
-        parameters.setTile(
-                Math.min(SIZES[size].columnsLog, levels.columnsLog[steps.level()]),
-                Math.min(SIZES[size].rowsLog, levels.rowsLog[steps.level()]),
-                across(size, steps),
-                down(size, steps));
+        int first = 0;
+        for (int n = 0; n < levels.usedCount; n++) {
+            int level = levels.used[n];
+            int across = across(size, levels, level);
+            parameters.setTiles(
+                    level,
+                    Math.min(SIZES[size].columnsLog, levels.columnsLog[level]),
+                    Math.min(SIZES[size].rowsLog, levels.rowsLog[level]),
+                    across,
+                    first);
+            first += across * down(size, levels, level);
+        }
+        parameters.setTileCount(first);
     }
 
+    /** Tiles of all levels. */
     private static int tiles(int size, Steps steps) {
-        return across(size, steps) * down(size, steps);
+        GridLevels levels = steps.levels();
+        int sum = 0;
+        for (int n = 0; n < levels.usedCount; n++) {
+            sum += across(size, levels, levels.used[n]) * down(size, levels, levels.used[n]);
+        }
+        return sum;
     }
 
     /** Tiles side by side. */
-    private static int across(int size, Steps steps) {
-        GridLevels levels = steps.levels();
-        int level = steps.level();
+    private static int across(int size, GridLevels levels, int level) {
         return along(SIZES[size].columnsLog, levels.columnsUsed[level], levels.columnCount[level]);
     }
 
     /** Tiles in a column. */
-    private static int down(int size, Steps steps) {
-        GridLevels levels = steps.levels();
-        int level = steps.level();
+    private static int down(int size, GridLevels levels, int level) {
         return along(SIZES[size].rowsLog, levels.rowsUsed[level], levels.rowCount[level]);
     }
 
