@@ -15,7 +15,7 @@ package io.github.circles2d.world.model;
  */
 public final class CrossRule {
     /** log2 of the units of a range; a term is cut at 2^12 ranges. */
-    private static final int RANGE_LOG = 44;
+    public static final int RANGE_LOG = 44;
 
     private static final float GREATEST_TERM = 0x1p56f;
 
@@ -28,7 +28,8 @@ public final class CrossRule {
     /** Ranges are treated as if they were not below 2^-80: a unit is then a normal float. */
     private static final int LEAST_EXPONENT = 47;
 
-    private static final float LOAD_UNITS = 16384f;
+    /** Units of a load of 1. */
+    public static final float LOAD_UNITS = 16384f;
 
     private CrossRule() {}
 
@@ -64,7 +65,8 @@ public final class CrossRule {
 
     /** Units per 1, where a sum has a range. */
     public static float scaleOf(float range) {
-        return Float.intBitsToFloat(((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponent(range));
+        return Float.intBitsToFloat(
+                ((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponent(range));
     }
 
     /** A unit: 1 / scale. */
