@@ -104,6 +104,7 @@ typedef struct {
 // A contact made ready to be visited.
 typedef struct {
     REAL mass, normalImpulse;
+    REAL bounceMass;        // the effective mass at a free bounce
     REAL scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
     REAL flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
     REAL gain;              // of the normal speed at a free bounce
@@ -131,6 +132,7 @@ INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, co
     REAL push = softness.massScale * NAME(pushOut)(k, f->separation, f->pushSpeed, softness.biasRate);
     MASK rigid = bounce > 0.0f || f->separation > 0.0f;
     c->mass = f->mass;
+    c->bounceMass = f->mass;
     c->normalImpulse = f->normalImpulse;
     c->scale = NAME(choose)(rigid, (REAL)(1.0f), (REAL)(softness.massScale));
     c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, speculative, push));
@@ -151,6 +153,7 @@ INLINE void NAME(makeReadyToSolve)(const StepConstants *k, Softness softness, co
 INLINE void NAME(makeReadyToRelax)(const StepConstants *k, const NAME(Found) *f, REAL bounce, NAME(Ready) *c) {
     MASK idle = f->normalImpulse == 0.0f && bounce == 0.0f;
     c->mass = f->mass;
+    c->bounceMass = f->mass;
     c->normalImpulse = f->normalImpulse;
     c->scale = (REAL)(1.0f);
     c->bias = NAME(choose)(bounce > 0.0f, -bounce, NAME(choose)(f->separation > 0.0f, f->separation * k->inverseH, (REAL)(0.0f)));
@@ -174,7 +177,7 @@ INLINE void NAME(visit)(const NAME(Ready) *c, REAL vn, bool relaxing, NAME(Visit
     if (!relaxing) bounces = bounces && c->meeting + vn < 0.0f;
     MASK solved = !(leaves || bounces);
     REAL next = NAME(greatest)((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, (REAL)(0.0f));
-    v->impulse = NAME(choose)(bounces, c->gain * (vn - c->halfFall) * c->mass, next - c->normalImpulse);
+    v->impulse = NAME(choose)(bounces, c->gain * (vn - c->halfFall) * c->bounceMass, next - c->normalImpulse);
     if (relaxing) next = NAME(choose)(c->bounce > 0.0f, (REAL)(0.0f), next);
     v->normalImpulse = NAME(choose)(solved, next, c->normalImpulse);
     v->leaves = leaves;

@@ -1,6 +1,7 @@
-// uses: world/shared/PairRule.cl world/shared/Contact.cl world/stages/PairFilter.cl world/stages/ContinuousCollision.cl
-// Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by
-// level of the larger circle, colour, group, lower id, higher id. The Java class world.jvm.Contacts explains groups and colours.
+// uses: world/shared/PairRule.cl world/shared/Contact.cl world/shared/Cross.cl world/stages/PairFilter.cl world/stages/ContinuousCollision.cl
+// Stage Contacts: lists the pairs of circles that may meet within the step, in the one order that every sum follows: by colour, group,
+// lower id, higher id; behind them those of circles of different levels, by light circle. The Java class world.jvm.Contacts explains
+// groups and colours, CrossContacts those behind them.
 
 // What a circle looks with.
 typedef struct {
@@ -23,7 +24,7 @@ typedef struct {
 #define LONGEST_GROUP 512
 
 int levelOfSlot(const World *w, int slot) {
-    return w->levels->usedCount == 1 ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
+    return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
 }
 
 // Refuses a step that does not thin crowds out.
@@ -31,6 +32,17 @@ void refuseCrowd(const World *w) {
     if (w->k.thinning) return;
     w->status[CROWDED] = 1;
     w->status[OUT_OF_ROOM] = 1; // the counts are of no use
+}
+
+// The group of a cross contact, which counts for the circle that looked, and for the load of the heavy one.
+int recordCross(const World *w, int finer, int coarser) {
+    float finerMass = w->sight[finer].w;
+    float coarserMass = w->sight[coarser].w;
+    bool isLight = isFinerLight(finerMass, coarserMass);
+    int heavy = isLight ? coarser : finer;
+    atomic_add(&w->crossLoad[heavy], isLight ? loadOfHeavy(finerMass, coarserMass) : loadOfHeavy(coarserMass, finerMass));
+    if (atomic_inc(&w->coarser[finer]) >= CROWD && !w->k.thinning) w->status[CROWDED] = 1;
+    return crossGroupOf(w, isLight ? finer : coarser);
 }
 
 // Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
@@ -41,9 +53,10 @@ void recordContactAt(const World *w, int k, int slot, int other, int level, int 
     int bucket = w->bucketOf[other] - levels->first[level];
     int ox = ringFirst(column, bucket & ((1 << cl) - 1), levels->columnCount[level]);
     int oy = ringFirst(row, bucket >> cl, levels->rowCount[level]);
-    int group = groupOf(w, level, ox, oy);
+    bool isLike = hasOneLevel(w) || w->bucketOf[slot] >= levels->first[level];
+    int group = isLike ? groupOf(w, level, ox, oy) : recordCross(w, slot, other);
     int rank = atomic_inc(&w->tally[group]);
-    if (rank >= LONGEST_GROUP && levels->usedCount == 1) refuseCrowd(w);
+    if (rank >= LONGEST_GROUP && hasOneLevel(w)) refuseCrowd(w);
     if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
 }
 
@@ -217,12 +230,12 @@ kernel void contacts_count(WORLD_PARAMETERS) {
 }
 
 // Whether the contacts that were counted do not fit.
-bool lackContactRoom(const World *w) { return w->groupStart[w->levels->first[LEVELS]] > w->contactRoom; }
+bool lackContactRoom(const World *w) { return contactsListed(w) > w->contactRoom; }
 
 // Notes how many contacts there are, and refuses the step where they do not fit.
 void noteContacts(const World *w) {
     if (refused(w)) return;
-    w->status[CONTACTS] = w->groupStart[w->levels->first[LEVELS]];
+    w->status[CONTACTS] = contactsListed(w);
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
@@ -238,7 +251,7 @@ void listContact(const World *w, int k) {
     uint other = (uint) w->id[found.y];
     ulong ids = (ulong) min(own, other) << 32 | max(own, other);
     uint2 slots = own < other ? (uint2)((uint) found.x, (uint) found.y) : (uint2)((uint) found.y, (uint) found.x);
-    if (w->k.tiled) {
+    if (w->k.tiled && place < w->groupStart[likeGroups(w)]) {
         listedOf(w)[place] = (ulong2)(ids, as_ulong(slots));
     } else {
         w->key[place] = ids;
@@ -252,7 +265,7 @@ kernel void contacts_list(WORLD_PARAMETERS) {
     World w = WORLD;
     if (get_global_id(0) == 0) noteContacts(&w);
     if (lackContactRoom(&w) || refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
+    int contacts = contactsListed(&w);
     for (int k = (int) get_global_id(0); k < contacts; k += (int) get_global_size(0)) listContact(&w, k);
 }
 
@@ -373,25 +386,22 @@ void fillContact(const World *w, int c) {
     gatherLoad(w, p, n.x, n.y, n.w, carrying);
 }
 
-// Counts a contact as a candidate of its circles, where no other work-item has any of the same circles. A circle counts those
-// of its own level and of coarser ones. firstOfLevel: first bucket of the contact's level, to which one of its circles
-// belongs, and both or a finer one; finer levels have lower buckets. Returns the greater count.
-float countCandidate(const World *w, uint2 p, int firstOfLevel) {
-    bool mixed = w->levels->usedCount > 1;
-    bool finerLo = mixed && w->bucketOf[p.x] < firstOfLevel;
-    bool finerHi = mixed && w->bucketOf[p.y] < firstOfLevel;
-    float lo = finerHi ? 0.0f : (w->load[p.x].z += 1.0f);
-    float hi = finerLo ? 0.0f : (w->load[p.y].z += 1.0f);
-    return greatest(lo, hi);
+// Counts a like contact as a candidate of its circles, where no other work-item has any of the same circles. Returns the greater count,
+// with the contacts that a circle found in coarser levels.
+float countCandidate(const World *w, uint2 p) {
+    float lo = w->load[p.x].z += 1.0f;
+    float hi = w->load[p.y].z += 1.0f;
+    return hasOneLevel(w) ? greatest(lo, hi) : greatest(lo + (float) w->coarser[p.x], hi + (float) w->coarser[p.y]);
 }
 
 // Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
 // Index space: a group a work-item. Cost: its contacts.
-kernel void contacts_fill(WORLD_PARAMETERS, int level, int colour) {
+kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g >= groupsOfColour(&w, level) || outOfRoom(&w) || tooFast(&w)) return;
-    int group = firstOfColour(&w, level, colour) + g;
+    int groups = likeGroups(&w) >> 2;
+    if (g >= groups || outOfRoom(&w) || tooFast(&w)) return;
+    int group = colour * groups + g;
     int from = groupStart[group];
     int to = groupStart[group + 1];
     if (from == to) return;
@@ -399,7 +409,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int level, int colour) {
     float most = 0.0f;
     for (int c = from; c < to; c++) {
         fillContact(&w, c);
-        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, pair[c], levels->first[level]));
+        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, pair[c]));
     }
     if (most > (float) CROWD) status[CROWDED] = 1;
 }

@@ -126,6 +126,11 @@ bool gatherCircle(const World *w, int i) {
     w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
+    if (!hasOneLevel(w)) {
+        w->crossLoad[slot] = 0;
+        w->coarser[slot] = 0;
+        w->heavySum[slot] = (long4)(0);
+    }
     w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
     w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
     if (w->k.sweeping) {

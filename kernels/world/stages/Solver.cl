@@ -50,11 +50,8 @@ float visitPair(const World *w, uint2 pr, float4 n, float4 q, float4 mi, float4 
     return vn + impulse * (q.x + q.y);
 }
 
-// The biased pass over one contact. Returns the impulse of a free bounce, which the contact does not keep, or 0.
-float solveContact(const World *w, int c) {
-    uint2 pr = w->pair[c];
-    float4 q = w->masses[c];
-    float4 n = w->contact[c];
+// Makes contact c ready for the biased pass. pr, q, n: its pair, masses and contact.
+void readyToSolve(const World *w, int c, uint2 pr, float4 q, float4 n, Ready *ready) {
     float4 li = w->load[pr.x];
     float4 lj = w->load[pr.y];
     Found found = foundContact(w, w->base[c], q, n, li.z + lj.z);
@@ -64,8 +61,16 @@ float solveContact(const World *w, int c) {
     found.squaredSpeed = before.x * before.x + before.y * before.y;
     float2 fall = gainOfPair(w, pr.x, q.x, pr.y, q.y);
     found.halfFall = halfFall(along(n.x, n.y, fall.x, fall.y), q.x, q.y);
+    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, ready);
+}
+
+// The biased pass over one contact. Returns the impulse of a free bounce, which the contact does not keep, or 0.
+float solveContact(const World *w, int c) {
+    uint2 pr = w->pair[c];
+    float4 q = w->masses[c];
+    float4 n = w->contact[c];
     Ready ready;
-    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, &ready);
+    readyToSolve(w, c, pr, q, n, &ready);
     Visited visited;
     visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
     w->masses[c].w = ready.bounce;
@@ -74,11 +79,12 @@ float solveContact(const World *w, int c) {
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void solver_solve(WORLD_PARAMETERS, int level, int colour) {
+kernel void solver_solve(WORLD_PARAMETERS, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
-    int group = firstOfColour(&w, level, colour) + g;
+    int groups = likeGroups(&w) >> 2;
+    if (g >= groups || refused(&w)) return;
+    int group = colour * groups + g;
     int to = groupStart[group + 1];
     for (int c = groupStart[group]; c < to; c++) solveContact(&w, c);
 }
@@ -105,6 +111,13 @@ void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
     w->firstCached[pr.x] = c;
 }
 
+// Measures a contact again, and makes it ready for the relaxing pass. b, q, n: its base, masses and contact; mi, mj: motion of its circles.
+void readyToRelax(const World *w, uint2 pr, float4 b, float4 q, float4 mi, float4 mj, float4 *n, Ready *ready) {
+    measureContact(b, mi, mj, n);
+    Found found = foundContact(w, b, q, *n, w->load[pr.x].z + w->load[pr.y].z);
+    makeReadyToRelax(&w->k, &found, q.w, ready);
+}
+
 // Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, which the
 // contact does not keep, or 0.
 float relaxContact(const World *w, int c, bool last) {
@@ -114,10 +127,8 @@ float relaxContact(const World *w, int c, bool last) {
     float4 n = w->contact[c];
     float4 mi = w->motion[pr.x];
     float4 mj = w->motion[pr.y];
-    measureContact(b, mi, mj, &n);
-    Found found = foundContact(w, b, q, n, w->load[pr.x].z + w->load[pr.y].z);
     Ready ready;
-    makeReadyToRelax(&w->k, &found, q.w, &ready);
+    readyToRelax(w, pr, b, q, mi, mj, &n, &ready);
     Visited visited;
     float vn = visitPair(w, pr, n, q, mi, mj, &ready, true, &visited);
     float next = visited.normalImpulse;
@@ -132,11 +143,12 @@ float relaxContact(const World *w, int c, bool last) {
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void solver_relax(WORLD_PARAMETERS, int level, int colour, int last) {
+kernel void solver_relax(WORLD_PARAMETERS, int colour, int last) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
-    int group = firstOfColour(&w, level, colour) + g;
+    int groups = likeGroups(&w) >> 2;
+    if (g >= groups || refused(&w)) return;
+    int group = colour * groups + g;
     int to = groupStart[group + 1];
     for (int c = groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
 }

@@ -22,13 +22,35 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
     t[1].xy = (float2)(touchPoint(own.x, m.x, n.x, own.z, n.z), touchPoint(own.y, m.y, n.y, own.z, n.z));
 }
 
+// Takes a visit of the biased pass down. notKept: the impulse of a free bounce.
+void noteSolved(const World *w, global float4 *touch, int c, float notKept) {
+    uint2 pr = w->pair[c];
+    float4 n = w->contact[c];
+    global float4 *t = touch + 2 * c;
+    float2 before = w->load[pr.y].xy - w->load[pr.x].xy;
+    float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
+    t[1].zw = (float2)(approach, notKept);
+    noteTouch(w, t, c, approach, n, n.w + notKept, n.z);
+}
+
+// Takes a visit of the relaxing pass down. bounced: the impulse of a bounce.
+void noteRelaxed(const World *w, global float4 *touch, int c, float bounced) {
+    global float4 *t = touch + 2 * c;
+    float notKept = t[1].w + bounced;
+    float4 n = w->contact[c];
+    float impulse = notKept + n.w;
+    t[1].w = 0.0f;
+    t[0].y += impulse;
+    noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
+}
+
 // Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
 kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     if (refused(&w)) return;
     int first = (int) get_global_id(0);
-    int contacts = groupStart[levels->first[LEVELS]];
+    int contacts = contactsListed(&w);
     int met = 0;
     for (int c = first; c < contacts; c += (int) get_global_size(0)) {
         float2 normal = noNormal(&w, contact[c].w, (int) (key[c] >> 32));
@@ -124,22 +146,14 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global fl
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_solve(WORLD_PARAMETERS, int level, int colour, global float4 *touch) {
+kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
-    int group = firstOfColour(&w, level, colour) + g;
+    int groups = likeGroups(&w) >> 2;
+    if (g >= groups || refused(&w)) return;
+    int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) {
-        float notKept = solveContact(&w, c);
-        uint2 pr = pair[c];
-        float4 n = contact[c];
-        global float4 *t = touch + 2 * c;
-        float2 before = load[pr.y].xy - load[pr.x].xy;
-        float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
-        t[1].zw = (float2)(approach, notKept);
-        noteTouch(&w, t, c, approach, n, n.w + notKept, n.z);
-    }
+    for (int c = groupStart[group]; c < to; c++) noteSolved(&w, touch, c, solveContact(&w, c));
 }
 
 // Index space: a working slot a work-item.
@@ -163,21 +177,14 @@ kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global flo
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_relax(WORLD_PARAMETERS, int level, int colour, int last, global float4 *touch) {
+kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 *touch) {
     World w = WORLD;
     int g = (int) get_global_id(0);
-    if (g >= groupsOfColour(&w, level) || refused(&w)) return;
-    int group = firstOfColour(&w, level, colour) + g;
+    int groups = likeGroups(&w) >> 2;
+    if (g >= groups || refused(&w)) return;
+    int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) {
-        global float4 *t = touch + 2 * c;
-        float notKept = t[1].w + relaxContact(&w, c, last != 0);
-        float4 n = contact[c];
-        float impulse = notKept + n.w;
-        t[1].w = 0.0f;
-        t[0].y += impulse;
-        noteTouch(&w, t, c, t[1].z, n, impulse, INFINITY);
-    }
+    for (int c = groupStart[group]; c < to; c++) noteRelaxed(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
 // The wall of an axis. c, m: circle and motion after the step.
@@ -223,7 +230,7 @@ kernel void touches_end(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
+    int contacts = contactsListed(&w);
     bool all = recordsAll(&w);
     int holding = 0;
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {

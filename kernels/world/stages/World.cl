@@ -178,20 +178,22 @@ int rowOf(const World *w, int atLevel, float y) {
 #define ACROSS_Y4(w, d) (d)
 #endif
 
-// The number of groups of a colour, and the first of them: those of one colour are consecutive.
-int groupsOfColour(const World *w, int atLevel) {
-    return 1 << (w->levels->columnsLog[atLevel] + w->levels->rowsLog[atLevel] - 2);
-}
+bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 
-int firstOfColour(const World *w, int atLevel, int colour) {
-    return w->levels->first[atLevel] + colour * groupsOfColour(w, atLevel);
-}
+// Groups of like contacts: as many as buckets. Those of one colour are consecutive: level after level, a quarter of its buckets each.
+int likeGroups(const World *w) { return w->levels->first[LEVELS]; }
 
-// The number of a group.
+// The number of a group of like contacts.
 int groupOf(const World *w, int atLevel, int ox, int oy) {
-    int colour = (ox & 1) + 2 * (oy & 1);
-    return firstOfColour(w, atLevel, colour) + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
+    int first = ((ox & 1) + 2 * (oy & 1)) * (likeGroups(w) >> 2) + (w->levels->first[atLevel] >> 2);
+    return first + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
 }
+
+// Behind them, if there are several levels, each circle has a group of its own, of the cross contacts in which it is the light one.
+int crossGroupOf(const World *w, int slot) { return likeGroups(w) + slot; }
+
+// The number of contacts that were listed.
+int contactsListed(const World *w) { return w->groupStart[hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles)]; }
 
 // Up to four ranges of slots, as if they were one. Number i of them is slot i + offset.x where i < end.x, else i + offset.y
 // where i < end.y, and so on.

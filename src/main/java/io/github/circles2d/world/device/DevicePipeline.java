@@ -236,7 +236,7 @@ public final class DevicePipeline implements Pipeline {
                         isEdged,
                         recordedIn()); // compiles at the first report: it takes long, and few worlds report
             }
-            arrays.ensureBuckets(levels.buckets());
+            arrays.ensureBuckets(levels.groups(circles));
         }
         for (int left = steps; left > 0; ) {
             int most = reader == null

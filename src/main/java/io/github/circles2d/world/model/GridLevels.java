@@ -276,6 +276,11 @@ public final class GridLevels {
         return buckets;
     }
 
+    /** Number of groups of contacts: as many as buckets; if there are several levels, one for each circle more. */
+    public int groups(int circles) {
+        return usedCount == 1 ? buckets : buckets + circles;
+    }
+
     /** Level of a radius. */
     public int level(float r) {
         return levelOf[CircleMath.sizeClass(r, rmax)];
@@ -343,10 +348,5 @@ public final class GridLevels {
     /** Number of the bucket before which a row of buckets begins. */
     public int rowStart(int level, int row) {
         return first[level] + (row << columnsLog[level]);
-    }
-
-    /** Number of the first group of a colour (0 to 4: colour 4 is the end). */
-    public int firstOfColour(int level, int colour) {
-        return first[level] + (colour << (columnsLog[level] + rowsLog[level] - 2));
     }
 }

@@ -124,6 +124,18 @@ public enum DeviceArray {
             "impulse",
             Index.TILED_CONTACT,
             "between the passes: accumulated impulse, target speed of a bounce"),
+    CROSS_LOAD(
+            "int",
+            "crossLoad",
+            Index.SLOT,
+            "if there are several levels, of a heavy circle: what its cross contacts add to its load"),
+    COARSER("int", "coarser", Index.SLOT, "if there are several levels: the contacts that it found in coarser ones"),
+    HEAVY_SUM(
+            "long4",
+            "heavySum",
+            Index.SLOT,
+            "of a heavy circle: what its cross contacts give it in a pass, in units: velocity x, y, impulse x, y"),
+    LIGHT_VELOCITY("float2", "lightVelocity", Index.SLOT, "of a light circle, behind its visits in a pass"),
     IMPULSE_CACHE(
             "int4",
             "impulseCache",
@@ -211,6 +223,7 @@ public enum DeviceArray {
             case "int", "uint", "float" -> 4;
             case "int2", "uint2", "float2", "ulong" -> 8;
             case "int4", "float4" -> 16;
+            case "long4" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             default -> throw new IllegalStateException(type + " has no size here");
         };

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.TouchRule;
@@ -51,6 +52,8 @@ public final class WorldSource {
                 .define("BOUNCE_DEPTH", Tuning.BOUNCE_DEPTH)
                 .define("LINGER", Tuning.LINGER)
                 .define("CROWD", Tuning.CROWD)
+                .define("RANGE_LOG", CrossRule.RANGE_LOG)
+                .define("LOAD_UNITS", CrossRule.LOAD_UNITS)
                 .define("TOUCH_SLACK", TouchRule.SLACK)
                 .define("FIRST_WALL", Limits.CIRCLES)
                 .define("COINCIDENT", Tuning.COINCIDENT)

@@ -19,12 +19,13 @@ public final class ByColours implements Plan {
     private Kernel solve;
     private Kernel integratePositions;
     private Kernel relax;
+    private CrossPasses cross;
     private Kernel finalizePositions;
     private RecordedSubSteps recorded;
 
     @Override
     public List<String> files() {
-        return List.of("world/stages/Solver.cl", "world/stages/Touches.cl");
+        return List.of("world/stages/Solver.cl", "world/stages/Touches.cl", "world/stages/CrossSolver.cl");
     }
 
     @Override
@@ -36,7 +37,8 @@ public final class ByColours implements Plan {
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
-        recorded = stages.recording() ? new RecordedSubSteps(stages, finalizePositions) : null;
+        cross = new CrossPasses(stages);
+        recorded = stages.recording() ? new RecordedSubSteps(stages, cross, finalizePositions) : null;
     }
 
     @Override
@@ -52,6 +54,7 @@ public final class ByColours implements Plan {
     private void makeSubSteps(Steps steps) {
         GridLevels levels = steps.levels();
         runByColour(levels, fill);
+        cross.fill(steps);
         if (steps.recording()) {
             recorded.make(steps);
             return;
@@ -59,26 +62,20 @@ public final class ByColours implements Plan {
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
             runByColour(levels, solve);
+            cross.solve(steps);
             integratePositions.arg(StageKernels.own(0), sub).run(steps.circles());
-            relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0);
+            boolean last = sub == steps.subSteps() - 1;
+            relax.arg(StageKernels.own(1), last ? 1 : 0);
             runByColour(levels, relax);
+            cross.relax(steps, last);
         }
         finalizePositions.run(steps.circles());
     }
 
-    /**
-     * Runs a kernel that works on groups of contacts: level by level, colour by colour, a work-item per group. The kernel's
-     * first arguments of its own are the level and the colour.
-     */
+    /** Runs a kernel that works on groups of contacts colour by colour, a work-item per group. Its first argument of its own is the colour. */
     static void runByColour(GridLevels levels, Kernel kernel) {
-        for (int l = 0; l < levels.usedCount; l++) {
-            int level = levels.used[l];
-            int groups = levels.firstOfColour(level, 1) - levels.firstOfColour(level, 0);
-            for (int colour = 0; colour < COLOURS; colour++) {
-                kernel.arg(StageKernels.own(0), level)
-                        .arg(StageKernels.own(1), colour)
-                        .run(groups);
-            }
+        for (int colour = 0; colour < COLOURS; colour++) {
+            kernel.arg(StageKernels.own(0), colour).run(levels.buckets() / COLOURS);
         }
     }
 

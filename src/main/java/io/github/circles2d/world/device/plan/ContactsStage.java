@@ -33,7 +33,7 @@ final class ContactsStage {
             crowd.run(circles);
         }
         count.run(circles);
-        scan.run(arrays, levels.buckets() + 1, DeviceArray.GROUP_START);
+        scan.run(arrays, levels.groups(circles) + 1, DeviceArray.GROUP_START);
         list.run(2L * circles);
     }
 }

@@ -7,6 +7,7 @@ import io.github.circles2d.world.device.memory.TouchArrays;
 /** The sub-steps of {@link ByColours} that record what contacts and walls do; {@code kernels/world/stages/Touches.cl}. */
 final class RecordedSubSteps {
     private final Stages stages;
+    private final CrossPasses cross;
     private final Kernel begin;
     private final Kernel integrateVelocities;
     private final Kernel solve;
@@ -15,8 +16,9 @@ final class RecordedSubSteps {
     private final Kernel finalizePositions;
     private final Kernel end;
 
-    RecordedSubSteps(Stages stages, Kernel finalizePositions) {
+    RecordedSubSteps(Stages stages, CrossPasses cross, Kernel finalizePositions) {
         this.stages = stages;
+        this.cross = cross;
         this.finalizePositions = finalizePositions;
         begin = stages.kernel("touches_begin");
         integrateVelocities = stages.kernel("touches_integrateVelocities");
@@ -32,11 +34,13 @@ final class RecordedSubSteps {
         stages.record(begin, 0).run(2L * steps.circles());
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             move(integrateVelocities, sub, steps);
-            ByColours.runByColour(steps.levels(), solve.arg(StageKernels.own(2), touches.contacts()));
+            ByColours.runByColour(steps.levels(), solve.arg(StageKernels.own(1), touches.contacts()));
+            cross.solve(steps);
             move(integratePositions, sub, steps);
-            relax.arg(StageKernels.own(2), sub == steps.subSteps() - 1 ? 1 : 0)
-                    .arg(StageKernels.own(3), touches.contacts());
+            boolean last = sub == steps.subSteps() - 1;
+            relax.arg(StageKernels.own(1), last ? 1 : 0).arg(StageKernels.own(2), touches.contacts());
             ByColours.runByColour(steps.levels(), relax);
+            cross.relax(steps, last);
         }
         finalizePositions.run(steps.circles());
         stages.record(end, 0).run(2L * steps.circles());

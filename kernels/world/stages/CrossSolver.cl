@@ -1,0 +1,209 @@
+// uses: world/shared/Cross.cl world/stages/Solver.cl world/stages/Touches.cl
+// The cross contacts' part of stage Solver: those of circles of different levels, behind the like contacts of each pass. A pass has two
+// launches. In the first, each light circle visits its contacts, and sees the heavy ones as before; its velocity is kept aside, since it
+// may be a heavy circle for others. In the second, heavy circles take the sums of what they were given. The Java class
+// world.jvm.CrossPasses does the same.
+
+// A cross contact: its circles, of which pair has the one of lower id first.
+typedef struct {
+    uint light, heavy;
+    bool isLightLower;
+} Cross;
+
+Cross crossOf(const World *w, int c, int light) {
+    uint2 p = w->pair[c];
+    Cross x;
+    x.isLightLower = p.x == (uint) light;
+    x.light = (uint) light;
+    x.heavy = x.isLightLower ? p.y : p.x;
+    return x;
+}
+
+float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].z, w->k.inverseH); }
+
+float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].z, w->k.inverseH, w->traits[slot].x); }
+
+global long *sumsOf(const World *w, uint slot) { return (global long *) (w->heavySum + slot); }
+
+// Adds x and y to two sums of a heavy circle, which have a range.
+void addToHeavy(global long *sums, float x, float y, float range) {
+    float scale = scaleOf(range);
+    addFixed(sums, toFixed(x, scale));
+    addFixed(sums + 1, toFixed(y, scale));
+}
+
+// Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries. Components are stored one by one:
+// others mark the same circles at the same time.
+void gatherCrossLoad(const World *w, const Cross *x, float4 n, float normalImpulse, bool carrying) {
+    global float *own = (global float *) (w->load + x->light);
+    global float *other = (global float *) (w->load + x->heavy);
+    float gx = n.x * normalImpulse;
+    float gy = n.y * normalImpulse;
+    own[0] = x->isLightLower ? own[0] - gx : own[0] + gx;
+    own[1] = x->isLightLower ? own[1] - gy : own[1] + gy;
+    if (w->traits[x->heavy].x != 0.0f) {
+        addToHeavy(sumsOf(w, x->heavy) + 2, x->isLightLower ? gx : -gx, x->isLightLower ? gy : -gy, impulseRangeOf(w, x->heavy));
+    }
+    if (carrying) {
+        own[3] = 1.0f;
+        other[3] = 1.0f;
+    }
+}
+
+void fillCrossContact(const World *w, int c, int light) {
+    uint2 p = w->pair[c];
+    Cross x = crossOf(w, c, light);
+    float4 b = baseOfPair(w, p);
+    bool carrying;
+    float4 n = newContact(w, p, w->key[c], b, &carrying);
+    w->base[c] = b;
+    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
+    w->contact[c] = n;
+    gatherCrossLoad(w, &x, n, n.w, carrying);
+}
+
+// Orders and fills the cross contacts of each light circle. Index space: a working slot a work-item. Cost: its contacts.
+kernel void cross_fill(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || outOfRoom(&w) || tooFast(&w)) return;
+    int group = crossGroupOf(&w, slot);
+    int from = groupStart[group];
+    int to = groupStart[group + 1];
+    if (from == to) return;
+    sortContacts(key + from, pair + from, to - from);
+    for (int c = from; c < to; c++) fillCrossContact(&w, c, slot);
+}
+
+// Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
+// afterwards, as if the heavy circle had taken its part.
+float visitCross(const World *w, const Cross *x, float4 q, float4 n, Ready *ready, bool relaxing, float2 *v, Visited *visited) {
+    float wl = x->isLightLower ? q.x : q.y;
+    float wh = x->isLightLower ? q.y : q.x;
+    float2 heavy = w->motion[x->heavy].zw;
+    float2 toward = x->isLightLower ? heavy - *v : *v - heavy;
+    float vn = along(n.x, n.y, toward.x, toward.y);
+    ready->mass = crossMass(wl, wh, crossShare(w->crossLoad[x->heavy]));
+    visit(ready, vn, relaxing, visited);
+    float impulse = visited->impulse;
+    if (!visited->leaves) {
+        float lx = velocityChange(n.x, wl, impulse);
+        float ly = velocityChange(n.y, wl, impulse);
+        float hx = velocityChange(n.x, wh, impulse);
+        float hy = velocityChange(n.y, wh, impulse);
+        *v = x->isLightLower ? (float2)(v->x - lx, v->y - ly) : (float2)(v->x + lx, v->y + ly);
+        if (wh != 0.0f) {
+            addToHeavy(sumsOf(w, x->heavy), x->isLightLower ? hx : -hx, x->isLightLower ? hy : -hy, velocityRangeOf(w, x->heavy));
+        }
+    }
+    return vn + impulse * (q.x + q.y);
+}
+
+// The biased pass over one contact. v: velocity of the light circle. Returns the impulse of a free bounce, or 0.
+float solveCrossContact(const World *w, int c, int light, float2 *v) {
+    Cross x = crossOf(w, c, light);
+    float4 q = w->masses[c];
+    float4 n = w->contact[c];
+    Ready ready;
+    readyToSolve(w, c, w->pair[c], q, n, &ready);
+    Visited visited;
+    visitCross(w, &x, q, n, &ready, false, v, &visited);
+    w->masses[c].w = ready.bounce;
+    w->contact[c].w = visited.normalImpulse;
+    return visited.leaves || visited.solved ? 0.0f : visited.impulse;
+}
+
+// Stores a contact's impulse for the step to come, while others do the same for the same circle: it is looked up by id.
+void storeCrossImpulse(const World *w, int c, uint lower, float normalImpulse) {
+    int next = atomic_xchg(&w->firstCached[lower], c);
+    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, next);
+}
+
+// Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, or 0.
+float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
+    Cross x = crossOf(w, c, light);
+    uint2 pr = w->pair[c];
+    float4 q = w->masses[c];
+    float4 n = w->contact[c];
+    Ready ready;
+    readyToRelax(w, pr, w->base[c], q, w->motion[pr.x], w->motion[pr.y], &n, &ready);
+    Visited visited;
+    float vn = visitCross(w, &x, q, n, &ready, true, v, &visited);
+    float next = visited.normalImpulse;
+    w->contact[c] = (float4)(n.x, n.y, n.z, next);
+    if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
+    if (last) {
+        if (next > 0.0f) storeCrossImpulse(w, c, pr.x, next);
+    } else if (carries(next, vn, ready.restingLimit)) {
+        gatherCrossLoad(w, &x, n, next, true);
+    }
+    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
+}
+
+// Index space of the next: a working slot a work-item. Cost: the contacts in which the circle is the light one.
+
+kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    int from = groupStart[crossGroupOf(&w, slot)];
+    int to = groupStart[crossGroupOf(&w, slot) + 1];
+    if (from == to) return;
+    float2 v = motion[slot].zw;
+    for (int c = from; c < to; c++) {
+        float notKept = solveCrossContact(&w, c, slot, &v);
+#ifdef RECORDING
+        noteSolved(&w, touch, c, notKept);
+#endif
+    }
+    lightVelocity[slot] = v;
+}
+
+kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    int from = groupStart[crossGroupOf(&w, slot)];
+    int to = groupStart[crossGroupOf(&w, slot) + 1];
+    if (from == to) return;
+    float2 v = motion[slot].zw;
+    for (int c = from; c < to; c++) {
+        float bounced = relaxCrossContact(&w, c, slot, last != 0, &v);
+#ifdef RECORDING
+        noteRelaxed(&w, touch, c, bounced);
+#endif
+    }
+    lightVelocity[slot] = v;
+}
+
+// What a pass has given a circle: velocities, and impulses for the sub-step to come. Sums are empty afterwards.
+void takeCross(const World *w, int slot, bool velocities, bool impulses) {
+    float4 m = w->motion[slot];
+    int group = crossGroupOf(w, slot);
+    bool isLight = velocities && w->groupStart[group] != w->groupStart[group + 1];
+    float wh = w->traits[slot].x;
+    bool isHeavy = w->crossLoad[slot] > 0 && wh != 0.0f;
+    if (isLight) m.zw = w->lightVelocity[slot];
+    if (isHeavy) {
+        long4 sum = w->heavySum[slot];
+        w->heavySum[slot] = (long4)(0);
+        float unit = unitOf(velocityRangeOf(w, (uint) slot));
+        if (velocities) m.zw = (float2)(m.z + fromFixed(sum.x, unit), m.w + fromFixed(sum.y, unit));
+        if (impulses) {
+            float impulseUnit = unitOf(impulseRangeOf(w, (uint) slot));
+            float4 l = w->load[slot];
+            w->load[slot].xy = (float2)(l.x + fromFixed(sum.z, impulseUnit), l.y + fromFixed(sum.w, impulseUnit));
+        }
+    }
+    if (isLight || (isHeavy && velocities)) w->motion[slot] = m;
+}
+
+// Index space: a working slot a work-item.
+kernel void cross_take(WORLD_PARAMETERS, int velocities, int impulses) {
+    World w = WORLD;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    takeCross(&w, slot, velocities != 0, impulses != 0);
+}

@@ -1,0 +1,54 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.StageKernels;
+
+/**
+ * The cross contacts of a pass, behind its like contacts, in two launches: light circles visit theirs, then heavy circles take the sums;
+ * {@code kernels/world/stages/CrossSolver.cl}. It does nothing where there is one level.
+ */
+final class CrossPasses {
+    private final Stages stages;
+    private final Kernel fill;
+    private final Kernel solve;
+    private final Kernel relax;
+    private final Kernel take;
+
+    CrossPasses(Stages stages) {
+        this.stages = stages;
+        fill = stages.kernel("cross_fill");
+        solve = stages.kernel("cross_solve");
+        relax = stages.kernel("cross_relax");
+        take = stages.kernel("cross_take");
+    }
+
+    /** Fills the contacts, and sums up the impulses that they begin with. */
+    void fill(Steps steps) {
+        if (!steps.haveOneLevel()) {
+            fill.run(steps.circles());
+            take(steps, false, true);
+        }
+    }
+
+    /** The biased pass. */
+    void solve(Steps steps) {
+        if (!steps.haveOneLevel()) {
+            stages.record(solve, 0).run(steps.circles());
+            take(steps, true, false);
+        }
+    }
+
+    /** The relaxing pass. */
+    void relax(Steps steps, boolean last) {
+        if (!steps.haveOneLevel()) {
+            stages.record(relax.arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
+            take(steps, true, !last);
+        }
+    }
+
+    private void take(Steps steps, boolean velocities, boolean impulses) {
+        take.arg(StageKernels.own(0), velocities ? 1 : 0)
+                .arg(StageKernels.own(1), impulses ? 1 : 0)
+                .run(steps.circles());
+    }
+}
