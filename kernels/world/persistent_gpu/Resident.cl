@@ -162,9 +162,9 @@ void solveAll(World *w, local Tile *t) {
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3);
+                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, false);
             } else {
-                solveTile(w, t, tile, subStep, 2);
+                solveTile(w, t, tile, subStep, 2, false);
             }
         }
         deviceBarrier(arrivals);
@@ -190,6 +190,7 @@ void recordAll(const World *w) {
 kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
+    SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w);
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;

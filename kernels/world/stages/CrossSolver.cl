@@ -19,6 +19,18 @@ Cross crossOf(const World *w, int c, int light) {
     return x;
 }
 
+// The arrays as the passes over cross contacts find them. By tiles, each tile has copies of its contacts in the place of others: cross
+// contacts lie before these; and a tile leaves the circles' motion apart, since its neighbours may not have read the old one yet.
+World crossWorld(World w) {
+    if (w.k.tiled) {
+        int like = likeContacts(&w);
+        w.contact -= like;
+        w.base -= like;
+        w.motion = w.solvedMotion;
+    }
+    return w;
+}
+
 float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].z, w->k.inverseH); }
 
 float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].z, w->k.inverseH, w->traits[slot].x); }
@@ -59,20 +71,26 @@ void fillCrossContact(const World *w, int c, int light) {
     w->base[c] = b;
     w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
     w->contact[c] = n;
+    if (w->k.tiled) w->ordered[c] = p;
     gatherCrossLoad(w, &x, n, n.w, carrying);
 }
 
-// Orders and fills the cross contacts of each light circle. Index space: a working slot a work-item. Cost: its contacts.
+// Orders and fills the cross contacts of a light circle.
+void fillCross(const World *w, int slot) {
+    int from = w->groupStart[crossGroupOf(w, slot)];
+    int to = w->groupStart[crossGroupOf(w, slot) + 1];
+    if (from == to) return;
+    sortContacts(w->key + from, w->pair + from, to - from);
+    for (int c = from; c < to; c++) fillCrossContact(w, c, slot);
+}
+
+// Index space: a working slot a work-item. Cost: the contacts in which the circle is the light one.
 kernel void cross_fill(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || outOfRoom(&w) || tooFast(&w)) return;
-    int group = crossGroupOf(&w, slot);
-    int from = groupStart[group];
-    int to = groupStart[group + 1];
-    if (from == to) return;
-    sortContacts(key + from, pair + from, to - from);
-    for (int c = from; c < to; c++) fillCrossContact(&w, c, slot);
+    w = crossWorld(w);
+    fillCross(&w, slot);
 }
 
 // Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
@@ -140,6 +158,45 @@ float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) 
     return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
 }
 
+// Gives a light circle its velocity behind its visits: kept aside if it is a heavy one for others, which still look at it.
+void leaveLight(const World *w, int slot, float2 v) {
+    if (w->crossLoad[slot] > 0) {
+        w->lightVelocity[slot] = v;
+    } else {
+        w->motion[slot].zw = v;
+    }
+}
+
+// The biased pass over the cross contacts of a light circle.
+void solveCross(const World *w, int slot) {
+    int from = w->groupStart[crossGroupOf(w, slot)];
+    int to = w->groupStart[crossGroupOf(w, slot) + 1];
+    if (from == to) return;
+    float2 v = w->motion[slot].zw;
+    for (int c = from; c < to; c++) {
+        float notKept = solveCrossContact(w, c, slot, &v);
+#ifdef RECORDING
+        noteSolvedContact(w, w->recording.touch, c, notKept);
+#endif
+    }
+    leaveLight(w, slot, v);
+}
+
+// The relaxing pass over the cross contacts of a light circle.
+void relaxCross(const World *w, int slot, bool last) {
+    int from = w->groupStart[crossGroupOf(w, slot)];
+    int to = w->groupStart[crossGroupOf(w, slot) + 1];
+    if (from == to) return;
+    float2 v = w->motion[slot].zw;
+    for (int c = from; c < to; c++) {
+        float bounced = relaxCrossContact(w, c, slot, last, &v);
+#ifdef RECORDING
+        noteRelaxedContact(w, w->recording.touch, c, bounced);
+#endif
+    }
+    leaveLight(w, slot, v);
+}
+
 // Index space of the next: a working slot a work-item. Cost: the contacts in which the circle is the light one.
 
 kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
@@ -147,17 +204,8 @@ kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     RECORD_IN(w);
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    int from = groupStart[crossGroupOf(&w, slot)];
-    int to = groupStart[crossGroupOf(&w, slot) + 1];
-    if (from == to) return;
-    float2 v = motion[slot].zw;
-    for (int c = from; c < to; c++) {
-        float notKept = solveCrossContact(&w, c, slot, &v);
-#ifdef RECORDING
-        noteSolved(&w, touch, c, notKept);
-#endif
-    }
-    lightVelocity[slot] = v;
+    w = crossWorld(w);
+    solveCross(&w, slot);
 }
 
 kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
@@ -165,39 +213,45 @@ kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
     RECORD_IN(w);
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    int from = groupStart[crossGroupOf(&w, slot)];
-    int to = groupStart[crossGroupOf(&w, slot) + 1];
-    if (from == to) return;
-    float2 v = motion[slot].zw;
-    for (int c = from; c < to; c++) {
-        float bounced = relaxCrossContact(&w, c, slot, last != 0, &v);
-#ifdef RECORDING
-        noteRelaxed(&w, touch, c, bounced);
-#endif
-    }
-    lightVelocity[slot] = v;
+    if (w.k.tiled) w.firstCached = homeFirstCached;
+    w = crossWorld(w);
+    relaxCross(&w, slot, last != 0);
 }
 
-// What a pass has given a circle: velocities, and impulses for the sub-step to come. Sums are empty afterwards.
+bool isLight(const World *w, int slot) {
+    return w->groupStart[crossGroupOf(w, slot)] != w->groupStart[crossGroupOf(w, slot) + 1];
+}
+
+// Whether a circle takes what it is given as the heavy one of a contact.
+bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].x != 0.0f; }
+
+// The velocity of a heavy circle behind a pass. v: as like contacts have left it.
+float2 velocityTaken(const World *w, int slot, float2 v) {
+    if (isLight(w, slot)) v = w->lightVelocity[slot];
+    long4 sum = w->heavySum[slot];
+    float unit = unitOf(velocityRangeOf(w, (uint) slot));
+    return (float2)(v.x + fromFixed(sum.x, unit), v.y + fromFixed(sum.y, unit));
+}
+
+// The sum of a heavy circle's impulses for the sub-step to come. impulses: all but those that it is given as the heavy one.
+float2 impulsesTaken(const World *w, int slot, float2 impulses) {
+    long4 sum = w->heavySum[slot];
+    float unit = unitOf(impulseRangeOf(w, (uint) slot));
+    return (float2)(impulses.x + fromFixed(sum.z, unit), impulses.y + fromFixed(sum.w, unit));
+}
+
+// Gives a heavy circle what a pass has for it: velocity, and impulses for the sub-step to come. Sums are empty afterwards.
 void takeCross(const World *w, int slot, bool velocities, bool impulses) {
-    float4 m = w->motion[slot];
-    int group = crossGroupOf(w, slot);
-    bool isLight = velocities && w->groupStart[group] != w->groupStart[group + 1];
-    float wh = w->traits[slot].x;
-    bool isHeavy = w->crossLoad[slot] > 0 && wh != 0.0f;
-    if (isLight) m.zw = w->lightVelocity[slot];
-    if (isHeavy) {
-        long4 sum = w->heavySum[slot];
-        w->heavySum[slot] = (long4)(0);
-        float unit = unitOf(velocityRangeOf(w, (uint) slot));
-        if (velocities) m.zw = (float2)(m.z + fromFixed(sum.x, unit), m.w + fromFixed(sum.y, unit));
-        if (impulses) {
-            float impulseUnit = unitOf(impulseRangeOf(w, (uint) slot));
-            float4 l = w->load[slot];
-            w->load[slot].xy = (float2)(l.x + fromFixed(sum.z, impulseUnit), l.y + fromFixed(sum.w, impulseUnit));
-        }
+    if (!isHeavy(w, slot)) return;
+    if (velocities) {
+        float2 v = w->motion[slot].zw;
+        w->motion[slot].zw = velocityTaken(w, slot, v);
     }
-    if (isLight || (isHeavy && velocities)) w->motion[slot] = m;
+    if (impulses) {
+        float2 sum = w->load[slot].xy;
+        w->load[slot].xy = impulsesTaken(w, slot, sum);
+    }
+    w->heavySum[slot] = (long4)(0);
 }
 
 // Index space: a working slot a work-item.

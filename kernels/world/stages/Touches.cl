@@ -23,7 +23,7 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
 }
 
 // Takes a visit of the biased pass down. notKept: the impulse of a free bounce.
-void noteSolved(const World *w, global float4 *touch, int c, float notKept) {
+void noteSolvedContact(const World *w, global float4 *touch, int c, float notKept) {
     uint2 pr = w->pair[c];
     float4 n = w->contact[c];
     global float4 *t = touch + 2 * c;
@@ -34,7 +34,7 @@ void noteSolved(const World *w, global float4 *touch, int c, float notKept) {
 }
 
 // Takes a visit of the relaxing pass down. bounced: the impulse of a bounce.
-void noteRelaxed(const World *w, global float4 *touch, int c, float bounced) {
+void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounced) {
     global float4 *t = touch + 2 * c;
     float notKept = t[1].w + bounced;
     float4 n = w->contact[c];
@@ -42,6 +42,14 @@ void noteRelaxed(const World *w, global float4 *touch, int c, float bounced) {
     t[1].w = 0.0f;
     t[0].y += impulse;
     noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
+}
+
+// Begins a step for a contact that is filled. Returns whether it held before.
+bool beginTouch(const World *w, global float4 *touch, int c) {
+    float2 normal = noNormal(w, w->contact[c].w, (int) (w->key[c] >> 32));
+    touch[2 * c] = (float4)(NO_TOUCH, 0.0f, normal.x, normal.y);
+    touch[2 * c + 1] = (float4)(0.0f);
+    return heldBefore(normal);
 }
 
 // Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
@@ -52,12 +60,7 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     int first = (int) get_global_id(0);
     int contacts = contactsListed(&w);
     int met = 0;
-    for (int c = first; c < contacts; c += (int) get_global_size(0)) {
-        float2 normal = noNormal(&w, contact[c].w, (int) (key[c] >> 32));
-        touch[2 * c] = (float4)(NO_TOUCH, 0.0f, normal.x, normal.y);
-        touch[2 * c + 1] = (float4)(0.0f);
-        met += heldBefore(normal);
-    }
+    for (int c = first; c < contacts; c += (int) get_global_size(0)) met += beginTouch(&w, touch, c);
     if (met > 0) atomic_add(&status[TOUCHES_MET], met);
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
@@ -153,7 +156,7 @@ kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteSolved(&w, touch, c, solveContact(&w, c));
+    for (int c = groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
 }
 
 // Index space: a working slot a work-item.
@@ -184,7 +187,7 @@ kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteRelaxed(&w, touch, c, relaxContact(&w, c, last != 0));
+    for (int c = groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
 // The wall of an axis. c, m: circle and motion after the step.
@@ -224,22 +227,28 @@ void recordWalls(const World *w, int slot) {
     recordWall(w, t[1], slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
 }
 
+// Records contacts from one on, every so many. Returns how many of them hold.
+int recordContactsFrom(const World *w, bool all, int first, int step) {
+    int contacts = contactsListed(w);
+    int holding = 0;
+    for (int c = first; c < contacts; c += step) {
+        global const float4 *touch = w->recording.touch + 2 * c;
+        float4 t = touch[0];
+        float4 n = w->contact[c];
+        recordPair(w, all, w->pair[c], n, n.w, w->base[c].z, t.x, t.y, t.zw, touch[1].xy);
+        holding += n.w > 0.0f;
+    }
+    return holding;
+}
+
 // Records what pairs and, if they are reported, walls did in the step. Index space: any number of work-items, which take contacts and
 // slots in turn.
 kernel void touches_end(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     if (refused(&w)) return;
-    int contacts = contactsListed(&w);
     bool all = recordsAll(&w);
-    int holding = 0;
-    for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) {
-        float4 t = touch[2 * c];
-        float4 n = contact[c];
-        recordPair(&w, all, pair[c], n, n.w, base[c].z, t.x, t.y, t.zw, touch[2 * c + 1].xy);
-        holding += n.w > 0.0f;
-    }
-    endRecords(&w, all, holding);
+    endRecords(&w, all, recordContactsFrom(&w, all, (int) get_global_id(0), (int) get_global_size(0)));
     if (!w.recording.walls) return;
     for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) recordWalls(&w, slot);
 }

@@ -192,6 +192,9 @@ int groupOf(const World *w, int atLevel, int ox, int oy) {
 // Behind them, if there are several levels, each circle has a group of its own, of the cross contacts in which it is the light one.
 int crossGroupOf(const World *w, int slot) { return likeGroups(w) + slot; }
 
+// The number of like contacts, which are listed first.
+int likeContacts(const World *w) { return w->groupStart[likeGroups(w)]; }
+
 // The number of contacts that were listed.
 int contactsListed(const World *w) { return w->groupStart[hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles)]; }
 

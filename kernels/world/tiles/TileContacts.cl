@@ -2,6 +2,9 @@
 // Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
 // change during the step.
 
+// Copies in a cache line: each tile's begin with one.
+#define LINE_COPIES 8
+
 // A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
 // bits) and the cell (column, row); and whether the contact carries as the step begins.
 #define LINK_PLACE 0x1fff
@@ -26,7 +29,8 @@ int levelOfBucket(const World *w, int bucket) {
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
         w->status[TILE_NUMBERS] = 0;
-        w->status[TILE_COPIES] = 0;
+        // Cross contacts lie before the copies: those in base are half as large.
+        w->status[TILE_COPIES] = (2 * (contactsListed(w) - likeContacts(w)) + LINE_COPIES - 1) & ~(LINE_COPIES - 1);
     }
     ulong2 own = listedOf(w)[listed];
     ulong ids = own.x;
@@ -67,6 +71,6 @@ void linkContact(const World *w, int listed) {
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
+    int contacts = likeContacts(&w);
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) linkContact(&w, c);
 }

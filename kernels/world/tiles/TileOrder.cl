@@ -190,9 +190,6 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Copies in a cache line: each tile's begin with one.
-#define LINE_COPIES 8
-
 int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 
 // Finds where the contacts of each round begin, in the record and in the numbers of all contacts. rounds: as many as there is
@@ -266,15 +263,33 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
-// Starts the tile's own circles, and keeps at hand what is to be known of all for their contacts. together: how many a work-item
+// Where there are several levels: gathers the impulses of the tile's own circles, for the cross contacts to add theirs, and notes where
+// one has so many contacts, with those that it found in coarser levels, that they are to be thinned out.
+void gatherLoads(const World *w, local const Arrangement *a, global const int *record, int circles) {
+    TILE_EACH(i, circles) {
+        int slot = record[RECORD_SLOTS + i];
+        if (slot < 0) continue;
+        int progress = a->progress[i];
+        w->solvedMotion[slot] = w->motion[slot];
+        w->load[slot] = (float4)(a->load[i].x, a->load[i].y, 0.0f, progress & HAS_CARRIED ? 1.0f : 0.0f);
+        int met = (progress & ~HAS_CARRIED) >> MET_SHIFT;
+        if (met + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
+#ifdef RECORDING
+        clearWallTouch(w, slot);
+#endif
+    }
+}
+
+// Starts the tile's own circles, where there is one level, and keeps at hand what is to be known of all for their contacts. together: how many a work-item
 // takes at a time.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + RECORD_SLOTS;
+    int left = hasOneLevel(w) ? 0 : NOT_OWN;
     TILE_TOGETHER(first, circles, together) {
         int taken[MOST_TOGETHER];
         float4 c[MOST_TOGETHER], t[MOST_TOGETHER], m[MOST_TOGETHER];
         TOGETHER_EACH(n, together) {
-            if (togetherItem(first, n) < circles) taken[n] = entry[togetherItem(first, n)];
+            if (togetherItem(first, n) < circles) taken[n] = entry[togetherItem(first, n)] | left;
         }
         TOGETHER_EACH(n, together) {
             if (togetherItem(first, n) >= circles) continue;
@@ -381,6 +396,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int 
     bool fits = any && !a->overfull && !crowded;
     int circles = fits ? found : 0;
     recordContacts(w, &r, a, record, circles);
+    gatherLoads(w, a, record, hasOneLevel(w) ? 0 : circles);
     takeCircles(w, a, record, circles, together);
     copyContacts(w, a, record, circles > 0 ? contacts : 0);
     if (get_local_id(0) != 0 || idle) return;
@@ -399,6 +415,7 @@ void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int 
 TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
+    SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);

@@ -261,13 +261,65 @@ void noteWall(global int *entries, int i, int entry, bool atWall) {
     if (next != entry) entries[i] = next;
 }
 
-// The biased pass of a tile. together: how many circles a work-item moves at a time.
-void solveTile(const World *w, local Tile *t, int tile, int subStep, int together) {
+// Takes the circles of a region as a pass finds them where there are several levels: in motion and load, as for Solver.cl.
+void takeMotion(const World *w, local Tile *t, global const int *entries, bool relaxing) {
+    int circles = t->circles;
+    TILE_TOGETHER(first, circles, TAKEN) {
+        int slot[MOST_TOGETHER];
+        float4 m[MOST_TOGETHER], l[MOST_TOGETHER];
+        float inverseMass[MOST_TOGETHER];
+        TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
+        TOGETHER_EACH(n, TAKEN) {
+            m[n] = w->motion[slot[n]];
+            l[n] = w->load[slot[n]];
+            inverseMass[n] = lastingTraits(w, slot[n]).x;
+        }
+        TOGETHER_EACH(n, TAKEN) {
+            int i = togetherItem(first, n);
+            if (i >= circles) continue;
+            t->velocity[i] = m[n].zw;
+            t->load[i] = relaxing ? m[n].xy : l[n].xy;
+            t->burden[i] = burdenOf(inverseMass[n], l[n].z > 0.0f);
+            if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
+        }
+    }
+}
+
+// Leaves a tile's own circles behind a pass where there are several levels: for the cross contacts, see crossWorld. loads: whether
+// their sums of impulses too.
+void leaveMotion(const World *w, local const Tile *t, global const int *entries, bool loads) {
+    int circles = t->circles;
+    TILE_TOGETHER(first, circles, 2) {
+        int entry[MOST_TOGETHER];
+        float2 d[MOST_TOGETHER];
+        TOGETHER_EACH(n, 2) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
+        TOGETHER_EACH(n, 2) {
+            if (entry[n] >= 0) d[n] = w->motion[entry[n] & ENTRY_SLOT].xy;
+        }
+        TOGETHER_EACH(n, 2) {
+            if (entry[n] < 0) continue;
+            int i = togetherItem(first, n);
+            int slot = entry[n] & ENTRY_SLOT;
+            float2 v = t->velocity[i];
+            w->solvedMotion[slot] = (float4)(d[n].x, d[n].y, v.x, v.y);
+            if (!loads) continue;
+            bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
+            // Whether it is loaded stays: neighbours may be reading it.
+            w->load[slot] = (float4)(t->load[i].x, t->load[i].y, isLoaded(t->burden[i]) ? 1.0f : 0.0f, carried ? 1.0f : 0.0f);
+        }
+    }
+}
+
+// The biased pass of a tile. together: how many circles a work-item moves at a time; levels: whether there are several, and so the
+// contacts alone are solved here.
+void solveTile(const World *w, local Tile *t, int tile, int subStep, int together, bool levels) {
     global int *record = recordOf(w, tile);
     global int *entries = record + RECORD_SLOTS;
     int circles = t->circles;
     findNumbers(w, record, subStep == 0 ? t->contacts : 0);
-    TILE_TOGETHER(first, circles, TAKEN) {
+    if (levels) takeMotion(w, t, entries, false);
+    int started = levels ? 0 : circles;
+    TILE_TOGETHER(first, started, TAKEN) {
         int slot[MOST_TOGETHER];
         float4 drive[MOST_TOGETHER];
         float burden[MOST_TOGETHER];
@@ -285,6 +337,10 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
         }
     }
     solveParts(w, t, contactsOf(record), false, false);
+    if (levels) {
+        leaveMotion(w, t, entries, false);
+        return;
+    }
     TILE_TOGETHER(first, circles, together) {
         int entry[MOST_TOGETHER];
         float4 c[MOST_TOGETHER], started[MOST_TOGETHER];
@@ -354,12 +410,15 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
 }
 
 // The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
-// home. together: how many of them a work-item starts at a time.
-void relaxTile(const World *w, local Tile *t, int tile, bool last, int together) {
+// home. together: how many of them a work-item starts at a time; levels: whether there are several, and so the contacts alone are
+// relaxed here.
+void relaxTile(const World *w, local Tile *t, int tile, bool last, int together, bool levels) {
     global int *record = recordOf(w, tile);
     global int *entries = record + RECORD_SLOTS;
     int circles = t->circles;
-    TILE_TOGETHER(first, circles, TAKEN) {
+    if (levels) takeMotion(w, t, entries, true);
+    int moved = levels ? 0 : circles;
+    TILE_TOGETHER(first, moved, TAKEN) {
         int slot[MOST_TOGETHER];
         float4 m[MOST_TOGETHER];
         float burden[MOST_TOGETHER];
@@ -382,6 +441,10 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together)
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     TILE_EACH(i, circles) t->load[i] = (float2)(0.0f);
     solveParts(w, t, contactsOf(record), true, last);
+    if (levels) {
+        leaveMotion(w, t, entries, !last);
+        return;
+    }
     TILE_TOGETHER(first, circles, together) {
         int entry[MOST_TOGETHER];
         float4 c[MOST_TOGETHER];
@@ -423,7 +486,7 @@ void storeHeldImpulse(const World *w, int c) {
 kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
-    int contacts = groupStart[levels->first[LEVELS]];
+    int contacts = likeContacts(&w);
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) storeHeldImpulse(&w, c);
 }
 
@@ -433,15 +496,17 @@ TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
     World w = WORLD;
     RECORD_IN(w);
     w.subStep = subStep;
+    SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w);
     local Tile t;
     int tile = (int) get_group_id(0);
     takeTile(&w, &t, tile, refused(&w));
-    solveTile(&w, &t, tile, subStep, 4);
+    solveTile(&w, &t, tile, subStep, 4, false);
 }
 
 TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
+    SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w);
     bool last = subStep == w.k.subSteps - 1;
     w.subStep = subStep + 1; // which the circles start into
     local Tile t;
@@ -449,5 +514,5 @@ TILE_KERNEL solver_relaxTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS)
     bool idle = refused(&w);
     if (last && get_global_id(0) == 0 && !idle) status[STEPS_DONE]++;
     takeTile(&w, &t, tile, idle);
-    relaxTile(&w, &t, tile, last, 2);
+    relaxTile(&w, &t, tile, last, 2, false);
 }

@@ -1,4 +1,4 @@
-// uses: world/stages/Touches.cl world/tiles/Tiles.cl
+// uses: world/stages/Touches.cl world/stages/CrossSolver.cl world/tiles/Tiles.cl
 // Records what contacts do in a step, as Touches.cl does, if events are reported: each tile for its own contacts, by their numbers.
 // Three arrays lie one behind the other, so that a pass touches no more memory than it needs:
 // - of the sub-step, the approach speed, negative (also -0) if the surfaces did not touch in the biased pass; the impulse that the
@@ -8,11 +8,15 @@
 
 #ifdef RECORDING
 
+// Sets the room of each for the numbers of like contacts. Cross contacts lie behind all three, as Touches.cl has them.
+#define SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w) (w).recording.numbers = (w).contactRoom
+#define SET_TOUCH_NUMBERS(w) (w).recording.numbers = hasOneLevel(&(w)) ? (w).contactRoom : likeContacts(&(w))
+
 global float2 *touchNow(const World *w) { return (global float2 *) w->recording.touch; }
 
-global float2 *touchSoFar(const World *w) { return touchNow(w) + w->contactRoom; }
+global float2 *touchSoFar(const World *w) { return touchNow(w) + w->recording.numbers; }
 
-global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->contactRoom); }
+global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->recording.numbers); }
 
 // Begins a step for a contact. held: its impulse; slot: of the lower id. Returns whether it held before.
 bool clearTouch(const World *w, int number, float held, int slot) {
@@ -63,7 +67,7 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     bool faster = (touched || impulse > 0.0f) && approach > soFar.x;
     touchSoFar(w)[number] = (float2)(faster ? approach : soFar.x, soFar.y + impulse);
     if (faster && !touched && isFastApproach(approach, w->k.dt, radii)) {
-        placeTouch(w, number, w->solvedMotion, nx, ny, separation);
+        placeTouch(w, number, hasOneLevel(w) ? w->solvedMotion : w->motion, nx, ny, separation);
     }
 }
 
@@ -86,6 +90,13 @@ int recordTile(const World *w, int tile, bool all) {
     return held;
 }
 
+// Records those cross contacts that have to be, as recordTile.
+int recordCrossContacts(const World *w, bool all) {
+    if (hasOneLevel(w)) return 0;
+    World cross = crossWorld(*w);
+    return recordContactsFrom(&cross, all, likeContacts(w) + (int) get_global_id(0), (int) get_global_size(0));
+}
+
 // Records the walls that circles are in touch with. first, step: which circles.
 void recordWallsOfSlots(const World *w, int first, int step) {
     int circles = w->recording.walls ? w->circles : 0;
@@ -99,8 +110,12 @@ TILE_KERNEL touches_recordTile(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     if (refused(&w)) return;
+    SET_TOUCH_NUMBERS(w);
     bool all = recordsAll(&w);
-    endRecords(&w, all, recordTile(&w, (int) get_group_id(0), all));
+    endRecords(&w, all, recordTile(&w, (int) get_group_id(0), all) + recordCrossContacts(&w, all));
     recordWallsOfSlots(&w, (int) get_global_id(0), (int) get_global_size(0));
 }
+#else
+#define SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w)
+#define SET_TOUCH_NUMBERS(w)
 #endif

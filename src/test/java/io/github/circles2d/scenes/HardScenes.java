@@ -105,6 +105,33 @@ public final class HardScenes {
         return b.build();
     }
 
+    /**
+     * Circles of many sizes in the unit arena, at a fill of 0.6: radii log-uniform over a ratio, masses by area, but of every fifth
+     * circle one that is anything; every eleventh static, which moves now and then; every seventh so fast that it meets several circles
+     * in a step; and thirty of the least radius at one point.
+     */
+    public static Scene blend(int n, float ratio, long seed) {
+        Scene.Builder b = new Scene.Builder("blend of 1:" + (int) ratio, n).gravity(0, -1);
+        Random random = new Random(seed);
+        double area = 0;
+        for (int i = 0; i < n; i++) {
+            b.radius[i] = (float) StrictMath.pow(ratio, random.nextDouble() * (i < 30 ? 0 : 1));
+            area += Math.PI * b.radius[i] * b.radius[i];
+        }
+        float scale = (float) Math.sqrt(0.6 / area);
+        for (int i = 0; i < n; i++) {
+            float r = scale * b.radius[i];
+            float x = r + random.nextFloat() * (1 - 2 * r);
+            float y = r + random.nextFloat() * (1 - 2 * r);
+            float mass = i % 5 == 0 ? (float) StrictMath.pow(10, 8 * random.nextDouble() - 4) : r * r;
+            b.circle(i, i < 30 ? 0.3f + 1e-3f * r * i : x, i < 30 ? 0.7f : y, r, mass);
+            b.fixed[i] = i % 11 == 10;
+            float speed = i % 7 == 0 ? 20 : b.fixed[i] && i % 2 == 0 ? 0 : 0.5f;
+            b.velocity(i, speed * (random.nextFloat() - 0.5f), speed * (random.nextFloat() - 0.5f));
+        }
+        return b.restitution(0.5f).build();
+    }
+
     /** Puts balls into the unit arena, one into each of side by side squares, not quite in its middle. */
     private static void lattice(Scene.Builder b, int side, int balls, float r, Random random) {
         float room = 1f / side - 2 * r;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
@@ -51,6 +52,19 @@ class TilesTest {
                 assertThat(nanosThen.get(kernel)).as(kernel).isGreaterThan(nanos.get(kernel));
             }
             assertThat(nanosThen).doesNotContainKeys("solver_solve", "solver_relax");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void circlesOfAllLevelsAreSolvedByTiles(Device device) {
+        DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
+        try (Twins twins = Twins.load(Scenes.mixed(600, 1), pipeline)) {
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("made");
+            assertThat(pipeline.kernelNanos())
+                    .containsKeys("levels_solve", "levels_relax", "cross_solve")
+                    .doesNotContainKeys("solver_solve", "solver_relax", "solver_solveTile");
         }
     }
 }

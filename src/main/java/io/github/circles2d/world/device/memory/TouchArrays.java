@@ -77,6 +77,7 @@ public final class TouchArrays implements AutoCloseable {
                     int step; // its number: two more than steps were made before it
                     int all; // whether all pairs in touch are to be recorded
                     float hitSpeed; // that counts as a hit; negative: that of the pair
+                    int numbers; // by tiles: see touchNumbers
                 } Recording;
                 #define RECORDING_PARAMETERS , global float4 *touch, global float4 *wallTouch, global int4 *records, \
                     global int *hitBy, int recordRoom, int withWalls, int stepNumber, int everyPair, float hitSpeed

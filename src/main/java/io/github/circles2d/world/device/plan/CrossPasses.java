@@ -25,7 +25,7 @@ final class CrossPasses {
     /** Fills the contacts, and sums up the impulses that they begin with. */
     void fill(Steps steps) {
         if (!steps.haveOneLevel()) {
-            fill.run(steps.circles());
+            fillLight(steps);
             take(steps, false, true);
         }
     }
@@ -33,7 +33,7 @@ final class CrossPasses {
     /** The biased pass. */
     void solve(Steps steps) {
         if (!steps.haveOneLevel()) {
-            stages.record(solve, 0).run(steps.circles());
+            solveLight(steps);
             take(steps, true, false);
         }
     }
@@ -41,9 +41,24 @@ final class CrossPasses {
     /** The relaxing pass. */
     void relax(Steps steps, boolean last) {
         if (!steps.haveOneLevel()) {
-            stages.record(relax.arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
+            relaxLight(steps, last);
             take(steps, true, !last);
         }
+    }
+
+    /** The first half of filling: light circles fill theirs. */
+    void fillLight(Steps steps) {
+        fill.run(steps.circles());
+    }
+
+    /** The first half of the biased pass. */
+    void solveLight(Steps steps) {
+        stages.record(solve, 0).run(steps.circles());
+    }
+
+    /** The first half of the relaxing pass. */
+    void relaxLight(Steps steps, boolean last) {
+        stages.record(relax.arg(StageKernels.own(0), last ? 1 : 0), 1).run(steps.circles());
     }
 
     private void take(Steps steps, boolean velocities, boolean impulses) {

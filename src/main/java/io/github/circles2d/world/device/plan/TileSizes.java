@@ -48,7 +48,7 @@ final class TileSizes {
 
     /** Whether there is a size that may do for such steps. */
     boolean suit(Steps steps) {
-        return steps.haveOneLevel() && largestSize != SIZES.length && !(steps.thinning() && withoutCrowds > 0);
+        return largestSize != SIZES.length && !(steps.thinning() && withoutCrowds > 0);
     }
 
     /** Chooses the size for work-groups that come and go: several for each compute unit. */

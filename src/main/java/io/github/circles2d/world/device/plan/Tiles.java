@@ -9,7 +9,7 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import java.util.List;
 
 /**
- * One launch per stage, and per pass over all contacts instead of per colour, if all circles are of one level;
+ * One launch per stage, and per pass over all contacts of circles of one level instead of per colour;
  * {@code kernels/world/tiles/Tiles.cl} says how.
  */
 public final class Tiles implements Plan {
@@ -22,6 +22,7 @@ public final class Tiles implements Plan {
     private Kernel arrange;
     private Kernel solve;
     private Kernel relax;
+    private LevelPasses levels;
     private Kernel storeImpulses;
 
     /** Null if steps do not record what contacts do. */
@@ -38,7 +39,7 @@ public final class Tiles implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/tiles/TileSolver.cl");
+        return List.of("world/tiles/TileLevels.cl");
     }
 
     @Override
@@ -63,6 +64,7 @@ public final class Tiles implements Plan {
         arrange = stages.kernel("contacts_arrange");
         solve = stages.kernel("solver_solveTile");
         relax = stages.kernel("solver_relaxTile");
+        levels = new LevelPasses(stages);
         storeImpulses = stages.kernel("solver_storeImpulses");
         record = stages.recording() ? stages.kernel("touches_recordTile") : null;
     }
@@ -83,15 +85,23 @@ public final class Tiles implements Plan {
         long items = (long) sizes.tiles() * TileRecord.GROUP;
         link.run(2L * steps.circles());
         stages.record(arrange, 0).run(items, TileRecord.GROUP);
+        if (steps.haveOneLevel()) {
+            passes(steps, items);
+        } else {
+            levels.make(steps, sizes.tiles());
+        }
+        storeImpulses.run(2L * steps.circles());
+        if (record != null) {
+            stages.record(record, 0).run(items, TileRecord.GROUP);
+        }
+    }
+
+    private void passes(Steps steps, long items) {
         stages.record(solve, 1);
         stages.record(relax, 1);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             solve.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
             relax.arg(StageKernels.own(0), sub).run(items, TileRecord.GROUP);
-        }
-        storeImpulses.run(2L * steps.circles());
-        if (record != null) {
-            stages.record(record, 0).run(items, TileRecord.GROUP);
         }
     }
 

@@ -41,7 +41,8 @@ class PlansTest {
         assertThat(Plans.first(gpu, steps(1, 1000, false))).isInstanceOf(PersistentGpu.class);
         assertThat(Plans.first(gpu, steps(1, 1000, true))).isInstanceOf(Tiles.class);
         assertThat(Plans.first(gpu, steps(1, MANY_CIRCLES, false))).isInstanceOf(Tiles.class);
-        assertThat(Plans.first(gpu, steps(2, 1000, false))).isInstanceOf(ByColours.class);
+        assertThat(Plans.first(gpu, steps(2, 1000, false))).isInstanceOf(PersistentGpu.class);
+        assertThat(Plans.first(gpu, steps(2, 1000, true))).isInstanceOf(Tiles.class);
     }
 
     @ParameterizedTest

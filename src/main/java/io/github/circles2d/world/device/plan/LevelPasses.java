@@ -1,0 +1,48 @@
+package io.github.circles2d.world.device.plan;
+
+import io.github.circles2d.opencl.Kernel;
+import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.TileRecord;
+
+/** The sub-steps of {@link Tiles} where there are several levels; {@code kernels/world/tiles/TileLevels.cl}. */
+final class LevelPasses {
+    private final Stages stages;
+    private final CrossPasses cross;
+    private final Kernel start;
+    private final Kernel solve;
+    private final Kernel move;
+    private final Kernel relax;
+    private final Kernel finish;
+
+    LevelPasses(Stages stages) {
+        this.stages = stages;
+        cross = new CrossPasses(stages);
+        start = stages.kernel("levels_start");
+        solve = stages.kernel("levels_solve");
+        move = stages.kernel("levels_move");
+        relax = stages.kernel("levels_relax");
+        finish = stages.kernel("levels_finish");
+    }
+
+    /** Enqueues what follows the arranging of tiles, up to the end of the last sub-step. */
+    void make(Steps steps, int tiles) {
+        cross.fillLight(steps);
+        for (int sub = 0; sub < steps.subSteps(); sub++) {
+            runEach(start, sub, steps);
+            runTiles(solve, sub, tiles);
+            cross.solveLight(steps);
+            runEach(move, sub, steps);
+            runTiles(relax, sub, tiles);
+            cross.relaxLight(steps, sub == steps.subSteps() - 1);
+        }
+        finish.run(steps.circles());
+    }
+
+    private void runEach(Kernel kernel, int sub, Steps steps) {
+        stages.record(kernel.arg(StageKernels.own(0), sub), 1).run(steps.circles());
+    }
+
+    private void runTiles(Kernel kernel, int sub, int tiles) {
+        stages.record(kernel.arg(StageKernels.own(0), sub), 1).run((long) tiles * TileRecord.GROUP, TileRecord.GROUP);
+    }
+}

@@ -1,0 +1,87 @@
+package io.github.circles2d.world.device;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.HardScenes;
+import io.github.circles2d.scenes.Scene;
+import io.github.circles2d.scenes.Scenes;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.model.AxisEdge;
+import java.util.SplittableRandom;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Circles of very different sizes have the same bits and events by every plan and in Java, whatever else is the matter with them. */
+class MixedRadiiAgreeTest {
+    private static final AxisEdge[][] EDGES = {
+        {AxisEdge.WALL, AxisEdge.WALL}, {AxisEdge.WRAP, AxisEdge.WRAP}, {AxisEdge.OPEN, AxisEdge.WRAP}
+    };
+
+    static Iterable<Device> devices() {
+        return TestDevices.all();
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void blendsHaveTheSameBitsWithAllEdges(Device device) {
+        Scene[] scenes = {HardScenes.blend(700, 10, 1), HardScenes.blend(2500, 100, 2), HardScenes.blend(300, 3, 3)};
+        try (Twins twins = Twins.load(Scenes.thesis(10, 1), PipelinesAgreeTest.pipelines(device))) {
+            for (Scene scene : scenes) {
+                for (AxisEdge[] edges : EDGES) {
+                    String name = scene.name() + " " + edges[0] + " " + edges[1];
+                    twins.loadInPlace(scene, edges[0], edges[1]);
+                    for (int k = 0; k < 8; k++) {
+                        twins.step(k == 5 ? 0.2f : 1 / 60f, 1 + k % 3);
+                        twins.assertEqual(name + ", call " + k);
+                    }
+                    twins.assertSameFigures();
+                    twins.exchange();
+                    twins.step(1 / 60f, 2);
+                    twins.assertEqual(name + " behind an exchange");
+                }
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void blendsHaveTheSameEvents(Device device) {
+        for (Scene scene : new Scene[] {HardScenes.blend(500, 10, 4), HardScenes.blend(900, 100, 5)}) {
+            try (Twins twins = Twins.load(scene, PipelinesAgreeTest.pipelines(device))) {
+                SplittableRandom random = new SplittableRandom(5);
+                twins.report(ContactEvents.ALL);
+                int events = 0;
+                for (int k = 0; k < 10; k++) {
+                    twins.step(1 / 60f, 1 + k % 3);
+                    events += twins.assertSameEvents(scene.name() + ", call " + k);
+                    twins.change(scene, random);
+                }
+                assertThat(events).as(scene.name()).isPositive();
+                twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    /** A level comes and goes with the one circle that is in it: the smallest, the largest, and one between. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void levelsComeAndGo(Device device) {
+        Scene scene = Scenes.thesis(1250, 9);
+        float[] factors = {1, 0.05f, 1, 6, 2.5f, 1};
+        try (Twins twins = Twins.load(scene, PipelinesAgreeTest.pipelines(device))) {
+            for (int k = 0; k < 4 * factors.length; k++) {
+                twins.set(Commands.RADIUS, 17, factors[k % factors.length] * scene.radius(17), 0);
+                if (k == 9) {
+                    twins.set(Commands.MASS, 17, Float.POSITIVE_INFINITY, 0);
+                    twins.set(Commands.VELOCITY, 17, 0.4f, 0.3f);
+                }
+                twins.step(1 / 60f, 1 + k % 3);
+                twins.assertEqual("change " + k);
+                twins.assertSameFigures();
+            }
+        }
+    }
+}
