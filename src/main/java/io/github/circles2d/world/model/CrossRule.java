@@ -64,7 +64,8 @@ public final class CrossRule {
 
     /** Units per 1, where a sum has a range. */
     public static float scaleOf(float range) {
-        return Float.intBitsToFloat(((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponent(range));
+        return Float.intBitsToFloat(
+                ((EXPONENT_OF_ONE + RANGE_LOG + EXPONENT_OF_ONE) << EXPONENT_SHIFT) - exponent(range));
     }
 
     /** A unit: 1 / scale. */
