@@ -8,6 +8,7 @@ typedef struct {
     float x, y, speculativeDistance, inverseMass;
     int slot, level, column, row;
     int part, parts; // of several work-items that look for one circle: which, and how many
+    bool oneLevel;   // see recordContactAt
 } Seeker;
 
 // What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
@@ -46,35 +47,36 @@ int recordCross(const World *w, int finer, int coarser) {
 }
 
 // Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
-// and how many the group had before. column, row: of the circle that looked, in the level of the other.
-void recordContactAt(const World *w, int k, int slot, int other, int level, int column, int row) {
+// and how many the group had before. column, row: of the circle that looked, in the level of the other; oneLevel: whether there is no
+// more than one, which the kernel of most worlds knows, and has registers less for it.
+void recordContactAt(const World *w, int k, int slot, int other, int level, int column, int row, bool oneLevel) {
     constant Levels *levels = w->levels;
     int cl = levels->columnsLog[level];
     int bucket = w->bucketOf[other] - levels->first[level];
     int ox = ringFirst(column, bucket & ((1 << cl) - 1), levels->columnCount[level]);
     int oy = ringFirst(row, bucket >> cl, levels->rowCount[level]);
-    bool isLike = hasOneLevel(w) || w->bucketOf[slot] >= levels->first[level];
+    bool isLike = oneLevel || w->bucketOf[slot] >= levels->first[level];
     int group = isLike ? groupOf(w, level, ox, oy) : recordCross(w, slot, other);
     int rank = atomic_inc(&w->tally[group]);
-    if (rank >= LONGEST_GROUP && hasOneLevel(w)) refuseCrowd(w);
+    if (rank >= LONGEST_GROUP && oneLevel) refuseCrowd(w);
     if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
 }
 
-void recordContact(const World *w, int k, int slot, int other) {
+void recordContact(const World *w, int k, int slot, int other, bool oneLevel) {
     int level = levelOfSlot(w, other);
     float4 own = w->sight[slot];
-    recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y));
+    recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y), oneLevel);
 }
 
 // Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
 // work-groups share. All work-items of the work-group.
-void recordFindings(const World *w, local Findings *found) {
+void recordFindings(const World *w, local Findings *found, bool oneLevel) {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) found->first = atomic_add(&w->status[FOUND], min(found->count, FINDINGS));
     barrier(CLK_LOCAL_MEM_FENCE);
     int count = min(found->count, FINDINGS);
     for (int k = (int) get_local_id(0); k < count; k += (int) get_local_size(0)) {
-        recordContact(w, found->first + k, found->slots[k].x, found->slots[k].y);
+        recordContact(w, found->first + k, found->slots[k].x, found->slots[k].y, oneLevel);
     }
 }
 
@@ -137,12 +139,12 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
             found->slots[k] = (int2)(s->slot, other);
         } else {
             // By the cells that are known here: to work them out again would take a GPU more registers than all else.
-            recordContactAt(w, atomic_inc(&w->status[FOUND]), s->slot, other, s->level, s->column, s->row);
+            recordContactAt(w, atomic_inc(&w->status[FOUND]), s->slot, other, s->level, s->column, s->row, s->oneLevel);
         }
     }
 }
 
-Seeker seekerOf(const World *w, int slot) {
+Seeker seekerOf(const World *w, int slot, bool oneLevel) {
     float4 own = w->sight[slot];
     Seeker s;
     s.x = own.x;
@@ -152,6 +154,7 @@ Seeker seekerOf(const World *w, int slot) {
     s.slot = slot;
     s.part = 0;
     s.parts = 1;
+    s.oneLevel = oneLevel;
     return s;
 }
 
@@ -173,8 +176,8 @@ void seekAround(const World *w, Seeker *s, int atLevel, int own, local Findings 
 }
 
 // Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
-void seekAll(const World *w, int slot, int part, int parts, local Findings *found) {
-    Seeker s = seekerOf(w, slot);
+void seekAll(const World *w, int slot, int part, int parts, bool oneLevel, local Findings *found) {
+    Seeker s = seekerOf(w, slot, oneLevel);
     s.part = part;
     s.parts = parts;
     int own = levelOfSlot(w, slot);
@@ -201,7 +204,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    Seeker s = seekerOf(&w, slot);
+    Seeker s = seekerOf(&w, slot, hasOneLevel(&w));
     int own = levelOfSlot(&w, slot);
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
@@ -228,9 +231,9 @@ kernel void contacts_count(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) found.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
-        seekAll(&w, slot, 0, 1, &found);
+        seekAll(&w, slot, 0, 1, true, &found);
     }
-    recordFindings(&w, &found);
+    recordFindings(&w, &found, true);
 }
 
 // The same, if there are several levels. Index space: a working slot and a level a work-item, level after level: a circle that looked in
@@ -243,11 +246,11 @@ kernel void contacts_countByLevel(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) found.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     if (l < levels->usedCount && !tooFast(&w) && !gridIsEmpty(&w)) {
-        Seeker s = seekerOf(&w, slot);
+        Seeker s = seekerOf(&w, slot, false);
         int own = levelOfSlot(&w, slot);
         if (levels->used[l] <= own) seekAround(&w, &s, levels->used[l], own, &found);
     }
-    recordFindings(&w, &found);
+    recordFindings(&w, &found, false);
 }
 
 // Whether the contacts that were counted do not fit.
@@ -442,7 +445,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
     rank[slot] = 0;
-    seekAll(&w, slot, 0, 1, 0);
+    seekAll(&w, slot, 0, 1, hasOneLevel(&w), 0);
 }
 
 // How many contacts each circle had in the last step. Index space: a contact a work-item.
