@@ -1,4 +1,4 @@
-// uses: world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileSolver.cl
+// uses: world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileLevels.cl
 // Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
 // run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
 // once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
@@ -92,6 +92,7 @@ typedef union {
 void listAll(World *w, local Local *l) {
     volatile global int *arrivals = w->status + ARRIVALS;
     int buckets = w->levels->first[LEVELS];
+    int groups = hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles);
     w->k.sweeping = 1; // until it is known
     w->subStep = 0;
     if (get_global_id(0) == 0) startStep(w);
@@ -128,15 +129,16 @@ void listAll(World *w, local Local *l) {
     EACH(item, SEEKERS * w->circles) seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), &l->findings);
     recordFindings(w, &l->findings, hasOneLevel(w));
     deviceBarrier(arrivals);
-    scanAll(w, w->tally, w->groupStart, buckets + 1, l->cells);
+    scanAll(w, w->tally, w->groupStart, groups + 1, l->cells);
     deviceBarrier(arrivals);
     if (get_global_id(0) == 0) noteContacts(w);
-    EACH(i, buckets) w->tally[i] = 0;
+    EACH(i, groups) w->tally[i] = 0;
     bool lists = !lackContactRoom(w) && !tooCrowded(w);
-    EACH(k, lists ? w->groupStart[buckets] : 0) listContact(w, k);
+    EACH(k, lists ? contactsListed(w) : 0) listContact(w, k);
     deviceBarrier(arrivals);
     if (outOfRoom(w) || tooCrowded(w)) return;
-    EACH(c, w->groupStart[buckets]) linkContact(w, c);
+    SET_TOUCH_NUMBERS(*w);
+    EACH(c, likeContacts(w)) linkContact(w, c);
     deviceBarrier(arrivals);
     int tiles = w->levels->tileCount;
 #pragma unroll 1
@@ -146,28 +148,67 @@ void listAll(World *w, local Local *l) {
     deviceBarrier(arrivals);
 }
 
+// What of a pass there is for circles and cross contacts before and behind the tiles' part, where there are several levels; see
+// LevelPasses, the host's class.
+void beforeTiles(const World *w, int subStep, bool relaxing) {
+    if (relaxing) return;
+    EACH(slot, w->circles) startSlot(w, slot, subStep == 0);
+    deviceBarrier(w->status + ARRIVALS);
+}
+
+void behindTiles(const World *w, int subStep, bool relaxing) {
+    World cross = crossWorld(*w);
+    cross.firstCached = w->homeFirstCached;
+    bool last = subStep == w->k.subSteps - 1;
+    EACH(slot, w->circles) {
+        if (relaxing) {
+            relaxCross(&cross, slot, last);
+        } else {
+            solveCross(&cross, slot);
+        }
+    }
+    deviceBarrier(w->status + ARRIVALS);
+    if (relaxing && !last) return;
+    EACH(slot, w->circles) {
+        if (relaxing) {
+            finishSlot(w, slot);
+        } else {
+            moveSlot(w, slot);
+        }
+    }
+    deviceBarrier(w->status + ARRIVALS);
+}
+
 // Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
 void solveAll(World *w, local Tile *t) {
     volatile global int *arrivals = w->status + ARRIVALS;
+    bool several = !hasOneLevel(w);
     int tiles = w->levels->tileCount;
     int group = (int) get_group_id(0);
     int groups = (int) get_num_groups(0);
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
+    if (several) {
+        World cross = crossWorld(*w);
+        EACH(slot, w->circles) fillCross(&cross, slot);
+        deviceBarrier(arrivals);
+    }
 #pragma unroll 1
     for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
         int subStep = pass >> 1;
         bool relaxing = pass & 1;
-        w->subStep = subStep + (relaxing ? 1 : 0); // circles start into the next one
+        w->subStep = subStep + (relaxing && !several ? 1 : 0); // circles start into the next one
+        if (several) beforeTiles(w, subStep, relaxing);
 #pragma unroll 1
         for (int tile = group; tile < tiles; tile += groups) {
             if (tiles > groups) takeTile(w, t, tile, false);
             if (relaxing) {
-                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, false);
+                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
             } else {
-                solveTile(w, t, tile, subStep, 2, false);
+                solveTile(w, t, tile, subStep, 2, several);
             }
         }
         deviceBarrier(arrivals);
+        if (several) behindTiles(w, subStep, relaxing);
     }
 }
 
@@ -178,7 +219,7 @@ void recordAll(const World *w) {
     bool all = recordsAll(w);
     int held = 0;
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) held += recordTile(w, tile, all);
-    endRecords(w, all, held);
+    endRecords(w, all, held + recordCrossContacts(w, all));
     recordWallsOfSlots(w, (int) get_global_id(0), (int) get_global_size(0));
     deviceBarrier(w->status + ARRIVALS);
 }
@@ -190,7 +231,6 @@ void recordAll(const World *w) {
 kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w);
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;
@@ -201,7 +241,7 @@ kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS
     for (int step = 0; step < steps; step++) {
         listAll(&w, &l);
         if (refused(&w)) break;
-        int contacts = groupStart[levels->first[LEVELS]];
+        int contacts = likeContacts(&w);
         solveAll(&w, &l.tile);
 #ifdef RECORDING
         recordAll(&w);
