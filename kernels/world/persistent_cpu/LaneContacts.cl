@@ -219,12 +219,12 @@ kernel void persistentCpu_degrees(WORLD_PARAMETERS) {
     World w = WORLD;
     int row = (int) get_global_id(0);
     if (row >= levels->rowCount[levels->used[0]]) return;
-    for (int place = 4 * groupStart[2 * row]; place < 4 * groupStart[2 * row + 1]; place++) {
+    for (int place = 4 * w.groupStart[2 * row]; place < 4 * w.groupStart[2 * row + 1]; place++) {
         int wide = place >> 2;
         uint lo = pairOf(&w, wide)[place & 3];
         uint hi = pairOf(&w, wide)[4 + (place & 3)];
         if (lo == hi) continue;
-        atomic_inc(&rank[lo]);
-        atomic_inc(&rank[hi]);
+        atomic_inc(&w.rank[lo]);
+        atomic_inc(&w.rank[hi]);
     }
 }

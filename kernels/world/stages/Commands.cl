@@ -6,10 +6,11 @@
 // links: for each record, the next of the same circle or -1, and (slot of a new circle) * 2, plus 1 where it is its
 // circle's first.
 kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count) {
+    World w = WORLD;
     int r = (int) get_global_id(0);
     if (r >= count || (links[r].y & 1) == 0) return;
     int circleId = records[r * COMMAND_STRIDE + COMMAND_ID];
-    int slot = slotOf[circleId];
+    int slot = w.slotOf[circleId];
     CircleFields initial = INITIAL_FIELDS;
     for (; r >= 0; r = links[r].x) {
         global const int *record = records + r * COMMAND_STRIDE;
@@ -18,67 +19,67 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
         switch (record[COMMAND_OPCODE]) {
         case COMMAND_ADD:
             slot = links[r].y >> 1;
-            homeCircle[slot] = (float4)(as_float(record[COMMAND_ADD_X]), as_float(record[COMMAND_ADD_Y]),
+            w.homeCircle[slot] = (float4)(as_float(record[COMMAND_ADD_X]), as_float(record[COMMAND_ADD_Y]),
                                         as_float(record[COMMAND_ADD_RADIUS]), as_float(record[COMMAND_ADD_MASS]));
-            homeMotion[slot] = (float4)(0.0f, 0.0f, as_float(record[COMMAND_ADD_VX]), as_float(record[COMMAND_ADD_VY]));
-            homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
+            w.homeMotion[slot] = (float4)(0.0f, 0.0f, as_float(record[COMMAND_ADD_VX]), as_float(record[COMMAND_ADD_VY]));
+            w.homeTraits[slot] = (float4)(inverseMass(as_float(record[COMMAND_ADD_MASS])),
                                         as_float(record[COMMAND_ADD_RESTITUTION]), 0.0f, 0.0f);
-            homeId[slot] = circleId;
-            homeFirstCached[slot] = FRESH;
-            slotOf[circleId] = slot;
-            fields[circleId] = initial;
+            w.homeId[slot] = circleId;
+            w.homeFirstCached[slot] = FRESH;
+            w.slotOf[circleId] = slot;
+            w.fields[circleId] = initial;
             break;
         case COMMAND_REMOVE:
-            homeId[slot] = NONE;
-            slotOf[circleId] = NONE;
+            w.homeId[slot] = NONE;
+            w.slotOf[circleId] = NONE;
             break;
         case COMMAND_POSITION:
-            homeCircle[slot].x = a;
-            homeCircle[slot].y = b;
-            homeMotion[slot].x = 0.0f;
-            homeMotion[slot].y = 0.0f;
+            w.homeCircle[slot].x = a;
+            w.homeCircle[slot].y = b;
+            w.homeMotion[slot].x = 0.0f;
+            w.homeMotion[slot].y = 0.0f;
             break;
         case COMMAND_VELOCITY:
-            homeMotion[slot].z = a;
-            homeMotion[slot].w = b;
+            w.homeMotion[slot].z = a;
+            w.homeMotion[slot].w = b;
             break;
         case COMMAND_RADIUS:
-            homeCircle[slot].z = a;
-            homeFirstCached[slot] = FRESH;
-            homeTraits[slot].z = 0.0f;
-            homeTraits[slot].w = 0.0f;
+            w.homeCircle[slot].z = a;
+            w.homeFirstCached[slot] = FRESH;
+            w.homeTraits[slot].z = 0.0f;
+            w.homeTraits[slot].w = 0.0f;
             break;
         case COMMAND_MASS:
-            homeCircle[slot].w = a;
-            homeTraits[slot].x = inverseMass(a);
-            homeFirstCached[slot] = FRESH;
-            homeTraits[slot].z = 0.0f;
-            homeTraits[slot].w = 0.0f;
+            w.homeCircle[slot].w = a;
+            w.homeTraits[slot].x = inverseMass(a);
+            w.homeFirstCached[slot] = FRESH;
+            w.homeTraits[slot].z = 0.0f;
+            w.homeTraits[slot].w = 0.0f;
             break;
         case COMMAND_RESTITUTION:
-            homeTraits[slot].y = a;
+            w.homeTraits[slot].y = a;
             break;
         case COMMAND_IMPULSE:
-            homeMotion[slot].z = afterImpulse(homeMotion[slot].z, homeTraits[slot].x, a);
-            homeMotion[slot].w = afterImpulse(homeMotion[slot].w, homeTraits[slot].x, b);
+            w.homeMotion[slot].z = afterImpulse(w.homeMotion[slot].z, w.homeTraits[slot].x, a);
+            w.homeMotion[slot].w = afterImpulse(w.homeMotion[slot].w, w.homeTraits[slot].x, b);
             break;
         case COMMAND_DEPART:
             // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
-            homeTraits[slot].zw = homeMotion[slot].zw;
-            homeMotion[slot].z = travelSpeed(homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
+            w.homeTraits[slot].zw = w.homeMotion[slot].zw;
+            w.homeMotion[slot].z = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
                                              as_float(record[COMMAND_FOURTH]));
-            homeMotion[slot].w = travelSpeed(homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
+            w.homeMotion[slot].w = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
                                              as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
-            homeCircle[slot].x = a;
-            homeCircle[slot].y = b;
-            homeMotion[slot] = (float4)(0.0f, 0.0f, homeTraits[slot].z, homeTraits[slot].w);
-            homeTraits[slot].z = 0.0f;
-            homeTraits[slot].w = 0.0f;
+            w.homeCircle[slot].x = a;
+            w.homeCircle[slot].y = b;
+            w.homeMotion[slot] = (float4)(0.0f, 0.0f, w.homeTraits[slot].z, w.homeTraits[slot].w);
+            w.homeTraits[slot].z = 0.0f;
+            w.homeTraits[slot].w = 0.0f;
             break;
         case COMMAND_FIELD:
-            ((global int *) (fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
+            ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
             break;
         }
     }

@@ -214,11 +214,11 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
             int row = levels->first[s.level] + (neighbour(s.row, v, levels->rowCount[s.level]) << cl);
             for (int u = -1; u <= 1; u++) {
                 int b = row + neighbour(s.column, u, levels->columnCount[s.level]);
-                sum += candidatesIn(&w, &s, bucketStart[b], bucketStart[b + 1]);
+                sum += candidatesIn(&w, &s, w.bucketStart[b], w.bucketStart[b + 1]);
             }
         }
     }
-    rank[slot] = sum;
+    w.rank[slot] = sum;
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
@@ -426,14 +426,14 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     int groups = likeGroups(&w) >> 2;
     if (g >= groups || outOfRoom(&w) || tooFast(&w)) return;
     int group = colour * groups + g;
-    int from = groupStart[group];
-    int to = groupStart[group + 1];
+    int from = w.groupStart[group];
+    int to = w.groupStart[group + 1];
     if (from == to) return;
-    sortContacts(key + from, pair + from, to - from);
+    sortContacts(w.key + from, w.pair + from, to - from);
     float most = 0.0f;
     for (int c = from; c < to; c++) {
         fillContact(&w, c);
-        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, pair[c]));
+        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, w.pair[c]));
     }
     if (most > (float) CROWD) status[CROWDED] = 1;
 }
@@ -444,7 +444,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
-    rank[slot] = 0;
+    w.rank[slot] = 0;
     seekAll(&w, slot, 0, 1, hasOneLevel(&w), 0);
 }
 

@@ -213,7 +213,7 @@ kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
     RECORD_IN(w);
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    if (w.k.tiled) w.firstCached = homeFirstCached;
+    if (w.k.tiled) w.firstCached = w.homeFirstCached;
     w = crossWorld(w);
     relaxCross(&w, slot, last != 0);
 }

@@ -100,7 +100,7 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     int slot = (int) get_global_id(0);
     // A step that has not been made has left home in another order than the grid's.
     if (slot >= circles || status[STEPS_DONE] == status[SENSED_AFTER]) return;
-    int part = seeking[SEEKING_KINDS + fields[homeId[slot]].kind];
+    int part = seeking[SEEKING_KINDS + w.fields[w.homeId[slot]].kind];
     if (part == 0) return;
     Sensed s = sensedAt(&w, start, slot);
     if (!s.isFast && !(part & SEEKS_ANY)) return;
@@ -122,7 +122,7 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
         int beforeEnd = min(width, columns - first);
         for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
             global const int *row =
-                bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
+                w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
             senseIn(&w, start, seeking, records, recordRoom, &s, row[first], row[first + beforeEnd]);
             senseIn(&w, start, seeking, records, recordRoom, &s, row[0], row[width - beforeEnd]);
         }

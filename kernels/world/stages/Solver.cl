@@ -8,16 +8,16 @@ kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
     w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    float4 m = motion[slot];
-    float4 t = traits[slot];
-    float4 l = load[slot];
+    float4 m = w.motion[slot];
+    float4 t = w.traits[slot];
+    float4 l = w.load[slot];
     float2 before, bounce;
     bool loaded;
-    integrateVelocities(&w, slot, circle[slot], &m, &t, l, &before, &bounce, &loaded);
-    motion[slot] = m;
-    traits[slot] = t;
-    wallBounce[slot] = bounce;
-    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    integrateVelocities(&w, slot, w.circle[slot], &m, &t, l, &before, &bounce, &loaded);
+    w.motion[slot] = m;
+    w.traits[slot] = t;
+    w.wallBounce[slot] = bounce;
+    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
 }
 
 // A contact as a pass finds it. b: base; q: masses; n: contact; loads: whether its circles are loaded, added up.
@@ -85,8 +85,8 @@ kernel void solver_solve(WORLD_PARAMETERS, int colour) {
     int groups = likeGroups(&w) >> 2;
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
-    int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) solveContact(&w, c);
+    int to = w.groupStart[group + 1];
+    for (int c = w.groupStart[group]; c < to; c++) solveContact(&w, c);
 }
 
 // Index space: a working slot a work-item.
@@ -95,14 +95,14 @@ kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
     w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    float4 m = motion[slot];
-    float4 t = traits[slot];
-    float loaded = load[slot].z;
-    moveCircle(&w, slot, circle[slot], &m, &t, wallBounce[slot], loaded > 0.0f);
-    motion[slot] = m;
-    traits[slot] = t;
-    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    firstCached[slot] = NONE;
+    float4 m = w.motion[slot];
+    float4 t = w.traits[slot];
+    float loaded = w.load[slot].z;
+    moveCircle(&w, slot, w.circle[slot], &m, &t, w.wallBounce[slot], loaded > 0.0f);
+    w.motion[slot] = m;
+    w.traits[slot] = t;
+    w.load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    w.firstCached[slot] = NONE;
 }
 
 // Stores a contact's impulse for the step to come.
@@ -149,8 +149,8 @@ kernel void solver_relax(WORLD_PARAMETERS, int colour, int last) {
     int groups = likeGroups(&w) >> 2;
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
-    int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
+    int to = w.groupStart[group + 1];
+    for (int c = w.groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
 }
 
 // Index space: a working slot a work-item.
@@ -158,7 +158,7 @@ kernel void solver_finalizePositions(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    finalizePositions(&w, slot, circle[slot], motion[slot], traits[slot]);
-    homeFirstCached[slot] = firstCached[slot];
+    finalizePositions(&w, slot, w.circle[slot], w.motion[slot], w.traits[slot]);
+    w.homeFirstCached[slot] = w.firstCached[slot];
     if (slot == 0) status[STEPS_DONE]++;
 }

@@ -133,18 +133,18 @@ kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global fl
     w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    float4 c = circle[slot];
-    float4 m = motion[slot];
-    float4 t = traits[slot];
-    float4 l = load[slot];
+    float4 c = w.circle[slot];
+    float4 m = w.motion[slot];
+    float4 t = w.traits[slot];
+    float4 l = w.load[slot];
     float4 old = m;
     float2 before, bounce;
     bool loaded;
     integrateVelocities(&w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    motion[slot] = m;
-    traits[slot] = t;
-    wallBounce[slot] = bounce;
-    load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    w.motion[slot] = m;
+    w.traits[slot] = t;
+    w.wallBounce[slot] = bounce;
+    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
     noteWallsSolved(&w, wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
 }
 
@@ -155,8 +155,8 @@ kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
     int groups = likeGroups(&w) >> 2;
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
-    int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
+    int to = w.groupStart[group + 1];
+    for (int c = w.groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
 }
 
 // Index space: a working slot a work-item.
@@ -165,17 +165,17 @@ kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global flo
     w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    float4 c = circle[slot];
-    float4 t = traits[slot];
-    float loaded = load[slot].z;
+    float4 c = w.circle[slot];
+    float4 t = w.traits[slot];
+    float loaded = w.load[slot].z;
     bool isStatic = t.x == 0.0f;
-    float4 m = integratePositions(&w, slot, c, motion[slot], isStatic);
+    float4 m = integratePositions(&w, slot, c, w.motion[slot], isStatic);
     float4 before = m;
-    if (!isStatic) relaxAtWalls(&w, c, &m, &t, wallBounce[slot], loaded > 0.0f);
-    motion[slot] = m;
-    traits[slot] = t;
-    load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    firstCached[slot] = NONE;
+    if (!isStatic) relaxAtWalls(&w, c, &m, &t, w.wallBounce[slot], loaded > 0.0f);
+    w.motion[slot] = m;
+    w.traits[slot] = t;
+    w.load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    w.firstCached[slot] = NONE;
     noteWallsRelaxed(&w, wallTouch + 2 * slot, c, t.x, before.zw, m);
 }
 
@@ -186,8 +186,8 @@ kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 
     int groups = likeGroups(&w) >> 2;
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
-    int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
+    int to = w.groupStart[group + 1];
+    for (int c = w.groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
 // The wall of an axis. c, m: circle and motion after the step.

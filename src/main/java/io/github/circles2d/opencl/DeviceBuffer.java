@@ -3,6 +3,7 @@ package io.github.circles2d.opencl;
 import com.nativelibs4java.opencl.CLBuffer;
 import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
+import com.nativelibs4java.opencl.CLMem;
 import com.nativelibs4java.opencl.CLQueue;
 import java.lang.ref.Reference;
 import java.nio.ByteBuffer;
@@ -16,6 +17,7 @@ import org.bridj.Pointer;
  * and have ended when the call returns, but for {@link #copyTo}; a {@link CopyQueue} makes others.
  */
 public final class DeviceBuffer implements AutoCloseable {
+    private static final long SLICE_ALIGNMENT = 4096;
     private static final CLEvent[] WITHOUT_EVENT = {CLEvent.FIRE_AND_FORGET};
 
     private final Session session;
@@ -24,10 +26,18 @@ public final class DeviceBuffer implements AutoCloseable {
     private final CLBuffer<Byte> buffer;
     private final Handle handle;
 
+    /** What is free again when it is closed: nothing if it is a slice. */
+    private final long ownBytes;
+
     DeviceBuffer(Session session, String name, long bytes, CLBuffer<Byte> buffer) {
+        this(session, name, bytes, buffer, bytes);
+    }
+
+    private DeviceBuffer(Session session, String name, long bytes, CLBuffer<Byte> buffer, long ownBytes) {
         this.session = session;
         this.name = name;
         this.bytes = bytes;
+        this.ownBytes = ownBytes;
         this.buffer = buffer;
         handle = new Handle(buffer::release);
         session.own(handle);
@@ -252,10 +262,32 @@ public final class DeviceBuffer implements AutoCloseable {
         }
     }
 
+    /**
+     * Returns a part of this buffer as a buffer, which shares its memory. The memory is given back when both are closed.
+     *
+     * @param sliceName for messages
+     * @param offset where it begins, in bytes: a multiple of 4,096, which suits any device
+     * @param length its bytes, at least 1
+     * @return the part
+     */
+    public DeviceBuffer slice(String sliceName, long offset, long length) {
+        requireOpen();
+        if (offset < 0 || offset % SLICE_ALIGNMENT != 0 || length < 1 || offset > bytes - length) {
+            throw new IndexOutOfBoundsException("buffer '" + name + "', which has " + bytes + " bytes, has no part of "
+                    + length + " bytes at " + offset + "; parts begin at multiples of " + SLICE_ALIGNMENT);
+        }
+        try {
+            CLBuffer<Byte> part = buffer.createSubBuffer(CLMem.Usage.InputOutput, offset, length);
+            return new DeviceBuffer(session, sliceName, length, part, 0);
+        } catch (CLException e) {
+            throw ErrorCodes.failed("take " + length + " bytes of buffer '" + name + "'", session.device(), e);
+        }
+    }
+
     /** Gives the memory back to the device once the commands that use it have ended. Later calls do nothing. */
     @Override
     public void close() {
-        session.release(handle, bytes);
+        session.release(handle, ownBytes);
     }
 
     /** Returns the OpenCL object for a kernel's argument list. */

@@ -2,7 +2,8 @@ package io.github.circles2d.world.device.memory;
 
 /**
  * The arrays of a World on a device. The rows give the kernels their argument list, the struct World and its initialiser
- * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. The position of a row is that of the kernels' argument.
+ * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
+ * launch costs some drivers time for each buffer among the arguments.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -149,36 +150,69 @@ public enum DeviceArray {
     BLOCK_SUMS("int", "blockSums", Index.SCAN_BLOCK, "counts of a block"),
     TILES("int", "tiles", Index.TILE, "a record of TILE_RECORD ints, see Tiles.cl");
 
-    /** Number of arrays. */
-    static final int COUNT = values().length;
-
-    /** What an array is indexed by, which decides its size. */
+    /** What an array is indexed by, which decides its size, and the block that it is in. */
     enum Index {
-        STRUCT("once", false),
-        STATUS("once", false),
-        TABLE("once", false),
-        HOME_SLOT("by slot at home", true),
-        ID("by id", true),
-        SLOT("by slot", false),
-        BUCKET("by bucket", false),
-        SCAN_BLOCK("by block of a scan", false),
-        CELL_BLOCK("by block of cells", false),
-        CONTACT("by contact", false),
-        OLD_CONTACT("by contact of the step before", true),
-        COPY("by contact; by tiles, by copy of a contact", false),
-        TILED_SLOT("by tiles, by slot", false),
-        TILED_CONTACT("by tiles, by contact", false),
-        TILED_COPY("by tiles, by copy of a contact", false),
-        TILE("by tile", false);
+        STRUCT("once", false, null, null),
+        STATUS("once", false, null, null),
+        TABLE("once", false, null, null),
+        HOME_SLOT("by slot at home", true, "homeBlock", DeviceCount.SLOT_STRIDE),
+        ID("by id", true, "idBlock", DeviceCount.ID_STRIDE),
+        SLOT("by slot", false, "slotBlock", DeviceCount.SLOT_STRIDE),
+        BUCKET("by bucket", false, "bucketBlock", DeviceCount.BUCKET_STRIDE),
+        SCAN_BLOCK("by block of a scan", false, "scanBlock", null),
+        CELL_BLOCK("by block of cells", false, "cellBlock", null),
+        CONTACT("by contact", false, "contactBlock", DeviceCount.CONTACT_STRIDE),
+        OLD_CONTACT("by contact of the step before", true, "oldContactBlock", null),
+        COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", null),
+        TILED_SLOT("by tiles, by slot", false, "tiledSlotBlock", DeviceCount.SLOT_STRIDE),
+        TILED_CONTACT("by tiles, by contact", false, "tiledContactBlock", DeviceCount.CONTACT_STRIDE),
+        TILED_COPY("by tiles, by copy of a contact", false, "tiledCopyBlock", null),
+        TILE("by tile", false, "tileBlock", null);
 
         private final String words;
         private final boolean kept;
+        private final String block;
+        private final DeviceCount stride;
 
-        Index(String words, boolean kept) {
+        /**
+         * An index.
+         *
+         * @param block the kernels' name of the block; null if each array is an argument of its own
+         * @param stride elements from the start of an array of the block to that of the next; null if there is one alone
+         */
+        Index(String words, boolean kept, String block, DeviceCount stride) {
             this.words = words;
             this.kept = kept;
+            this.block = block;
+            this.stride = stride;
+        }
+
+        /** The kernels' name of the block; null if each array is an argument of its own. */
+        String block() {
+            return block;
+        }
+
+        /** Elements from the start of an array of the block to that of the next; null if there is one alone. */
+        DeviceCount stride() {
+            return stride;
+        }
+
+        /** Whether a device without tiles can do without it. */
+        boolean forTilesAlone() {
+            return this == TILED_SLOT || this == TILED_CONTACT || this == TILED_COPY;
+        }
+
+        /** Bytes of an element of each array of the block. */
+        long elementBytes() {
+            long sum = 0;
+            for (DeviceArray array : values) {
+                sum += array.index == this ? array.elementBytes() : 0;
+            }
+            return sum;
         }
     }
+
+    private static final DeviceArray[] values = values();
 
     private final String type;
     private final String kernelName;
@@ -206,14 +240,30 @@ public enum DeviceArray {
         return index.kept;
     }
 
-    /** Whether a device without tiles can do without it. */
-    boolean forTilesAlone() {
-        return index == Index.TILED_SLOT || index == Index.TILED_CONTACT || index == Index.TILED_COPY;
-    }
-
     /** The declaration as a parameter, or as a member of the struct World. */
     String declaration() {
         return (index == Index.STRUCT ? "constant " : "global ") + type + " *" + kernelName;
+    }
+
+    /** Bytes of an element of each array that lies in the block before this one. */
+    long bytesBefore() {
+        long sum = 0;
+        for (DeviceArray array : values) {
+            if (array == this) {
+                break;
+            }
+            sum += array.index == index ? array.elementBytes() : 0;
+        }
+        return sum;
+    }
+
+    /** What the kernels make the array of, out of their arguments. */
+    String expression() {
+        if (index.block == null) {
+            return kernelName;
+        }
+        String offset = bytesBefore() == 0 ? "" : " + (size_t) " + index.stride.kernelName() + " * " + bytesBefore();
+        return "(global " + type + " *) (" + index.block + offset + ")";
     }
 
     /** The comment of the declaration. */

@@ -29,7 +29,8 @@ public final class DeviceArrays {
 
     private final Session session;
     private final boolean tiled;
-    private Map<DeviceArray, DeviceBuffer> buffers = new EnumMap<>(DeviceArray.class);
+    private final Map<DeviceArray, DeviceBuffer> arrays = new EnumMap<>(DeviceArray.class);
+    private Map<Index, Block> blocks = new EnumMap<>(Index.class);
     private int slotCapacity;
     private int idCapacity;
     private int bucketCapacity;
@@ -64,11 +65,13 @@ public final class DeviceArrays {
     }
 
     private void allocateOnce(DeviceArray array, int words) {
-        buffers.put(array, session.allocate(array.kernelName(), (long) Integer.BYTES * words));
+        arrays.put(array, session.allocate(array.kernelName(), (long) Integer.BYTES * words));
     }
 
+    /** An array, until it grows. */
     public DeviceBuffer get(DeviceArray array) {
-        return buffers.get(array);
+        Index index = array.index();
+        return index.block() == null ? arrays.get(array) : blocks.get(index).get(array);
     }
 
     int version() {
@@ -179,40 +182,48 @@ public final class DeviceArrays {
      * @param elements how many elements the arrays of an index get; {@link #AS_IT_IS} for those that do not grow
      */
     private void grow(int kept, ToLongFunction<Index> elements) {
-        Map<DeviceArray, DeviceBuffer> next = new EnumMap<>(buffers);
-        Map<DeviceArray, DeviceBuffer> added = new EnumMap<>(DeviceArray.class);
+        Map<Index, Block> added = new EnumMap<>(Index.class);
         try {
-            for (DeviceArray array : DeviceArray.values()) {
-                long wanted = elements.applyAsLong(array.index());
-                boolean present = buffers.containsKey(array);
-                boolean stub = array.forTilesAlone() && !tiled;
-                if (wanted != AS_IT_IS && !(stub && present)) {
-                    long bytes = (stub ? 1 : wanted) * array.elementBytes();
-                    added.put(array, session.allocate(array.kernelName(), bytes));
+            for (Index index : DeviceArguments.BLOCKS) {
+                long wanted = elements.applyAsLong(index);
+                boolean stub = index.forTilesAlone() && !tiled;
+                if (wanted != AS_IT_IS && !(stub && blocks.containsKey(index))) {
+                    added.put(index, new Block(session, index, stub ? 1 : wanted));
                 }
             }
         } catch (RuntimeException | Error e) {
-            added.values().forEach(DeviceBuffer::close);
+            added.values().forEach(Block::close);
             throw e;
         }
-        next.putAll(added);
-        for (DeviceArray array : added.keySet()) {
-            if (array.kept() && buffers.containsKey(array)) {
-                get(array).copyTo(added.get(array), (long) kept * array.elementBytes());
+        for (DeviceArray array : DeviceArray.values()) {
+            Block block = added.get(array.index());
+            if (block != null && array.kept() && blocks.containsKey(array.index())) {
+                get(array).copyTo(block.get(array), (long) kept * array.elementBytes());
             }
         }
         session.finish();
-        for (DeviceArray array : added.keySet()) {
-            if (buffers.containsKey(array)) {
-                get(array).close();
+        Map<Index, Block> next = new EnumMap<>(blocks);
+        next.putAll(added);
+        for (Index index : added.keySet()) {
+            if (blocks.containsKey(index)) {
+                blocks.get(index).close();
             }
         }
-        buffers = next;
+        blocks = next;
         version++;
     }
 
-    /** Gives a stage's kernel its arrays; its counts are set by {@link StageKernels}. */
+    /** Gives a stage's kernel its buffers and what says where arrays lie in them; its other counts are set by {@link StageKernels}. */
     void bind(Kernel kernel) {
-        buffers.forEach((array, buffer) -> kernel.arg(array.ordinal(), buffer));
+        for (int k = 0; k < DeviceArguments.ARRAYS.size(); k++) {
+            kernel.arg(k, arrays.get(DeviceArguments.ARRAYS.get(k)));
+        }
+        blocks.forEach((index, block) -> {
+            kernel.arg(DeviceArguments.position(index), block.buffer());
+            if (index.stride() != null && !index.forTilesAlone()) {
+                kernel.arg(index.stride().position(), block.stride());
+            }
+        });
+        kernel.arg(DeviceCount.CONTACT_ROOM.position(), contactCapacity);
     }
 }

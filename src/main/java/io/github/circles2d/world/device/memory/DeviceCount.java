@@ -4,7 +4,11 @@ package io.github.circles2d.world.device.memory;
 enum DeviceCount {
     SLOTS("slots", "slots at home, empty ones included"),
     CIRCLES("circles", "circles: working slots"),
-    CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold");
+    CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold"),
+    SLOT_STRIDE("slotStride", "elements from one array of a block to the next"),
+    ID_STRIDE("idStride", "elements from one array of a block to the next"),
+    BUCKET_STRIDE("bucketStride", "elements from one array of a block to the next"),
+    CONTACT_STRIDE("contactStride", "elements from one array of a block to the next");
 
     /** Number of counts. */
     static final int COUNT = values().length;
@@ -27,6 +31,6 @@ enum DeviceCount {
 
     /** Position of the kernels' argument. */
     int position() {
-        return DeviceArray.COUNT + ordinal();
+        return DeviceArguments.COUNT + ordinal();
     }
 }

@@ -13,7 +13,7 @@ public final class StageKernels {
     /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
     public static final int USUAL_GROUPS = Integer.MAX_VALUE;
 
-    private static final int OWN_ARGUMENTS = DeviceArray.COUNT + DeviceCount.COUNT;
+    private static final int OWN_ARGUMENTS = DeviceArguments.COUNT + DeviceCount.COUNT;
 
     private final Program program;
     private final int workGroupSize;
@@ -85,7 +85,6 @@ public final class StageKernels {
         for (Kernel kernel : staged.values()) {
             if (replaced) {
                 arrays.bind(kernel);
-                kernel.arg(DeviceCount.CONTACT_ROOM.position(), arrays.contactCapacity());
             }
             if (replaced || boundSlots != slots) {
                 kernel.arg(DeviceCount.SLOTS.position(), slots);

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.PairTable;
 
 /**
@@ -90,9 +91,12 @@ final class WorldTables {
     private static String parameters() {
         StringBuilder text = new StringBuilder("#define WORLD_PARAMETERS");
         String separator = " ";
-        for (DeviceArray array : DeviceArray.values()) {
+        for (DeviceArray array : DeviceArguments.ARRAYS) {
             text.append(separator).append(array.declaration());
             separator = ", ";
+        }
+        for (Index block : DeviceArguments.BLOCKS) {
+            text.append(separator).append("global char *").append(block.block());
         }
         for (DeviceCount count : DeviceCount.values()) {
             text.append(", int ").append(count.kernelName());
@@ -122,7 +126,7 @@ final class WorldTables {
         StringBuilder text = new StringBuilder("#define WORLD { *" + constants);
         for (DeviceArray array : DeviceArray.values()) {
             if (array != DeviceArray.CONSTANTS) {
-                text.append(", ").append(array.kernelName());
+                text.append(", ").append(array.expression());
             }
         }
         for (DeviceCount count : DeviceCount.values()) {

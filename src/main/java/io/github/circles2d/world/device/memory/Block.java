@@ -1,0 +1,43 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import java.util.EnumMap;
+import java.util.Map;
+
+/** A buffer with all arrays of an index, one behind the other. */
+final class Block implements AutoCloseable {
+    /** Arrays begin at multiples of so many elements, so that each can be a buffer of its own, too. */
+    private static final long ALIGNMENT = 1024;
+
+    private final DeviceBuffer buffer;
+    private final long stride;
+    private final Map<DeviceArray, DeviceBuffer> slices = new EnumMap<>(DeviceArray.class);
+
+    Block(Session session, Index index, long elements) {
+        stride = (elements + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
+        buffer = session.allocate(index.block(), index.elementBytes() * stride);
+    }
+
+    DeviceBuffer buffer() {
+        return buffer;
+    }
+
+    /** Elements from the start of an array to that of the next. */
+    int stride() {
+        return Math.toIntExact(stride);
+    }
+
+    /** One of its arrays. */
+    DeviceBuffer get(DeviceArray array) {
+        return slices.computeIfAbsent(
+                array, a -> buffer.slice(a.kernelName(), a.bytesBefore() * stride, a.elementBytes() * stride));
+    }
+
+    @Override
+    public void close() {
+        slices.values().forEach(DeviceBuffer::close);
+        buffer.close();
+    }
+}

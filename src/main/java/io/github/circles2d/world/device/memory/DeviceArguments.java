@@ -1,0 +1,44 @@
+package io.github.circles2d.world.device.memory;
+
+import io.github.circles2d.world.device.memory.DeviceArray.Index;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The buffers that the stages' kernels take as arguments, in their order: arrays of their own, then blocks of arrays. */
+final class DeviceArguments {
+    /** The arrays that are arguments of their own. */
+    static final List<DeviceArray> ARRAYS = arrays();
+
+    /** The blocks. */
+    static final List<Index> BLOCKS = blocks();
+
+    /** Number of buffers. */
+    static final int COUNT = ARRAYS.size() + BLOCKS.size();
+
+    private DeviceArguments() {}
+
+    private static List<DeviceArray> arrays() {
+        List<DeviceArray> arrays = new ArrayList<>();
+        for (DeviceArray array : DeviceArray.values()) {
+            if (array.index().block() == null) {
+                arrays.add(array);
+            }
+        }
+        return arrays;
+    }
+
+    private static List<Index> blocks() {
+        List<Index> blocks = new ArrayList<>();
+        for (Index index : Index.values()) {
+            if (index.block() != null) {
+                blocks.add(index);
+            }
+        }
+        return blocks;
+    }
+
+    /** The position of a block's argument. */
+    static int position(Index block) {
+        return ARRAYS.size() + BLOCKS.indexOf(block);
+    }
+}
