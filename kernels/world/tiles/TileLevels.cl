@@ -87,7 +87,7 @@ void finishSlot(const World *w, int slot) {
 
 // Index space of each: a work-group a tile.
 
-TILE_KERNEL levels_solve(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+TILE_KERNEL solver_solveLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
@@ -97,7 +97,7 @@ TILE_KERNEL levels_solve(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     solveTile(&w, &t, tile, subStep, 0, true);
 }
 
-TILE_KERNEL levels_relax(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+TILE_KERNEL solver_relaxLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
@@ -109,7 +109,7 @@ TILE_KERNEL levels_relax(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
 
 // Index space of each: a working slot a work-item.
 
-kernel void levels_start(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+kernel void solver_startSlots(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     w.subStep = subStep;
@@ -117,7 +117,7 @@ kernel void levels_start(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     if (slot < circles && !refused(&w)) startSlot(&w, slot, subStep == 0);
 }
 
-kernel void levels_move(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+kernel void solver_moveSlots(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     w.subStep = subStep;
@@ -125,7 +125,7 @@ kernel void levels_move(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     if (slot < circles && !refused(&w)) moveSlot(&w, slot);
 }
 
-kernel void levels_finish(WORLD_PARAMETERS) {
+kernel void solver_finishSlots(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;

@@ -266,20 +266,24 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
     int circles = t->circles;
     TILE_TOGETHER(first, circles, TAKEN) {
         int slot[MOST_TOGETHER];
-        float4 m[MOST_TOGETHER], l[MOST_TOGETHER];
-        float inverseMass[MOST_TOGETHER];
+        float4 m[MOST_TOGETHER];
+        float2 before[MOST_TOGETHER];
+        float inverseMass[MOST_TOGETHER], loaded[MOST_TOGETHER];
         TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
         TOGETHER_EACH(n, TAKEN) {
             m[n] = w->motion[slot[n]];
-            l[n] = w->load[slot[n]];
+            // Not the rest of it: in the relaxing pass neighbours write that.
+            global const float *load = (global const float *) (w->load + slot[n]);
+            loaded[n] = load[2];
+            before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) load;
             inverseMass[n] = lastingTraits(w, slot[n]).x;
         }
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
             t->velocity[i] = m[n].zw;
-            t->load[i] = relaxing ? m[n].xy : l[n].xy;
-            t->burden[i] = burdenOf(inverseMass[n], l[n].z > 0.0f);
+            t->load[i] = relaxing ? m[n].xy : before[n];
+            t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
         }
     }
@@ -304,8 +308,9 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             w->solvedMotion[slot] = (float4)(d[n].x, d[n].y, v.x, v.y);
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
-            // Whether it is loaded stays: neighbours may be reading it.
-            w->load[slot] = (float4)(t->load[i].x, t->load[i].y, isLoaded(t->burden[i]) ? 1.0f : 0.0f, carried ? 1.0f : 0.0f);
+            global float *load = (global float *) (w->load + slot);
+            *(global float2 *) load = t->load[i];
+            load[3] = carried ? 1.0f : 0.0f;
         }
     }
 }

@@ -87,6 +87,15 @@ final class OclgrindWorlds {
             case EVENTS_OF_LANES:
                 kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.thesis(40, 1)));
                 break;
+            case "levels of tiles":
+                kernels.addAll(steps(Plans.TILES, Scenes.mixed(small ? 20 : 40, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.TILES, Scenes.mixed(small ? 20 : 40, 2)));
+                break;
+            case "levels of PERSISTENT_GPU":
+                kernels.addAll(
+                        steps(Plans.PERSISTENT_GPU, Scenes.mixed(small ? 20 : 40, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.mixed(small ? 20 : 40, 2)));
+                break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.gas(1024, 1), 1e-4f, 1, 1));

@@ -63,7 +63,7 @@ class TilesTest {
             twins.step(1 / 60f, 3);
             twins.assertEqual("made");
             assertThat(pipeline.kernelNanos())
-                    .containsKeys("levels_solve", "levels_relax", "cross_solve")
+                    .containsKeys("solver_solveLevels", "solver_relaxLevels", "cross_solve")
                     .doesNotContainKeys("solver_solve", "solver_relax", "solver_solveTile");
         }
     }

@@ -52,7 +52,9 @@ class WorldOclgrindTest {
                         "crowd",
                         "fast",
                         "TILES",
-                        "edges"))
+                        "edges",
+                        "levels of tiles",
+                        "levels of PERSISTENT_GPU"))
                 .containsAll(kernelsInFiles());
     }
 
@@ -70,7 +72,9 @@ class WorldOclgrindTest {
                         "wide",
                         "fast",
                         "TILES",
-                        "edges"))
+                        "edges",
+                        "levels of tiles",
+                        "levels of PERSISTENT_GPU"))
                 .containsAll(kernelsInFiles());
     }
 

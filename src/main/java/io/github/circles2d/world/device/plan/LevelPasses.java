@@ -17,11 +17,11 @@ final class LevelPasses {
     LevelPasses(Stages stages) {
         this.stages = stages;
         cross = new CrossPasses(stages);
-        start = stages.kernel("levels_start");
-        solve = stages.kernel("levels_solve");
-        move = stages.kernel("levels_move");
-        relax = stages.kernel("levels_relax");
-        finish = stages.kernel("levels_finish");
+        start = stages.kernel("solver_startSlots");
+        solve = stages.kernel("solver_solveLevels");
+        move = stages.kernel("solver_moveSlots");
+        relax = stages.kernel("solver_relaxLevels");
+        finish = stages.kernel("solver_finishSlots");
     }
 
     /** Enqueues what follows the arranging of tiles, up to the end of the last sub-step. */
