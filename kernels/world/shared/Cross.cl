@@ -1,7 +1,8 @@
 // uses: world/shared/CircleMath.cl
 // Contacts of circles of different levels: the Java class CrossRule has the same formulas, and says why they are so.
 
-#ifdef cl_khr_int64_base_atomics
+#if defined(cl_khr_int64_base_atomics) && !defined(ATOMICS_BY_HALVES)
+#define HAS_LONG_ATOMICS
 #pragma OPENCL EXTENSION cl_khr_int64_base_atomics : enable
 #endif
 
@@ -39,7 +40,7 @@ float fromFixed(long sum, float unit) { return (float) sum * unit; }
 
 // Adds to a sum that other work-items add to at the same time. The sum of whole numbers does not depend on their order.
 void addFixed(global long *sum, long value) {
-#ifdef cl_khr_int64_base_atomics
+#ifdef HAS_LONG_ATOMICS
     atom_add(sum, value);
 #else
     global uint *halves = (global uint *) sum;

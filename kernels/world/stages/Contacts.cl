@@ -161,6 +161,17 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
     s->row = rowOf(w, atLevel, s->y);
 }
 
+// Looks in the cells around a circle. In its own level, half of them, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
+void seekAround(const World *w, Seeker *s, int atLevel, int own, local Findings *found) {
+    seekIn(w, s, atLevel);
+    bool inOwnLevel = atLevel == own;
+#pragma unroll 1
+    for (int v = inOwnLevel ? 1 : -1; v <= 1; v++) {
+        Piece piece = pieceOf(w, s, v, inOwnLevel);
+        seek(w, s, &piece, found);
+    }
+}
+
 // Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
 void seekAll(const World *w, int slot, int part, int parts, local Findings *found) {
     Seeker s = seekerOf(w, slot);
@@ -169,14 +180,7 @@ void seekAll(const World *w, int slot, int part, int parts, local Findings *foun
     int own = levelOfSlot(w, slot);
 #pragma unroll 1
     for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
-        seekIn(w, &s, w->levels->used[l]);
-        // In its own level half of the neighbourhood, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
-        bool inOwnLevel = s.level == own;
-#pragma unroll 1
-        for (int v = inOwnLevel ? 1 : -1; v <= 1; v++) {
-            Piece piece = pieceOf(w, &s, v, inOwnLevel);
-            seek(w, &s, &piece, found);
-        }
+        seekAround(w, &s, w->levels->used[l], own, found);
     }
 }
 
@@ -225,6 +229,23 @@ kernel void contacts_count(WORLD_PARAMETERS) {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
         seekAll(&w, slot, 0, 1, &found);
+    }
+    recordFindings(&w, &found);
+}
+
+// The same, if there are several levels. Index space: a working slot and a level a work-item, level after level: a circle that looked in
+// all levels by itself would take several times as long.
+kernel void contacts_countByLevel(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Findings found;
+    int l = (int) get_global_id(0) / circles;
+    int slot = (int) get_global_id(0) - l * circles;
+    if (get_local_id(0) == 0) found.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l < levels->usedCount && !tooFast(&w) && !gridIsEmpty(&w)) {
+        Seeker s = seekerOf(&w, slot);
+        int own = levelOfSlot(&w, slot);
+        if (levels->used[l] <= own) seekAround(&w, &s, levels->used[l], own, &found);
     }
     recordFindings(&w, &found);
 }

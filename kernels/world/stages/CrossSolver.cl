@@ -140,6 +140,15 @@ float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) 
     return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
 }
 
+// Gives a light circle its velocity behind its visits: kept aside if it is a heavy one for others, which still look at it.
+void leaveLight(const World *w, int slot, float2 v) {
+    if (w->crossLoad[slot] > 0) {
+        w->lightVelocity[slot] = v;
+    } else {
+        w->motion[slot].zw = v;
+    }
+}
+
 // Index space of the next: a working slot a work-item. Cost: the contacts in which the circle is the light one.
 
 kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
@@ -157,7 +166,7 @@ kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
         noteSolved(&w, touch, c, notKept);
 #endif
     }
-    lightVelocity[slot] = v;
+    leaveLight(&w, slot, v);
 }
 
 kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
@@ -175,29 +184,26 @@ kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
         noteRelaxed(&w, touch, c, bounced);
 #endif
     }
-    lightVelocity[slot] = v;
+    leaveLight(&w, slot, v);
 }
 
-// What a pass has given a circle: velocities, and impulses for the sub-step to come. Sums are empty afterwards.
+// What a pass has given a heavy circle: velocity, and impulses for the sub-step to come. Sums are empty afterwards.
 void takeCross(const World *w, int slot, bool velocities, bool impulses) {
-    float4 m = w->motion[slot];
-    int group = crossGroupOf(w, slot);
-    bool isLight = velocities && w->groupStart[group] != w->groupStart[group + 1];
-    float wh = w->traits[slot].x;
-    bool isHeavy = w->crossLoad[slot] > 0 && wh != 0.0f;
-    if (isLight) m.zw = w->lightVelocity[slot];
-    if (isHeavy) {
-        long4 sum = w->heavySum[slot];
-        w->heavySum[slot] = (long4)(0);
+    if (w->crossLoad[slot] == 0 || w->traits[slot].x == 0.0f) return;
+    long4 sum = w->heavySum[slot];
+    w->heavySum[slot] = (long4)(0);
+    if (velocities) {
+        int group = crossGroupOf(w, slot);
+        bool isLight = w->groupStart[group] != w->groupStart[group + 1];
+        float2 v = isLight ? w->lightVelocity[slot] : w->motion[slot].zw;
         float unit = unitOf(velocityRangeOf(w, (uint) slot));
-        if (velocities) m.zw = (float2)(m.z + fromFixed(sum.x, unit), m.w + fromFixed(sum.y, unit));
-        if (impulses) {
-            float impulseUnit = unitOf(impulseRangeOf(w, (uint) slot));
-            float4 l = w->load[slot];
-            w->load[slot].xy = (float2)(l.x + fromFixed(sum.z, impulseUnit), l.y + fromFixed(sum.w, impulseUnit));
-        }
+        w->motion[slot].zw = (float2)(v.x + fromFixed(sum.x, unit), v.y + fromFixed(sum.y, unit));
     }
-    if (isLight || (isHeavy && velocities)) w->motion[slot] = m;
+    if (impulses) {
+        float unit = unitOf(impulseRangeOf(w, (uint) slot));
+        float4 l = w->load[slot];
+        w->load[slot].xy = (float2)(l.x + fromFixed(sum.z, unit), l.y + fromFixed(sum.w, unit));
+    }
 }
 
 // Index space: a working slot a work-item.

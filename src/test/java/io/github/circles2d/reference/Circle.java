@@ -59,6 +59,13 @@ final class Circle {
     boolean loaded;
     boolean loadedNext;
 
+    /** Of a heavy circle, what its contacts with light ones add up to. */
+    int load;
+
+    FixedSum heavyGain;
+    FixedSum heavyImpulse;
+    float[] velocityBeforePass;
+
     Circle(int id, long handle) {
         this.id = id;
         this.handle = handle;
@@ -114,5 +121,28 @@ final class Circle {
     /** The greatest coordinate that the circle may have. */
     float high(int axis, StepParameters k) {
         return k.max()[axis] - (isStatic() ? 0f : radius);
+    }
+
+    void forgetHeavyContacts(StepParameters k) {
+        load = 0;
+        heavyGain = new FixedSum(radius * k.inverseH());
+        heavyImpulse = new FixedSum(radius * k.inverseH() / inverseMass());
+    }
+
+    /** Adds what light circles gave it in a pass to its velocity. */
+    void takeGains() {
+        take(heavyGain, velocity);
+    }
+
+    /** Adds the impulses of its contacts with light circles to those that it begins its next sub-step with. */
+    void takeImpulses() {
+        take(heavyImpulse, impulses);
+    }
+
+    private void take(FixedSum sum, float[] vector) {
+        float[] taken = sum.take();
+        for (int a = 0; a < 2 && load != 0 && !isStatic(); a++) {
+            vector[a] += taken[a];
+        }
     }
 }

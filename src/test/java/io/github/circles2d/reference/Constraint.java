@@ -25,6 +25,9 @@ abstract class Constraint {
     /** The sum of the inverse masses of the two sides. */
     private final float inverseMasses;
 
+    /** The effective mass, if the constraint is solved. */
+    float mass;
+
     private final float squaredThreshold;
 
     /** 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1. */
@@ -59,6 +62,7 @@ abstract class Constraint {
         this.radii = radii;
         this.restitution = restitution;
         this.inverseMasses = inverseMasses;
+        mass = 1f / inverseMasses;
         inelasticity = Numbers.min((1f - restitution) * (1f / (1f - NEARLY_ELASTIC)), 1f);
         float creep = REST_SPEED * 0.5f * (inelasticity * radii);
         gravityRate = BOUNCE_THRESHOLD * BOUNCE_THRESHOLD * 0.5f * gravity;
@@ -85,6 +89,11 @@ abstract class Constraint {
     abstract boolean isLoaded();
 
     abstract void apply(float impulse);
+
+    /** The velocity of a circle as a visit sees it. */
+    float[] velocityNow(Circle c) {
+        return c.velocity;
+    }
 
     /** Whether surfaces overlap and would not part by themselves for long; in the biased pass they are not left alone then. */
     boolean lingers() {
@@ -142,14 +151,13 @@ abstract class Constraint {
     }
 
     private boolean visit(boolean biased) {
-        float mass = 1f / inverseMasses;
-        float vn = normalVelocity(c -> c.velocity);
+        float vn = normalVelocity(this::velocityNow);
         boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
         if (flies && isImpactInFlight(vn)) {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
             if (vn < 0f && meets) {
                 float speed = biased ? vn - halfFall() : vn;
-                float impulse = -(1f + restitution) * speed * mass;
+                float impulse = -(1f + restitution) * speed * (1f / inverseMasses);
                 applyFreeBounce(impulse);
                 note(impulse);
             }

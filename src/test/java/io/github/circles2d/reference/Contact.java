@@ -33,6 +33,11 @@ final class Contact extends Constraint {
     final Circle higher;
     private float[] normal;
 
+    /** Of a contact of two levels, the light circle and the heavy one; else null. */
+    Circle light;
+
+    Circle heavy;
+
     /** What it does in the step. */
     final Touch touch = new Touch();
 
@@ -56,6 +61,29 @@ final class Contact extends Constraint {
         normal = unit((hash & 1023) - 511.5f, (hash >>> 10 & 1023) - 511.5f);
     }
 
+    /** Makes it a contact of two levels: the light circle is the one of greater inverse mass, or of the finer level. */
+    void cross() {
+        Circle finer = lower.level > higher.level ? lower : higher;
+        Circle coarser = finer == lower ? higher : lower;
+        light = finer.inverseMass() >= coarser.inverseMass() ? finer : coarser;
+        heavy = light == finer ? coarser : finer;
+    }
+
+    boolean isCross() {
+        return lower.level != higher.level;
+    }
+
+    /** Adds to what the contacts of the heavy circle add up to. */
+    void join() {
+        heavy.load += (int) (heavy.inverseMass() / (heavy.inverseMass() + light.inverseMass()) * 16_384f) + 1;
+    }
+
+    /** Counts the heavy circle as lighter, by its share. */
+    void split() {
+        float share = Numbers.max(heavy.load * (1f / 16_384f), 1f);
+        mass = 1f / (light.inverseMass() + share * heavy.inverseMass());
+    }
+
     int level() {
         return Math.min(lower.level, higher.level);
     }
@@ -69,8 +97,8 @@ final class Contact extends Constraint {
     /** Adds the normal impulse to those that the two circles begin their next sub-step with, and marks them as loaded then. */
     void warmStart(boolean carries) {
         for (int a = 0; a < 2; a++) {
-            lower.impulses[a] -= normal[a] * normalImpulse;
-            higher.impulses[a] += normal[a] * normalImpulse;
+            add(lower, lower.impulses, lower.heavyImpulse, a, -(normal[a] * normalImpulse));
+            add(higher, higher.impulses, higher.heavyImpulse, a, normal[a] * normalImpulse);
         }
         lower.loadedNext |= carries;
         higher.loadedNext |= carries;
@@ -160,8 +188,23 @@ final class Contact extends Constraint {
     @Override
     void apply(float impulse) {
         for (int a = 0; a < 2; a++) {
-            lower.velocity[a] -= normal[a] * (lower.inverseMass() * impulse);
-            higher.velocity[a] += normal[a] * (higher.inverseMass() * impulse);
+            add(lower, lower.velocity, lower.heavyGain, a, -(normal[a] * (lower.inverseMass() * impulse)));
+            add(higher, higher.velocity, higher.heavyGain, a, normal[a] * (higher.inverseMass() * impulse));
         }
+    }
+
+    /** Adds to a vector of a circle, or to its sum if it is the heavy one. */
+    private void add(Circle c, float[] own, FixedSum sum, int axis, float term) {
+        if (c == heavy) {
+            sum.add(axis, term);
+        } else {
+            own[axis] += term;
+        }
+    }
+
+    /** A heavy circle is seen as before the pass. */
+    @Override
+    float[] velocityNow(Circle c) {
+        return c == heavy ? c.velocityBeforePass : c.velocity;
     }
 }

@@ -162,12 +162,14 @@ final class Grid {
     }
 
     /** The order of circles: levels of small circles first, then by rows, columns and ids. */
-    boolean isBefore(Circle a, Circle b) {
+    Comparator<Circle> order() {
         return Comparator.comparingInt((Circle c) -> -c.level)
-                        .thenComparingInt(c -> rings[c.level][1].cellOnRing(c.base[1]))
-                        .thenComparingInt(c -> rings[c.level][0].cellOnRing(c.base[0]))
-                        .thenComparingInt(c -> c.id)
-                        .compare(a, b)
-                < 0;
+                .thenComparingInt(c -> rings[c.level][1].cellOnRing(c.base[1]))
+                .thenComparingInt(c -> rings[c.level][0].cellOnRing(c.base[0]))
+                .thenComparingInt(c -> c.id);
+    }
+
+    boolean isBefore(Circle a, Circle b) {
+        return order().compare(a, b) < 0;
     }
 }

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /** One step of at least one circle. */
 final class Step {
@@ -18,6 +19,9 @@ final class Step {
     private final StepParameters k;
     private final Kinds kinds;
     private final List<Contact> contacts = new ArrayList<>();
+
+    /** Those of circles of different levels. */
+    private final List<Contact> crossContacts = new ArrayList<>();
 
     /** Circles are in the order of their ids. */
     Step(List<Circle> circles, StepParameters k, Kinds kinds) {
@@ -38,19 +42,35 @@ final class Step {
             int now = subStep;
             circles.forEach(c -> integrateVelocities(c, now));
             contacts.forEach(Contact::solve);
-            contacts.forEach(Contact::lookAfterSolve);
+            crossPass(Contact::solve);
+            all(Contact::lookAfterSolve);
             circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
-            contacts.forEach(Contact::lookAfterRelax);
+            crossPass(Step::relax);
+            circles.forEach(Circle::takeImpulses);
+            all(Contact::lookAfterRelax);
         }
         circles.forEach(this::finalizePositions);
-        contacts.forEach(Contact::lookAfterStep);
+        all(Contact::lookAfterStep);
         storeImpulses(impulseCache);
     }
 
     /** The contacts of the step. */
     List<Contact> contacts() {
-        return contacts;
+        List<Contact> both = new ArrayList<>(contacts);
+        both.addAll(crossContacts);
+        return both;
+    }
+
+    private void all(Consumer<Contact> job) {
+        contacts().forEach(job);
+    }
+
+    /** A pass over the contacts of different levels. */
+    private void crossPass(Consumer<Contact> visit) {
+        circles.forEach(c -> c.velocityBeforePass = c.velocity.clone());
+        crossContacts.forEach(visit);
+        circles.forEach(Circle::takeGains);
     }
 
     private void findGain(Circle c) {
@@ -122,9 +142,16 @@ final class Step {
         for (Contact.Pair pair : candidates) {
             long fewer = Math.min(pair.lower().candidates, pair.higher().candidates);
             if (fewer <= CROWD || (pair.hash() >>> 16) * fewer < CROWD * 65_536L) {
-                contacts.add(new Contact(pair, k));
+                Contact contact = new Contact(pair, k);
+                (contact.isCross() ? crossContacts : contacts).add(contact);
             }
         }
+        crossContacts.forEach(Contact::cross);
+        crossContacts.sort(
+                Comparator.comparing((Contact c) -> c.light, grid.order()).thenComparingInt(c -> c.heavy.id));
+        circles.forEach(c -> c.forgetHeavyContacts(k));
+        crossContacts.forEach(Contact::join);
+        crossContacts.forEach(Contact::split);
         contacts.sort(Comparator.comparingInt((Contact c) -> -c.level())
                 .thenComparingInt(grid::colour)
                 .thenComparingInt(c -> c.lower.id)
@@ -138,11 +165,12 @@ final class Step {
                 c.walls[a] = new Wall(c, a, k);
             }
         }
-        for (Contact contact : contacts) {
+        for (Contact contact : contacts()) {
             contact.normalImpulse = impulseCache.getOrDefault(contact.pair, 0f) * warmScale;
             contact.measure();
             contact.warmStart(contact.carries(contact.normalVelocity(c -> c.velocity)));
         }
+        circles.forEach(Circle::takeImpulses);
     }
 
     private void integrateVelocities(Circle c, int subStep) {
@@ -248,7 +276,7 @@ final class Step {
 
     private void storeImpulses(Map<Contact.Pair, Float> impulseCache) {
         impulseCache.clear();
-        for (Contact contact : contacts) {
+        for (Contact contact : contacts()) {
             if (contact.normalImpulse > 0f) {
                 impulseCache.put(contact.pair, contact.normalImpulse);
             }

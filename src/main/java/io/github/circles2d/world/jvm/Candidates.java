@@ -69,17 +69,17 @@ final class Candidates {
         return CircleMath.keeps(hash, Math.min(count[slot], count[other]));
     }
 
-    /** Counts a contact for its circles; no other worker has any of the same circles. Returns the greater number. */
+    /** Counts a contact for its circles, which are of one level; no other worker has any of the same. Returns the greater number. */
     int countContact(int lo, int hi) {
-        int most = 0;
-        // a circle counts those of its own level and of coarser ones, which have lower numbers
-        if (grid.level[lo] >= grid.level[hi]) {
-            most = ++count[lo];
+        return Math.max(++count[lo], ++count[hi]);
+    }
+
+    /** Counts what a circle has found in coarser levels, unless all has been counted before. Returns its number. */
+    int countFound(int slot, int pairs) {
+        if (!thinned) {
+            count[slot] += pairs;
         }
-        if (grid.level[hi] >= grid.level[lo]) {
-            most = Math.max(most, ++count[hi]);
-        }
-        return most;
+        return count[slot];
     }
 
     /** Counts the pairs of some circles without a list: every circle looks at all cells around it. */

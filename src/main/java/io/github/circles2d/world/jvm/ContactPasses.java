@@ -27,7 +27,6 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
-import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
@@ -75,7 +74,7 @@ final class ContactPasses {
     }
 
     /** Measures a contact: separation, and the normal where there is a direction. */
-    private void measure(int c) {
+    void measure(int c) {
         float[] q = contacts.contact;
         float[] m = state.motion;
         int o = ContactRow.of(c);
@@ -184,11 +183,8 @@ final class ContactPasses {
         float ny = q[o + NORMAL_Y];
         float vn = normalVelocity(state.motion, a, b, nx, ny);
         int meets = Constraints.meets(separation, vn, k.inverseH);
-        // Of the circle that is not static; if neither is, halfFall is 0.
-        int falling = CircleRow.slot(q[o + INV_MASS_A] == 0f ? b : a);
-        float fall = CircleMath.along(nx, ny, state.gainX(falling, k), state.gainY(falling, k));
         q[o + BOUNCE_SPEED] = 0f;
-        return fly(c, vn, lingers, meets, CircleMath.halfFall(fall, q[o + INV_MASS_A], q[o + INV_MASS_B]));
+        return fly(c, vn, lingers, meets, contacts.halfFall(c, q[o + INV_MASS_A], q[o + INV_MASS_B], k));
     }
 
     /** Leaves a contact of circles that fly free of each other alone, or lets them bounce; returns false if it is to be solved. */

@@ -17,16 +17,16 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 
 /**
- * Stage Contacts: lists the pairs of circles that may meet within the step, in the order of every sum: level of the larger circle,
- * colour, group, lower id, higher id.
+ * Stage Contacts: lists the pairs of circles that may meet within the step, in the order of every sum: level, colour, group, lower
+ * id, higher id; behind these, the contacts of circles of different levels ({@link CrossContacts}).
  *
- * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of the
- * contact's level. A group touches circles of the 2 x 2 cells that begin there. So groups whose columns and rows have the same
+ * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of their level. A group touches circles of the 2 x 2 cells that begin there. So groups whose columns and rows have the same
  * parities, which are its colour, share no circle and can be solved in parallel.
  *
  * <p>In memory, contacts lie in rows of groups, as the circles lie in rows of cells. A row has the groups of even columns first,
@@ -48,7 +48,7 @@ public final class Contacts {
     private final ImpulseCache impulseCache;
     private final Candidates candidates;
     private final Pairs pairs;
-    private final MixedPairs mixedPairs;
+    private final CrossContacts cross;
 
     /** The rows whose contacts each worker lists. */
     private final Bands bands;
@@ -56,8 +56,11 @@ public final class Contacts {
     /** By worker: the pairs that it has found. */
     private final FoundPairs[] found;
 
-    /** Number of contacts. */
+    /** Number of contacts: those of circles of one level, and behind them the cross contacts. */
     int count;
+
+    /** Number of the first cross contact. */
+    int firstCross;
 
     /** Number of circles when they were listed. */
     private int circles;
@@ -67,6 +70,9 @@ public final class Contacts {
 
     /** By contact: where the row of the circle of lower id begins, and that of the other. */
     int[] pair = new int[0];
+
+    /** By cross contact: twice the number of its heavy circle; and 1 more if the light one has the higher id. */
+    private int[] heavyAndSide = new int[0];
 
     /** What records contacts, and has to have room for them; null if nothing does. */
     Touches touches;
@@ -82,7 +88,7 @@ public final class Contacts {
         impulseCache = new ImpulseCache(state);
         candidates = new Candidates(state, grid, levels);
         pairs = new Pairs(state, grid, levels, candidates);
-        mixedPairs = new MixedPairs(state, grid, levels, candidates, team);
+        cross = new CrossContacts(state, grid, levels, candidates, team);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
@@ -92,7 +98,7 @@ public final class Contacts {
 
     void ensure() {
         candidates.ensure();
-        mixedPairs.ensure();
+        cross.ensure();
         if (rowStart.length <= levels.rows) {
             rowStart = new int[levels.rows + 1 + (levels.rows >> 2)];
         }
@@ -107,6 +113,9 @@ public final class Contacts {
             impulseCache.ensure(c);
             contact = new float[ContactRow.of(c)];
             pair = new int[ContactRow.a(c)];
+        }
+        if (heavyAndSide.length < cross.count()) {
+            heavyAndSide = new int[cross.count() + (cross.count() >> 2)];
         }
     }
 
@@ -139,11 +148,10 @@ public final class Contacts {
             bands.divide(null, 0);
         }
         team.sync(worker);
-        mixedPairs.find(
-                worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
+        cross.find(worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));
         FoundPairs f = found[worker];
         f.reset(all ? Integer.MAX_VALUE : room(bands.circles(worker)));
-        for (int l = 0; l < levels.usedCount && !mixedPairs.overflowed(); l++) {
+        for (int l = 0; l < levels.usedCount && !cross.overflowed(); l++) {
             findInBand(worker, levels.used[l]);
             f.ofLevel[l + 1] = f.count;
         }
@@ -167,9 +175,6 @@ public final class Contacts {
             for (int odd = 0; odd < 2; odd++) {
                 for (int column = odd; column < columns; column += 2) {
                     pairs.find(f, level, column, row);
-                    if (levels.usedCount > 1) {
-                        mixedPairs.gather(f, levels.rowStart(level, row) + column);
-                    }
                     f.endGroup();
                 }
                 f.flush();
@@ -179,7 +184,7 @@ public final class Contacts {
 
     /** Whether the list was given up because there are too many pairs. */
     boolean overflowed() {
-        boolean some = mixedPairs.overflowed();
+        boolean some = cross.overflowed();
         for (int w = 0; w < team.size(); w++) {
             some |= found[w].overflowed;
         }
@@ -188,12 +193,11 @@ public final class Contacts {
 
     /** Whether a circle has so many candidates that pairs are to be thinned out. Valid once all contacts are filled. */
     boolean crowded() {
+        int most = candidates.thinned() ? 0 : cross.mostFound();
         for (int w = 0; w < team.size(); w++) {
-            if (found[w].most > Tuning.CROWD) {
-                return true;
-            }
+            most = Math.max(most, found[w].most);
         }
-        return false;
+        return most > Tuning.CROWD;
     }
 
     /** Numbers the contacts: level after level, row after row. */
@@ -210,12 +214,13 @@ public final class Contacts {
                 sum += f.ofLevel[l + 1] - f.ofLevel[l];
             }
         }
-        ensureContacts(sum);
-        if (touches != null) {
-            touches.ensure((int) sum);
-        }
+        ensureContacts(sum + cross.count());
         rowStart[levels.rows] = (int) sum;
-        count = (int) sum;
+        firstCross = (int) sum;
+        count = firstCross + cross.count();
+        if (touches != null) {
+            touches.ensure(count);
+        }
         circles = state.n;
     }
 
@@ -242,6 +247,44 @@ public final class Contacts {
                 f.most = Math.max(f.most, candidates.countContact(lowerSlot(c), higherSlot(c)));
             }
         }
+    }
+
+    /** Fills some cross contacts. */
+    void fillCross(int from, int to, StepConstants constants) {
+        for (int c = from; c < to; c++) {
+            int light = cross.lightSlot(c - firstCross);
+            int heavy = cross.heavySlot(c - firstCross);
+            long ids = (long) state.id[light] << 32 | state.id[heavy];
+            long slots = (long) light << 32 | heavy;
+            boolean isLightLower = state.id[light] < state.id[heavy];
+            fill(
+                    c,
+                    isLightLower ? ids : Long.rotateLeft(ids, 32),
+                    isLightLower ? slots : Long.rotateLeft(slots, 32),
+                    constants);
+            heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
+            int o = ContactRow.of(c);
+            float ofLight = state.traits[CircleRow.of(light) + CircleRow.INVERSE_MASS];
+            float ofHeavy = state.traits[CircleRow.of(heavy) + CircleRow.INVERSE_MASS];
+            contact[o + INV_MASS_A] = ofLight;
+            contact[o + INV_MASS_B] = ofHeavy;
+            contact[o + MASS] = CrossRule.mass(ofLight, ofHeavy, cross.share(c - firstCross));
+        }
+    }
+
+    /** Where the row of the light circle of a cross contact begins. */
+    int light(int c) {
+        return pair[ContactRow.a(c) + (heavyAndSide[c - firstCross] & 1)];
+    }
+
+    /** The number of the heavy circle of a cross contact. */
+    int heavy(int c) {
+        return heavyAndSide[c - firstCross] >> 1;
+    }
+
+    /** 1 if the light circle of a cross contact has the lower id, else -1. */
+    float side(int c) {
+        return 1 - 2 * (heavyAndSide[c - firstCross] & 1);
     }
 
     private void fill(int c, long ids, long slots, StepConstants constants) {
@@ -294,6 +337,21 @@ public final class Contacts {
         return CircleRow.slot(pair[ContactRow.b(c)]);
     }
 
+    /** What half a sub-step of gravity adds to the normal speed of a contact, of which one circle is static; else 0. */
+    float halfFall(int c, float invMassOfLower, float invMassOfHigher, StepConstants k) {
+        // Of the circle that is not static; if neither is, halfFall is 0.
+        int falling = invMassOfLower == 0f ? higherSlot(c) : lowerSlot(c);
+        int o = ContactRow.of(c);
+        float fall = CircleMath.along(
+                contact[o + NORMAL_X], contact[o + NORMAL_Y], state.gainX(falling, k), state.gainY(falling, k));
+        return CircleMath.halfFall(fall, invMassOfLower, invMassOfHigher);
+    }
+
+    /** The contacts of circles of different levels. */
+    CrossContacts cross() {
+        return cross;
+    }
+
     /** The impulses that the contacts of the step before ended with. */
     ImpulseCache impulseCache() {
         return impulseCache;
@@ -304,6 +362,11 @@ public final class Contacts {
         impulseCache.store(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
     }
 
+    /** Stores a cross contact's impulse for the step to come. Other workers may do so for contacts of the same circle. */
+    void storeCrossImpulse(int c, float normalImpulse) {
+        impulseCache.storeShared(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
+    }
+
     /** Takes over saved impulses, for which there is room, in place of contacts; the circles have been taken over before. */
     void load(SavedState from) {
         count = 0;
@@ -312,7 +375,7 @@ public final class Contacts {
 
     /** Pairs whose distance was tested. */
     long candidatePairs() {
-        long sum = mixedPairs.tested();
+        long sum = cross.tested();
         for (int w = 0; w < team.size(); w++) {
             sum += found[w].tested;
         }
@@ -326,7 +389,9 @@ public final class Contacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (rowStart.length + pair.length + contact.length) + candidates.bytes() + mixedPairs.bytes();
+        long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
+                + candidates.bytes()
+                + cross.bytes();
         for (FoundPairs f : found) {
             sum += f.bytes();
         }

@@ -2,6 +2,8 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
@@ -10,6 +12,8 @@ import java.util.Arrays;
  * id by its id, so slots may change in between.
  */
 final class ImpulseCache {
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
     private final State state;
 
     /** By contact of the step before: id of the circle of higher id. */
@@ -57,6 +61,13 @@ final class ImpulseCache {
         normalImpulse[c] = impulse;
         next[c] = state.firstCached[lower];
         state.firstCached[lower] = c;
+    }
+
+    /** As {@link #store}, where other workers may store impulses of the same circle. No result depends on the order of a chain. */
+    void storeShared(int c, int lower, int id, float impulse) {
+        higherId[c] = id;
+        normalImpulse[c] = impulse;
+        next[c] = (int) INTS.getAndSet(state.firstCached, lower, c);
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */

@@ -37,6 +37,10 @@ public final class Solver {
     /** By worker: each has its own place to work. */
     private final ContactPasses[] passes;
 
+    /** By worker, as {@link #passes}. */
+    private final CrossPasses[] crossPasses;
+
+    private final HeavyCircles heavyCircles;
     private final Bands bands;
 
     /** Records what contacts do; null if nobody is told. */
@@ -50,9 +54,12 @@ public final class Solver {
         this.team = team;
         mover = new CirclePasses(state);
         passes = new ContactPasses[team.most()];
+        crossPasses = new CrossPasses[team.most()];
         for (int worker = 0; worker < passes.length; worker++) {
             passes[worker] = new ContactPasses(state, contacts);
+            crossPasses[worker] = new CrossPasses(state, contacts, passes[worker], worker);
         }
+        heavyCircles = contacts.cross().heavyCircles;
         bands = new Bands(grid, levels, team);
     }
 
@@ -61,6 +68,9 @@ public final class Solver {
         touches = recorder;
         mover.touches = recorder == null ? null : recorder.walls;
         for (ContactPasses each : passes) {
+            each.touches = recorder;
+        }
+        for (CrossPasses each : crossPasses) {
             each.touches = recorder;
         }
     }
@@ -84,12 +94,33 @@ public final class Solver {
                     prepare(worker, l, row - 1, k);
                 }
             }
-            team.sync(worker);
-            if (from < to) {
+        }
+        team.sync(worker);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int to = contacts.firstRow(levels.used[l], worker + 1);
+            if (contacts.firstRow(levels.used[l], worker) < to) {
                 prepare(worker, l, to - 1, k);
             }
-            team.sync(worker);
         }
+        team.sync(worker);
+        if (levels.usedCount > 1) {
+            prepareCross(worker, k);
+        }
+    }
+
+    private void prepareCross(int worker, StepConstants k) {
+        heavyCircles.prepare(firstHeavy(worker), firstHeavy(worker + 1), k);
+        team.sync(worker);
+        int from = firstCross(worker);
+        int to = firstCross(worker + 1);
+        contacts.fillCross(from, to, k);
+        crossPasses[worker].prepare(from, to);
+        if (touches != null) {
+            touches.clear(from, to);
+        }
+        team.sync(worker);
+        heavyCircles.takeImpulses(firstHeavy(worker), firstHeavy(worker + 1), k);
+        team.sync(worker);
     }
 
     void solve(int worker, StepConstants k) {
@@ -198,50 +229,107 @@ public final class Solver {
     private void solveInPasses(int worker, StepConstants k) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
+        boolean crosses = levels.usedCount > 1;
         for (int sub = 0; sub < k.subSteps; sub++) {
+            boolean last = sub == k.subSteps - 1;
             mover.integrateVelocities(from, to, k, sub);
             team.sync(worker);
-            for (int l = 0; l < levels.usedCount; l++) {
-                solveAll(worker, levels.used[l], k);
+            solveAll(worker, k);
+            if (crosses) {
+                solveCross(worker, k);
             }
             mover.integratePositions(from, to, k, sub);
             team.sync(worker);
-            for (int l = 0; l < levels.usedCount; l++) {
-                relaxAll(worker, levels.used[l], sub, k);
+            relaxAll(worker, sub, k);
+            if (crosses) {
+                relaxCross(worker, k, last);
             }
         }
         mover.finalizePositions(from, to, k);
         team.sync(worker);
     }
 
-    private void solveAll(int worker, int level, StepConstants k) {
-        int from = bands.first(level, worker);
-        int to = bands.first(level, worker + 1);
-        for (int row = from; row < to; row += 2) {
-            solve(worker, level, row, k);
-            if (row > from) {
-                solve(worker, level, row - 1, k);
+    /** The levels share no circle but in cross contacts, so all of them run at the same time. */
+    private void solveAll(int worker, StepConstants k) {
+        for (int l = 0; l < levels.usedCount; l++) {
+            int from = bands.first(levels.used[l], worker);
+            int to = bands.first(levels.used[l], worker + 1);
+            for (int row = from; row < to; row += 2) {
+                solve(worker, levels.used[l], row, k);
+                if (row > from) {
+                    solve(worker, levels.used[l], row - 1, k);
+                }
             }
         }
         team.sync(worker);
-        if (from < to) {
-            solve(worker, level, to - 1, k);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int to = bands.first(levels.used[l], worker + 1);
+            if (bands.first(levels.used[l], worker) < to) {
+                solve(worker, levels.used[l], to - 1, k);
+            }
         }
         team.sync(worker);
     }
 
-    private void relaxAll(int worker, int level, int sub, StepConstants k) {
-        int from = bands.first(level, worker);
-        int to = bands.first(level, worker + 1);
-        for (int row = from; row < to; row += 2) {
-            relax(worker, level, row, sub, k);
-            if (row > from) {
-                relax(worker, level, row - 1, sub, k);
+    private void relaxAll(int worker, int sub, StepConstants k) {
+        for (int l = 0; l < levels.usedCount; l++) {
+            int from = bands.first(levels.used[l], worker);
+            int to = bands.first(levels.used[l], worker + 1);
+            for (int row = from; row < to; row += 2) {
+                relax(worker, levels.used[l], row, sub, k);
+                if (row > from) {
+                    relax(worker, levels.used[l], row - 1, sub, k);
+                }
             }
         }
         team.sync(worker);
-        if (from < to) {
-            relax(worker, level, to - 1, sub, k);
+        for (int l = 0; l < levels.usedCount; l++) {
+            int to = bands.first(levels.used[l], worker + 1);
+            if (bands.first(levels.used[l], worker) < to) {
+                relax(worker, levels.used[l], to - 1, sub, k);
+            }
+        }
+        team.sync(worker);
+    }
+
+    // ---- cross contacts
+    // ----------------------------------------------------------------------------------------------
+
+    private int firstCross(int worker) {
+        return contacts.firstCross + contacts.cross().first(worker);
+    }
+
+    private int firstHeavy(int worker) {
+        return team.part(heavyCircles.count, worker);
+    }
+
+    private void solveCross(int worker, StepConstants k) {
+        heavyCircles.look(firstHeavy(worker), firstHeavy(worker + 1));
+        team.sync(worker);
+        int from = firstCross(worker);
+        int to = firstCross(worker + 1);
+        crossPasses[worker].solve(from, to, k);
+        if (touches != null) {
+            touches.afterSolve(from, to, k);
+        }
+        team.sync(worker);
+        heavyCircles.takeGains(firstHeavy(worker), firstHeavy(worker + 1), k);
+        team.sync(worker);
+    }
+
+    private void relaxCross(int worker, StepConstants k, boolean last) {
+        heavyCircles.look(firstHeavy(worker), firstHeavy(worker + 1));
+        team.sync(worker);
+        int from = firstCross(worker);
+        int to = firstCross(worker + 1);
+        crossPasses[worker].relax(from, to, k, last);
+        if (touches != null) {
+            touches.afterRelax(worker, from, to, k, last);
+        }
+        team.sync(worker);
+        heavyCircles.takeGains(firstHeavy(worker), firstHeavy(worker + 1), k);
+        if (!last) {
+            heavyCircles.takeImpulses(firstHeavy(worker), firstHeavy(worker + 1), k);
         }
         team.sync(worker);
     }

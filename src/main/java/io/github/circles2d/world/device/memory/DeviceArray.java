@@ -135,7 +135,11 @@ public enum DeviceArray {
             "heavySum",
             Index.SLOT,
             "of a heavy circle: what its cross contacts give it in a pass, in units: velocity x, y, impulse x, y"),
-    LIGHT_VELOCITY("float2", "lightVelocity", Index.SLOT, "of a light circle, behind its visits in a pass"),
+    LIGHT_VELOCITY(
+            "float2",
+            "lightVelocity",
+            Index.SLOT,
+            "of a circle that is both light and heavy: as its visits in a pass have left it"),
     IMPULSE_CACHE(
             "int4",
             "impulseCache",

@@ -13,6 +13,7 @@ final class ContactsStage {
     private final Scan scan;
     private final Kernel crowd;
     private final Kernel count;
+    private final Kernel countByLevel;
     private final Kernel list;
 
     ContactsStage(StageKernels kernels, DeviceArrays arrays, Scan scan) {
@@ -20,6 +21,7 @@ final class ContactsStage {
         this.scan = scan;
         crowd = kernels.staged("contacts_crowd");
         count = kernels.staged("contacts_count");
+        countByLevel = kernels.staged("contacts_countByLevel");
         list = kernels.staged("contacts_list");
     }
 
@@ -32,7 +34,11 @@ final class ContactsStage {
         if (thinning) {
             crowd.run(circles);
         }
-        count.run(circles);
+        if (levels.usedCount == 1) {
+            count.run(circles);
+        } else {
+            countByLevel.run((long) levels.usedCount * circles);
+        }
         scan.run(arrays, levels.groups(circles) + 1, DeviceArray.GROUP_START);
         list.run(2L * circles);
     }

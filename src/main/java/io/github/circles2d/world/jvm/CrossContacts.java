@@ -1,0 +1,343 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.X;
+import static io.github.circles2d.world.model.CircleRow.Y;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.GridLevels;
+import io.github.circles2d.world.model.PairRule;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.util.Arrays;
+
+/**
+ * Finds the cross contacts: those of circles of different levels. Each circle looks in 3 x 3 cells of every coarser level.
+ *
+ * <p>One of the two circles is the light one, the other the heavy one ({@link CrossRule}). Cross contacts lie in the order of the
+ * slots of their light circles, and those of one light circle in the order of the ids of the heavy ones.
+ */
+final class CrossContacts {
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
+    private final State state;
+    private final Grid grid;
+    private final GridLevels levels;
+    private final Candidates candidates;
+    private final Team team;
+    private final Sums sums;
+    private final FoundCross[] found;
+
+    /** The circles that are heavy in some contact. */
+    final HeavyCircles heavyCircles;
+
+    /** By slot: the first contact in which it is the light circle; one more element for the end. */
+    private int[] lightStart = new int[1];
+
+    /** By slot: the sum of what the contacts add in which it is the heavy circle; 0 if there are none. */
+    private int[] load = new int[0];
+
+    /** By slot of a heavy circle: its number among those. */
+    private int[] number = new int[0];
+
+    /** By contact: the slot of the light circle. */
+    private int[] light = new int[0];
+
+    /** By contact: id and slot of the heavy circle, one above the other. */
+    private long[] heavy = new long[0];
+
+    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
+        this.state = state;
+        this.grid = grid;
+        this.levels = levels;
+        this.candidates = candidates;
+        this.team = team;
+        sums = new Sums(team);
+        heavyCircles = new HeavyCircles(state, team);
+        found = new FoundCross[team.most()];
+        for (int worker = 0; worker < found.length; worker++) {
+            found[worker] = new FoundCross();
+        }
+    }
+
+    void ensure() {
+        if (levels.usedCount > 1 && number.length < state.capacity()) {
+            lightStart = new int[state.capacity() + 1];
+            load = new int[state.capacity()];
+            number = new int[state.capacity()];
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (lightStart.length + load.length + number.length + light.length) + 8L * heavy.length;
+        for (FoundCross f : found) {
+            sum += f.bytes();
+        }
+        return sum + heavyCircles.bytes();
+    }
+
+    /** Number of contacts; 0 where there is one level. */
+    int count() {
+        return levels.usedCount < 2 ? 0 : lightStart[state.n];
+    }
+
+    int lightSlot(int contact) {
+        return light[contact];
+    }
+
+    int heavySlot(int contact) {
+        return (int) heavy[contact];
+    }
+
+    /** The number of a contact's heavy circle among the heavy ones. */
+    int heavyNumber(int contact) {
+        return number[heavySlot(contact)];
+    }
+
+    /** By how much the heavy circle of a contact counts as lighter. */
+    float share(int contact) {
+        return CrossRule.share(load[heavySlot(contact)]);
+    }
+
+    /** First contact that a worker takes; of the number of workers: the end. A light circle's contacts have one worker. */
+    int first(int worker) {
+        int least = team.part(count(), worker);
+        int low = 0;
+        int high = state.n;
+        while (low < high) {
+            int middle = (low + high) >>> 1;
+            if (lightStart[middle] < least) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        return lightStart[low];
+    }
+
+    /**
+     * Finds all cross contacts; nothing where there is one level.
+     *
+     * @param room number of contacts a worker from which on they are given up
+     */
+    void find(int worker, int room) {
+        FoundCross f = found[worker];
+        f.begin(room);
+        if (levels.usedCount < 2) {
+            return;
+        }
+        int from = team.part(state.n, worker);
+        int to = team.part(state.n, worker + 1);
+        Arrays.fill(lightStart, from, to, 0);
+        Arrays.fill(load, from, to, 0);
+        team.sync(worker);
+        for (int slot = from; slot < to && !f.overflowed; slot++) {
+            find(f, slot);
+        }
+        team.sync(worker);
+        if (overflowed()) {
+            return;
+        }
+        for (int slot = from; slot < to; slot++) {
+            f.heavyCircles += load[slot] != 0 ? 1 : 0;
+        }
+        if (worker == 0) {
+            ensureContacts();
+        }
+        sums.sumUp(worker, lightStart, state.n);
+        if (worker == 0) {
+            heavyCircles.ensure(heavyCirclesBefore(team.size()));
+        }
+        for (int k = 0; k < f.count; k++) {
+            int c = lightStart[f.light[k]] + f.rank[k];
+            light[c] = f.light[k];
+            heavy[c] = f.heavy[k];
+        }
+        team.sync(worker);
+        numberHeavyCircles(heavyCirclesBefore(worker), from, to);
+        if (anyFromFiner()) {
+            order(from, to);
+        }
+        team.sync(worker);
+    }
+
+    /** Whether the contacts were given up because there are too many. */
+    boolean overflowed() {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].overflowed) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Greatest number of contacts that one circle found. */
+    int mostFound() {
+        int most = 0;
+        for (int w = 0; w < team.size(); w++) {
+            most = Math.max(most, found[w].most);
+        }
+        return most;
+    }
+
+    private void ensureContacts() {
+        long sum = 0;
+        for (int w = 0; w < team.size(); w++) {
+            sum += found[w].count;
+        }
+        if (sum > heavy.length) {
+            int c = Math.toIntExact(sum + (sum >> 2));
+            light = new int[c];
+            heavy = new long[c];
+        }
+    }
+
+    private int heavyCirclesBefore(int worker) {
+        int sum = 0;
+        for (int w = 0; w < worker; w++) {
+            sum += found[w].heavyCircles;
+        }
+        return sum;
+    }
+
+    private void numberHeavyCircles(int first, int from, int to) {
+        int next = first;
+        for (int slot = from; slot < to; slot++) {
+            if (load[slot] != 0) {
+                number[slot] = next;
+                heavyCircles.set(next++, slot);
+            }
+        }
+    }
+
+    private boolean anyFromFiner() {
+        for (int w = 0; w < team.size(); w++) {
+            if (found[w].anyFromFiner) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Orders the contacts of each light circle by the ids of the heavy ones. */
+    private void order(int from, int to) {
+        for (int slot = from; slot < to; slot++) {
+            if (lightStart[slot + 1] - lightStart[slot] > 1) {
+                Arrays.sort(heavy, lightStart[slot], lightStart[slot + 1]);
+            }
+        }
+    }
+
+    private int countIn(int[] counts, int slot, int more) {
+        if (team.size() > 1) {
+            return (int) INTS.getAndAdd(counts, slot, more);
+        }
+        int before = counts[slot];
+        counts[slot] = before + more;
+        return before;
+    }
+
+    /** Finds the contacts of a circle with those of coarser levels. */
+    private void find(FoundCross f, int slot) {
+        int before = f.count;
+        int level = grid.level[slot];
+        int fromFiner = 0;
+        for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
+            findInCoarserLevel(f, slot, levels.used[k]);
+        }
+        if (f.hitCount == 0) {
+            f.most = Math.max(f.most, candidates.countFound(slot, 0));
+            return;
+        }
+        float w = state.traits[CircleRow.of(slot) + INVERSE_MASS];
+        for (int k = 0; k < f.hitCount; k++) {
+            int other = f.hits[k];
+            if (!candidates.keeps(slot, other)) {
+                continue;
+            }
+            float v = state.traits[CircleRow.of(other) + INVERSE_MASS];
+            if (CrossRule.isFinerLight(w, v)) {
+                f.add(slot, (long) state.id[other] << 32 | other);
+                countIn(load, other, CrossRule.load(w, v));
+            }
+        }
+        f.sort(before);
+        int own = f.count - before;
+        f.rank(before, own == 0 ? 0 : countIn(lightStart, slot, own));
+        for (int k = 0; k < f.hitCount; k++) {
+            int other = f.hits[k];
+            float v = state.traits[CircleRow.of(other) + INVERSE_MASS];
+            if (!CrossRule.isFinerLight(w, v) && candidates.keeps(slot, other)) {
+                f.addFromFiner(other, (long) state.id[slot] << 32 | slot, countIn(lightStart, other, 1));
+                countIn(load, slot, CrossRule.load(v, w));
+                fromFiner++;
+            }
+        }
+        f.hitCount = 0;
+        f.most = Math.max(f.most, candidates.countFound(slot, own + fromFiner));
+    }
+
+    private void findInCoarserLevel(FoundCross f, int slot, int level) {
+        int[] bucketStart = grid.start;
+        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
+        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        for (int v = -1; v <= 1; v++) {
+            int rowStart = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
+            if (0 < column && column < columns - 1) {
+                int b = rowStart + column;
+                scan(f, slot, bucketStart[b - 1], bucketStart[b + 2]);
+            } else {
+                for (int u = -1; u <= 1; u++) {
+                    int b = rowStart + GridLevels.neighbour(column, u, columns);
+                    scan(f, slot, bucketStart[b], bucketStart[b + 1]);
+                }
+            }
+        }
+    }
+
+    private void scan(FoundCross f, int slot, int from, int to) {
+        if (from == to) {
+            return;
+        }
+        int[] hits = f.ensureHits(to - from);
+        float[] speculativeDistance = grid.speculativeDistance;
+        float own = speculativeDistance[slot];
+        int count = f.hitCount;
+        f.tested += to - from;
+        if (state.wraps) {
+            for (int other = from; other < to; other++) {
+                hits[count] = other;
+                count -= PairRule.isNear(
+                        state.differenceX(slot, other),
+                        state.differenceY(slot, other),
+                        own,
+                        speculativeDistance[other]);
+            }
+        } else {
+            float[] circle = state.circle;
+            float x = circle[CircleRow.of(slot) + X];
+            float y = circle[CircleRow.of(slot) + Y];
+            for (int other = from; other < to; other++) {
+                float dx = circle[CircleRow.of(other) + X] - x;
+                float dy = circle[CircleRow.of(other) + Y] - y;
+                hits[count] = other;
+                count -= PairRule.isNear(dx, dy, own, speculativeDistance[other]);
+            }
+        }
+        f.hitCount = count;
+    }
+
+    /** Pairs whose distance was tested. */
+    long tested() {
+        long sum = 0;
+        for (int w = 0; w < team.size(); w++) {
+            sum += found[w].tested;
+        }
+        return sum;
+    }
+}

@@ -1,0 +1,169 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+
+import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.CrossRule;
+import io.github.circles2d.world.model.StepConstants;
+import java.util.Arrays;
+
+/**
+ * The circles that are heavy in some cross contact, numbered in the order of their slots: how light circles see them in a pass, and what
+ * the pass gives them. Each worker has sums of its own, so workers neither wait for each other nor exchange cache lines.
+ */
+final class HeavyCircles {
+    /** Floats per circle of {@link #seen}. */
+    private static final int STRIDE = 4;
+
+    static final int SEEN_VX = 0;
+    static final int SEEN_VY = 1;
+
+    /** Units per 1 of a velocity. */
+    static final int VELOCITY_SCALE = 2;
+
+    /** Units per 1 of an impulse. */
+    static final int IMPULSE_SCALE = 3;
+
+    /** Longs per circle of {@link #sums}. */
+    private static final int SUMS = 4;
+
+    static final int GAIN_X = 0;
+    static final int GAIN_Y = 1;
+    static final int SUM_IMPULSE_X = 2;
+    static final int SUM_IMPULSE_Y = 3;
+
+    private final State state;
+    private final Team team;
+
+    /** Number of heavy circles. */
+    int count;
+
+    /** By number: the slot. */
+    private int[] slot = new int[0];
+
+    /** By number: the velocity in a pass, and the scales of the sums. */
+    float[] seen = new float[0];
+
+    /** By worker, by number: what its contacts give, as {@link CrossRule} counts it; 0 between the passes. */
+    private final long[][] sums;
+
+    HeavyCircles(State state, Team team) {
+        this.state = state;
+        this.team = team;
+        sums = new long[team.most()][0];
+    }
+
+    static int row(int number) {
+        return STRIDE * number;
+    }
+
+    static int sum(int number) {
+        return SUMS * number;
+    }
+
+    /** Makes room; one worker does it for all. */
+    void ensure(int circles) {
+        count = circles;
+        if (slot.length < circles) {
+            int c = circles + (circles >> 2);
+            slot = new int[c];
+            seen = new float[STRIDE * c];
+        }
+        for (int w = 0; w < team.size(); w++) {
+            if (sums[w].length < SUMS * circles) {
+                sums[w] = new long[SUMS * slot.length];
+            }
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        long sum = 4L * (slot.length + seen.length);
+        for (long[] each : sums) {
+            sum += 8L * each.length;
+        }
+        return sum;
+    }
+
+    void set(int number, int itsSlot) {
+        slot[number] = itsSlot;
+    }
+
+    /** The sums of a worker. */
+    long[] sumsOf(int worker) {
+        return sums[worker];
+    }
+
+    /** Finds the scales of the sums. */
+    void prepare(int from, int to, StepConstants k) {
+        for (int n = from; n < to; n++) {
+            int s = CircleRow.of(slot[n]);
+            seen[row(n) + VELOCITY_SCALE] = CrossRule.scaleOf(velocityRange(s, k));
+            seen[row(n) + IMPULSE_SCALE] = CrossRule.scaleOf(impulseRange(s, k));
+        }
+        for (int w = 0; w < team.size(); w++) {
+            Arrays.fill(sums[w], sum(from), sum(to), 0L);
+        }
+    }
+
+    private float velocityRange(int s, StepConstants k) {
+        return CrossRule.velocityRange(state.circle[s + RADIUS], k.inverseH);
+    }
+
+    private float impulseRange(int s, StepConstants k) {
+        return CrossRule.impulseRange(state.circle[s + RADIUS], k.inverseH, state.traits[s + INVERSE_MASS]);
+    }
+
+    /** Notes the velocities that light circles are to see. */
+    void look(int from, int to) {
+        float[] m = state.motion;
+        for (int n = from; n < to; n++) {
+            int s = CircleRow.of(slot[n]);
+            seen[row(n) + SEEN_VX] = m[s + VX];
+            seen[row(n) + SEEN_VY] = m[s + VY];
+        }
+    }
+
+    /** Adds what a pass has given to the velocities. */
+    void takeGains(int from, int to, StepConstants k) {
+        for (int n = from; n < to; n++) {
+            int s = CircleRow.of(slot[n]);
+            long x = take(n, GAIN_X);
+            long y = take(n, GAIN_Y);
+            if (state.traits[s + INVERSE_MASS] != 0f) {
+                float unit = CrossRule.unitOf(velocityRange(s, k));
+                state.motion[s + VX] += CrossRule.fromFixed(x, unit);
+                state.motion[s + VY] += CrossRule.fromFixed(y, unit);
+            }
+        }
+    }
+
+    /** Adds the impulses of a pass to those that the circles begin their next sub-step with. */
+    void takeImpulses(int from, int to, StepConstants k) {
+        for (int n = from; n < to; n++) {
+            int s = CircleRow.of(slot[n]);
+            long x = take(n, SUM_IMPULSE_X);
+            long y = take(n, SUM_IMPULSE_Y);
+            if (state.traits[s + INVERSE_MASS] != 0f) {
+                float unit = CrossRule.unitOf(impulseRange(s, k));
+                state.load[s + IMPULSE_X] += CrossRule.fromFixed(x, unit);
+                state.load[s + IMPULSE_Y] += CrossRule.fromFixed(y, unit);
+            }
+        }
+    }
+
+    private long take(int number, int which) {
+        long sum = 0;
+        for (int w = 0; w < team.size(); w++) {
+            sum += sums[w][sum(number) + which];
+            sums[w][sum(number) + which] = 0L;
+        }
+        return sum;
+    }
+}
