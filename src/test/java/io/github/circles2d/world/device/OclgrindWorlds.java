@@ -78,7 +78,8 @@ final class OclgrindWorlds {
                 break;
             case "PERSISTENT_CPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_CPU));
-                kernels.addAll(steps(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 40 : 60, 1), 1 / 60f, 2, small ? 1 : 4));
+                kernels.addAll(
+                        steps(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 40 : 60, 1), 1 / 60f, 2, small ? 1 : 4));
                 break;
             case "queries":
                 // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
