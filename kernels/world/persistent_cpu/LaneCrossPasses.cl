@@ -171,7 +171,7 @@ INLINE void solveCross(const World *w, int wide, bool driving) {
     stateOf(w, wide)[3] = visited.normalImpulse;
     applyCross(w, &c, &visited);
 #ifdef RECORDING
-    noteWideSolved(w, wide, found.before, found.separation, &visited);
+    noteSolved(w, wide, found.before, found.separation, &visited);
 #endif
 }
 
@@ -219,7 +219,7 @@ INLINE void relaxCross(const World *w, int wide, bool last) {
         visit4(&ready, c.vn, true, &visited);
     }
 #ifdef RECORDING
-    noteWideRelaxed(w, wide, found.normalImpulse, masses[3], &visited);
+    noteRelaxed(w, wide, found.normalImpulse, masses[3], &visited);
 #endif
     float4 next = visited.normalImpulse;
     applyCross(w, &c, &visited);

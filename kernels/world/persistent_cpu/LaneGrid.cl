@@ -1,7 +1,6 @@
-// uses: world/stages/Grid.cl world/stages/ContinuousCollision.cl
+// uses: world/stages/Grid.cl
 // uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
-// Stages Grid and ContinuousCollision by a few work-groups that meet: what Grid.cl and ContinuousCollision.cl do to a bucket or
-// a circle, each work-group for its part of all; and the bands of rows into which the circles are divided from there on.
+// Stage Grid by a few work-groups that meet: what Grid.cl does to a bucket or a circle, each work-group for its part of all; and the bands of rows into which the circles are divided from there on.
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
 
@@ -169,31 +168,4 @@ Band sortCircles(World *w, const Crew *crew) {
     noteCircles(w, cells);
     if (crew->group == 0) noteSpareSlots(w);
     return band;
-}
-
-// Stage ContinuousCollision, where some circle is fast.
-void sweepCircles(World *w, const Crew *crew) {
-    w->k.sweeping = w->status[FAST];
-    if (!w->k.sweeping) return;
-    EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
-    awaitCrew(w, crew);
-    EACH_OF_PART(slot, w->circles, crew) {
-        if (looksAhead(w, slot)) lookAhead(w, slot, STOPS);
-    }
-    awaitCrew(w, crew);
-    if (w->status[CARRYING]) {
-        EACH_OF_PART(slot, w->circles, crew) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, CARRY_TIMES);
-        }
-        awaitCrew(w, crew);
-        EACH_OF_PART(slot, w->circles, crew) {
-            if (looksAhead(w, slot)) lookAhead(w, slot, CARRIERS);
-        }
-        awaitCrew(w, crew);
-    }
-    EACH_OF_PART(slot, w->circles, crew) {
-        setMotionClamp(w, slot);
-        searchSpeculativeDistance(w)[slot] = w->sight[slot].z;
-    }
-    awaitCrew(w, crew);
 }

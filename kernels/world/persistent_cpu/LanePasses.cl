@@ -84,7 +84,7 @@ INLINE void solveWide(const World *w, int wide, bool driving) {
     contact[3] = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, masses[0], masses[1], visited.impulse, visited.leaves);
 #ifdef RECORDING
-    noteWideSolved(w, wide, found.before, found.separation, &visited);
+    noteSolved(w, wide, found.before, found.separation, &visited);
 #endif
 }
 
@@ -137,7 +137,7 @@ INLINE void relaxWide(const World *w, int wide, bool last) {
         visit4(&ready, vn, true, &visited);
     }
 #ifdef RECORDING
-    noteWideRelaxed(w, wide, found.normalImpulse, masses[3], &visited);
+    noteRelaxed(w, wide, found.normalImpulse, masses[3], &visited);
 #endif
     float4 next = visited.normalImpulse;
     apply(w, i, j, &vi, &vj, nx, ny, wi, wj, visited.impulse, visited.leaves);

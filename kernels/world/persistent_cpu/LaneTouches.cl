@@ -54,7 +54,7 @@ INLINE void noteTouches(const World *w, int wide, float4 approach, int4 touching
 }
 
 // Looks at a wide contact after its biased pass. before: normal speeds before any impulse.
-INLINE void noteWideSolved(const World *w, int wide, float4 before, float4 separation, const Visited4 *visited) {
+INLINE void noteSolved(const World *w, int wide, float4 before, float4 separation, const Visited4 *visited) {
     global float4 *t = touchOf(w, wide);
     float4 approach = approachSpeed4(before);
     float4 notKept = choose4(visited->leaves || visited->solved, (float4)(0.0f), visited->impulse);
@@ -64,7 +64,7 @@ INLINE void noteWideSolved(const World *w, int wide, float4 before, float4 separ
 }
 
 // Looks at a wide contact after its relaxing pass. normalImpulse: before it; bounce: target speed.
-INLINE void noteWideRelaxed(const World *w, int wide, float4 normalImpulse, float4 bounce, const Visited4 *visited) {
+INLINE void noteRelaxed(const World *w, int wide, float4 normalImpulse, float4 bounce, const Visited4 *visited) {
     global float4 *t = touchOf(w, wide);
     float4 zero = (float4)(0.0f);
     float4 bounced = choose4(bounce > 0.0f, normalImpulse + visited->impulse, zero);

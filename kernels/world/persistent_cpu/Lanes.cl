@@ -1,4 +1,4 @@
-// uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LanePasses.cl
+// uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LaneSweep.cl world/persistent_cpu/LanePasses.cl
 // Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
 // device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved four at a
 // time, as wide contacts (LaneContacts.cl). The Java classes Contacts and Solver explain rows, bands and sweeps; it is the

@@ -62,6 +62,7 @@ bool listMixed(const World *w, const Crew *crew, Part *part) {
     EACH_LEVEL(w, l) {
         if (part->rows[l].from < part->rows[l].to) gatherRow(w, rowNumber(w, w->levels->used[l], part->rows[l].to - 1));
     }
+    *lowestRowsDone(w, crew->group) = 0;
     for (int l = 1; l < used; l++) dealNoted(w, &f, part->cells[l]);
     part->crossFrom = min(first, f.endWide);
     part->crossTo = min(f.wide, f.endWide);
@@ -77,30 +78,33 @@ bool listMixed(const World *w, const Crew *crew, Part *part) {
     return !outOfRoom(w) && !tooCrowded(w);
 }
 
-// A pass over like contacts. relaxing: the relaxing pass, else the biased one.
-INLINE void visitLike(const World *w, const Crew *crew, const Part *part, bool relaxing, bool last) {
+INLINE void visitRow(const World *w, int row, bool relaxing, bool last) {
+    if (relaxing) {
+        relaxRow(w, row, last);
+    } else {
+        solveRow(w, row);
+    }
+}
+
+// A pass over like contacts, the number-th of the step. relaxing: the relaxing pass, else the biased one. The lowest rows of all levels
+// come first: the highest ones share circles with those of other work-groups, which are long done when it comes to them.
+INLINE void visitLike(const World *w, const Crew *crew, const Part *part, int number, bool relaxing, bool last) {
+    EACH_LEVEL(w, l) {
+        Band rows = part->rows[l];
+        if (rows.from < rows.to) visitRow(w, rowNumber(w, w->levels->used[l], rows.from), relaxing, last);
+    }
+    announce(lowestRowsDone(w, crew->group), number);
     EACH_LEVEL(w, l) {
         int first = rowNumber(w, w->levels->used[l], 0);
-        for (int row = part->rows[l].from; row < part->rows[l].to; row += 2) {
-            for (int r = 0; r < 2; r++) {
-                if (row - r < part->rows[l].from) continue;
-                if (relaxing) {
-                    relaxRow(w, first + row - r, last);
-                } else {
-                    solveRow(w, first + row - r);
-                }
-            }
+        for (int row = part->rows[l].from + 2; row < part->rows[l].to; row += 2) {
+            visitRow(w, first + row, relaxing, last);
+            visitRow(w, first + row - 1, relaxing, last);
         }
     }
-    awaitCrew(w, crew);
+    for (int group = 0; group < crew->groups; group++) awaitCount(lowestRowsDone(w, group), number);
     EACH_LEVEL(w, l) {
-        int row = rowNumber(w, w->levels->used[l], part->rows[l].to - 1);
-        if (part->rows[l].from == part->rows[l].to) continue;
-        if (relaxing) {
-            relaxRow(w, row, last);
-        } else {
-            solveRow(w, row);
-        }
+        Band rows = part->rows[l];
+        if (rows.from < rows.to) visitRow(w, rowNumber(w, w->levels->used[l], rows.to - 1), relaxing, last);
     }
     awaitCrew(w, crew);
     EACH_LEVEL(w, l) beginCross(w, part->cells[l]);
@@ -113,14 +117,14 @@ void solveMixed(World *w, const Crew *crew, const Part *part) {
         bool last = subStep == w->k.subSteps - 1;
         w->subStep = subStep;
         EACH_LEVEL(w, l) integrateVelocitiesOf(w, part->cells[l]);
-        visitLike(w, crew, part, false, last);
+        visitLike(w, crew, part, 2 * subStep + 1, false, last);
         solveCrosses(w, part->crossFrom, part->crossTo);
         awaitCrew(w, crew);
         EACH_LEVEL(w, l) {
             takeCrosses(w, part->cells[l], true, false);
             integratePositionsOf(w, part->cells[l], subStep == 0);
         }
-        visitLike(w, crew, part, true, last);
+        visitLike(w, crew, part, 2 * subStep + 2, true, last);
         relaxCrosses(w, part->crossFrom, part->crossTo, last);
         awaitCrew(w, crew);
         EACH_LEVEL(w, l) takeCrosses(w, part->cells[l], true, !last);

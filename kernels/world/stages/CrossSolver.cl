@@ -163,7 +163,7 @@ kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     for (int c = from; c < to; c++) {
         float notKept = solveCrossContact(&w, c, slot, &v);
 #ifdef RECORDING
-        noteSolved(&w, touch, c, notKept);
+        noteSolvedContact(&w, touch, c, notKept);
 #endif
     }
     leaveLight(&w, slot, v);
@@ -181,7 +181,7 @@ kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
     for (int c = from; c < to; c++) {
         float bounced = relaxCrossContact(&w, c, slot, last != 0, &v);
 #ifdef RECORDING
-        noteRelaxed(&w, touch, c, bounced);
+        noteRelaxedContact(&w, touch, c, bounced);
 #endif
     }
     leaveLight(&w, slot, v);

@@ -23,7 +23,7 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
 }
 
 // Takes a visit of the biased pass down. notKept: the impulse of a free bounce.
-void noteSolved(const World *w, global float4 *touch, int c, float notKept) {
+void noteSolvedContact(const World *w, global float4 *touch, int c, float notKept) {
     uint2 pr = w->pair[c];
     float4 n = w->contact[c];
     global float4 *t = touch + 2 * c;
@@ -34,7 +34,7 @@ void noteSolved(const World *w, global float4 *touch, int c, float notKept) {
 }
 
 // Takes a visit of the relaxing pass down. bounced: the impulse of a bounce.
-void noteRelaxed(const World *w, global float4 *touch, int c, float bounced) {
+void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounced) {
     global float4 *t = touch + 2 * c;
     float notKept = t[1].w + bounced;
     float4 n = w->contact[c];
@@ -153,7 +153,7 @@ kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteSolved(&w, touch, c, solveContact(&w, c));
+    for (int c = groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
 }
 
 // Index space: a working slot a work-item.
@@ -184,7 +184,7 @@ kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 
     if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
     int to = groupStart[group + 1];
-    for (int c = groupStart[group]; c < to; c++) noteRelaxed(&w, touch, c, relaxContact(&w, c, last != 0));
+    for (int c = groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
 // The wall of an axis. c, m: circle and motion after the step.

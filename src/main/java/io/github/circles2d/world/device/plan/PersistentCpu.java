@@ -47,6 +47,12 @@ public final class PersistentCpu implements Plan {
         return List.of("world/persistent_cpu/Lanes.cl", "world/persistent_cpu/MixedLanes.cl");
     }
 
+    /** Stages that kernels by lanes share with others call theirs. */
+    @Override
+    public KernelSource define(KernelSource source) {
+        return source.define("BY_LANES", 1);
+    }
+
     @Override
     public KernelSource define(KernelSource source, Device device) {
         return source.define("YIELDS", yields(device));
