@@ -198,6 +198,9 @@ INLINE bool gatherWide(const World *w, int wide) {
     return most.z > (float) CROWD;
 }
 
+// The number of a row of a level among those of all levels: each has room for rows of four cells at least.
+int rowNumber(const World *w, int level, int row) { return (w->levels->first[level] >> 2) + row; }
+
 // The wide contacts of a row of groups lie in one piece; where, is kept where other plans count the contacts of groups.
 void noteRow(const World *w, int row, int firstWide, int endWide) {
     w->groupStart[2 * row] = firstWide;
@@ -211,20 +214,4 @@ void gatherRow(const World *shared, int row) {
     bool crowded = false;
     for (int wide = w->groupStart[2 * row]; wide < end; wide++) crowded |= gatherWide(w, wide);
     if (crowded) w->status[CROWDED] = 1;
-}
-
-// How many contacts each circle had in the last step, into rank, which is all zeros. Index space: a row of groups a work-item,
-// no more than the level's. Cost: its contacts.
-kernel void persistentCpu_degrees(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int row = (int) get_global_id(0);
-    if (row >= levels->rowCount[levels->used[0]]) return;
-    for (int place = 4 * w.groupStart[2 * row]; place < 4 * w.groupStart[2 * row + 1]; place++) {
-        int wide = place >> 2;
-        uint lo = pairOf(&w, wide)[place & 3];
-        uint hi = pairOf(&w, wide)[4 + (place & 3)];
-        if (lo == hi) continue;
-        atomic_inc(&w.rank[lo]);
-        atomic_inc(&w.rank[hi]);
-    }
 }

@@ -1,5 +1,6 @@
 // uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
-// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneTouches.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneCross.cl
+// uses: world/persistent_cpu/LaneTouches.cl
 // Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
 // lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
 // the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
@@ -18,6 +19,8 @@ typedef struct {
     int start[DEALT_TOGETHER + 1];
     int groups;
     int wide, endWide; // where the next wide contact goes, and where there is no more room
+    int owner;         // the work-group; see LaneCross.cl
+    int nodes;         // see LaneCross.cl
     int contacts;
     bool crowded;
 #ifdef RECORDING
@@ -61,8 +64,9 @@ INLINE int scanSlots(const World *w, Search *f, int hits, int slot, int from, in
     return hits;
 }
 
-// Puts the pairs that were hit among those gathered, in order of their ids. filtering: see mayMeetIf.
-INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering) {
+// Puts the pairs that were hit among those gathered, in order of their ids. filtering: see mayMeetIf; cross: whether they are cross
+// contacts of one light circle, which looked; see LIGHT_IS_HIGHER.
+INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering, bool cross) {
     int from = f->gathered;
     int count = from;
     for (int k = 0; k < hits; k++) {
@@ -75,6 +79,7 @@ INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering) {
         int exchange = (slot ^ other) & ((otherId - id) >> 31);
         ulong ids = (ulong) min(id, otherId) << 32 | (uint) max(id, otherId);
         ulong slots = (ulong) (slot ^ exchange) << 32 | (uint) (other ^ exchange);
+        if (cross && otherId < id) slots |= LIGHT_IS_HIGHER;
         // Exchanged with every pair that comes after it. No branch: where it comes to stand is as good as random.
         for (int p = from; p < count; p++) {
             ulong nextIds = f->ids[p];
@@ -94,7 +99,8 @@ INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering) {
 
 // Deals what has been gathered to wide contacts: the first contact of each group, then the second of each. A wide contact may
 // hold the end of one round and the start of the next, as long as so many groups are left that none of them is in it twice.
-void deal(const World *w, Search *f) {
+// cross: whether a group has the cross contacts of one light circle.
+INLINE void dealAs(const World *w, Search *f, bool cross) {
     int next[DEALT_TOGETHER], end[DEALT_TOGETHER];
     int open = f->groups;
     for (int g = 0; g < open; g++) {
@@ -114,7 +120,13 @@ void deal(const World *w, Search *f) {
             end[left] = last;
             left += from + 1 < last;
             if (lanes == 4 || (g == open - 1 && left < 4)) {
-                if (f->wide < f->endWide) fillWide(w, f->wide, ids, slots, lanes);
+                if (f->wide < f->endWide) {
+                    if (cross) {
+                        fillCross(w, f->wide, ids, slots, lanes, f->owner);
+                    } else {
+                        fillWide(w, f->wide, ids, slots, lanes);
+                    }
+                }
 #ifdef RECORDING
                 if (f->wide < f->endWide) f->met += clearTouch(w, f->wide, ids, lanes);
 #endif
@@ -129,9 +141,13 @@ void deal(const World *w, Search *f) {
     f->groups = 0;
 }
 
+void deal(const World *w, Search *f) { dealAs(w, f, false); }
+
+// Whether what has been gathered has to be dealt before another group is.
+bool hasToDeal(const Search *f) { return f->groups == DEALT_TOGETHER || f->gathered > GATHERED - HITS; }
+
 // Tests the pairs of the group of a row and column; returns how many are near.
-INLINE int findGroup(const World *w, Search *f, int row, int column) {
-    int l = w->levels->used[0];
+INLINE int findGroup(const World *w, Search *f, int l, int row, int column) {
     int cl = w->levels->columnsLog[l];
     global const int *own = w->bucketStart + w->levels->first[l] + (row << cl);
     global const int *above =
@@ -158,25 +174,24 @@ INLINE int findGroup(const World *w, Search *f, int row, int column) {
     return hits;
 }
 
-// Finds and fills the contacts of a row of groups.
-void findRow(const World *shared, Search *f, int row) {
+// Finds and fills the contacts of a row of groups of a level.
+void findRow(const World *shared, Search *f, int l, int row) {
     World own = *shared;
     const World *w = &own;
     int first = f->wide;
-    Cells cells = cellsOf(w, row);
+    Cells cells = cellsOf(w, l, row);
     // A row without circles has no groups with contacts: an arena that is smaller than its torus leaves many empty.
-    int columns = cells.from < cells.to ? w->levels->columnCount[w->levels->used[0]] : 0;
+    int columns = cells.from < cells.to ? w->levels->columnCount[l] : 0;
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
-            int hits = findGroup(w, f, row, column);
+            int hits = findGroup(w, f, l, row, column);
             if (w->k.filtering) {
-                gatherHits(w, f, hits, true);
+                gatherHits(w, f, hits, true, false);
             } else {
-                gatherHits(w, f, hits, false);
+                gatherHits(w, f, hits, false, false);
             }
-            bool full = f->groups == DEALT_TOGETHER || f->gathered > GATHERED - HITS;
-            if (full || column + 2 >= columns) deal(w, f);
+            if (hasToDeal(f) || column + 2 >= columns) deal(w, f);
         }
     }
-    noteRow(w, row, min(first, f->endWide), min(f->wide, f->endWide));
+    noteRow(w, rowNumber(w, l, row), min(first, f->endWide), min(f->wide, f->endWide));
 }

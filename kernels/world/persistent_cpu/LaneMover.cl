@@ -1,20 +1,20 @@
 // uses: world/shared/Motion.cl world/stages/Touches.cl
-// The circles' part of stage Solver for a row of cells. Loops have a copy of the World of their own, whose pointers stay in
+// The circles' part of stage Solver for some cells. Loops have a copy of the World of their own, whose pointers stay in
 // registers; what is called for circles at walls gets the shared one: a copy that others know stays in memory.
 
 typedef struct {
     int from, to; // slots
 } Cells;
 
-Cells cellsOf(const World *w, int row) {
-    int l = w->levels->used[0];
-    global const int *start = w->bucketStart + w->levels->first[l] + (row << w->levels->columnsLog[l]);
-    Cells c = {start[0], start[1 << w->levels->columnsLog[l]]};
+// The circles of a row of a level.
+Cells cellsOf(const World *w, int level, int row) {
+    global const int *start = w->bucketStart + w->levels->first[level] + (row << w->levels->columnsLog[level]);
+    Cells c = {start[0], start[1 << w->levels->columnsLog[level]]};
     return c;
 }
 
 // Gravity, the impulses of the sub-step before, and the biased pass over the walls. driving: see integrateOffWalls.
-INLINE void integrateVelocitiesOf(const World *shared, const World *w, Cells cells, bool driving) {
+INLINE void integrateVelocitiesIn(const World *shared, const World *w, Cells cells, bool driving) {
     for (int slot = cells.from; slot < cells.to; slot++) {
         float4 c = w->circle[slot];
         float4 m = w->motion[slot];
@@ -43,23 +43,21 @@ INLINE void integrateVelocitiesOf(const World *shared, const World *w, Cells cel
     }
 }
 
-// The same for a row. One loop for each case: a step in which gravity alone acts pays nothing for the other.
-void integrateVelocitiesOfRow(const World *shared, int row) {
+// One loop for each case: a step in which gravity alone acts pays nothing for the other.
+void integrateVelocitiesOf(const World *shared, Cells cells) {
     World own = *shared;
-    Cells cells = cellsOf(&own, row);
     if (own.k.driving) {
-        integrateVelocitiesOf(shared, &own, cells, true);
+        integrateVelocitiesIn(shared, &own, cells, true);
     } else {
-        integrateVelocitiesOf(shared, &own, cells, false);
+        integrateVelocitiesIn(shared, &own, cells, false);
     }
 }
 
 // Moves circles, keeps them within the walls, and makes the relaxing pass over the walls. first: forgets the impulses of the
 // step before, which contacts have started with.
-void integratePositionsOfRow(const World *shared, int row, bool first) {
+void integratePositionsOf(const World *shared, Cells cells, bool first) {
     World own = *shared;
     const World *w = &own;
-    Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
         float4 c = w->circle[slot];
         float4 m = w->motion[slot];
@@ -88,10 +86,9 @@ void integratePositionsOfRow(const World *shared, int row, bool first) {
 }
 
 // Ends the step for circles.
-void finishRow(const World *shared, int row) {
+void finish(const World *shared, Cells cells) {
     World own = *shared;
     const World *w = &own;
-    Cells cells = cellsOf(w, row);
     for (int slot = cells.from; slot < cells.to; slot++) {
         finalizePositions(w, slot, w->circle[slot], w->motion[slot], w->traits[slot]);
         w->homeFirstCached[slot] = w->firstCached[slot];

@@ -1,4 +1,4 @@
-// uses: world/shared/TouchRule.cl*4 world/stages/Touches.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneMover.cl
+// uses: world/shared/TouchRule.cl*4 world/stages/Touches.cl world/persistent_cpu/LaneCross.cl world/persistent_cpu/LaneMover.cl
 // Records what wide contacts do in a step, as Touches.cl does for contacts, if events are reported.
 //
 // A row has eight float4: approach speed, impulse; approach speed of the sub-step, impulse of the sub-step that no contact keeps;
@@ -32,7 +32,7 @@ void placeTouch(const World *w, int wide, int4 lanes) {
     global const float *contact = (global const float *) stateOf(w, wide);
     for (int l = 0; l < 4; l++) {
         if (!fast[l]) continue;
-        uint lower = pairOf(w, wide)[l];
+        uint lower = pairOf(w, wide)[isLightHigher(w, wide, l) ? 4 + l : l];
         float4 c = w->circle[lower];
         float4 m = w->motion[lower];
         float nx = contact[l], ny = contact[4 + l], separation = contact[8 + l];
@@ -74,13 +74,12 @@ INLINE void noteRelaxed(const World *w, int wide, float4 normalImpulse, float4 b
     noteTouches(w, wide, t[2], impulse > 0.0f);
 }
 
-// Records those contacts of a row of groups that have to be. Returns how many hold.
-int recordRow(const World *shared, int row, bool all) {
+// Records those contacts of the wide ones [from, end) that have to be. cross: whether these are cross contacts. Returns how many hold.
+INLINE int recordWides(const World *shared, int from, int end, bool all, bool cross) {
     World own = *shared;
     const World *w = &own;
     int4 holding = (int4)(0);
-    int end = w->groupStart[2 * row + 1];
-    for (int wide = w->groupStart[2 * row]; wide < end; wide++) {
+    for (int wide = from; wide < end; wide++) {
         global const float4 *t = touchOf(w, wide);
         global const float4 *state = stateOf(w, wide);
         float4 zero = (float4)(0.0f), approach = t[0], radii = baseOf(w, wide)[2];
@@ -101,13 +100,19 @@ int recordRow(const World *shared, int row, bool all) {
             if (!some[l]) continue;
             global const float *touch = (global const float *) t + l;
             global const float *n = (global const float *) state + l;
-            uint2 pr = (uint2)(pairOf(w, wide)[l], pairOf(w, wide)[4 + l]);
+            bool exchanged = cross && isLightHigher(w, wide, l);
+            uint2 pr = (uint2)(pairOf(w, wide)[exchanged ? 4 + l : l], pairOf(w, wide)[exchanged ? l : 4 + l]);
             recordPair(shared, all, pr, (float4)(n[0], n[4], n[8], 0.0f), n[12],
                        ((global const float *) (baseOf(w, wide) + 2))[l], touch[0], touch[4],
                        (float2)(touch[16], touch[20]), (float2)(touch[24], touch[28]));
         }
     }
     return -(holding.x + holding.y + holding.z + holding.w);
+}
+
+// The same for a row of groups.
+int recordRow(const World *w, int row, bool all) {
+    return recordWides(w, w->groupStart[2 * row], w->groupStart[2 * row + 1], all, false);
 }
 
 // Begins a step for the walls of a circle.

@@ -1,4 +1,4 @@
-// uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LanePasses.cl
+// uses: world/persistent_cpu/LaneGrid.cl world/persistent_cpu/LaneSweep.cl world/persistent_cpu/LanePasses.cl
 // Whole steps in one launch on a processor, where all circles are of one level: as many work-groups of one work-item as the
 // device has compute units, each with a band of rows of cells, and as few meetings as can be. Contacts are solved four at a
 // time, as wide contacts (LaneContacts.cl). The Java classes Contacts and Solver explain rows, bands and sweeps; it is the
@@ -10,32 +10,53 @@ bool isIn(int row, int low, int high) { return low <= row && row < high; }
 // array that is free once contacts have been found.
 volatile global int *lowestRowsDone(const World *w, int group) { return w->bucketBefore + 16 * group; }
 
+// Each work-group lists its contacts in a region of its own: so many wide contacts.
+int regionOf(const World *w, const Crew *crew) { return w->contactRoom / 4 / crew->groups; }
+
+void beginSearch(const World *w, const Crew *crew, Search *f) {
+    f->x = searchX(w);
+    f->y = searchY(w);
+    f->speculativeDistance = searchSpeculativeDistance(w);
+    f->gathered = f->groups = f->start[0] = f->contacts = f->nodes = 0;
+    f->crowded = false;
+#ifdef RECORDING
+    f->met = 0;
+#endif
+    f->owner = crew->group;
+    f->wide = crew->group * regionOf(w, crew);
+    f->endWide = f->wide + regionOf(w, crew);
+}
+
+// Tells what a work-group has found.
+void endSearch(const World *w, const Crew *crew, const Search *f) {
+    int region = regionOf(w, crew);
+    int first = crew->group * region;
+    if (f->crowded) w->status[CROWDED] = 1;
+    if (f->wide > f->endWide) w->status[OUT_OF_ROOM] = 1;
+    atomic_add(&w->status[CONTACTS], f->contacts);
+#ifdef RECORDING
+    atomic_add(&w->status[TOUCHES_MET], f->met);
+#endif
+    atomic_max(&w->status[MOST_PLACES], 4 * (f->wide - first + (first + region - f->endWide)));
+    atomic_max(&w->status[PLACES], 4 * min(f->wide, f->endWide));
+}
+
+// Tells how much room is needed, where it is not enough. After a meeting.
+void askForRoom(const World *w, const Crew *crew) {
+    if (outOfRoom(w) && crew->group == 0) {
+        long places = (long) w->status[MOST_PLACES] * crew->groups;
+        w->status[CONTACTS] = max(w->status[CONTACTS], (int) min(places, 1L << 30));
+    }
+}
+
 // Stage Contacts. Returns false where the step is refused, the same to all work-groups.
 bool listContacts(const World *w, const Crew *crew, const Band *band) {
     Search f;
-    f.x = searchX(w);
-    f.y = searchY(w);
-    f.speculativeDistance = searchSpeculativeDistance(w);
-    f.gathered = f.groups = f.start[0] = f.contacts = 0;
-    f.crowded = false;
-#ifdef RECORDING
-    f.met = 0;
-#endif
-    int room = w->contactRoom / 4 / crew->groups; // each work-group has a region of its own
-    int first = crew->group * room;
-    f.wide = first;
-    f.endWide = first + room;
+    beginSearch(w, crew, &f);
     for (int row = band->from; row <= band->to; row += 2) {
-        for (int r = 0; r < 2 && row < band->to; r++) findRow(w, &f, row + r);
+        for (int r = 0; r < 2 && row < band->to; r++) findRow(w, &f, onlyLevel(w), row + r);
         if (row == band->to) {
-            if (f.crowded) w->status[CROWDED] = 1;
-            if (f.wide > f.endWide) w->status[OUT_OF_ROOM] = 1;
-            atomic_add(&w->status[CONTACTS], f.contacts);
-#ifdef RECORDING
-            atomic_add(&w->status[TOUCHES_MET], f.met);
-#endif
-            atomic_max(&w->status[MOST_PLACES], 4 * (f.wide - first));
-            atomic_max(&w->status[PLACES], 4 * min(f.wide, f.endWide));
+            endSearch(w, crew, &f);
             awaitCrew(w, crew); // the row after the last is another band's
             *lowestRowsDone(w, crew->group) = 0;
         }
@@ -45,26 +66,25 @@ bool listContacts(const World *w, const Crew *crew, const Band *band) {
         }
     }
     awaitCrew(w, crew);
-    if (outOfRoom(w) && crew->group == 0) {
-        long places = (long) w->status[MOST_PLACES] * crew->groups;
-        w->status[CONTACTS] = max(w->status[CONTACTS], (int) min(places, 1L << 30));
-    }
+    askForRoom(w, crew);
     return !outOfRoom(w) && !tooCrowded(w);
 }
 
-int ringRow(const World *w, int row) { return onRing(row, w->levels->rowCount[w->levels->used[0]]); }
+int ringRow(const World *w, int row) { return onRing(row, w->levels->rowCount[onlyLevel(w)]); }
+
+Cells cellsOfRow(const World *w, int row) { return cellsOf(w, onlyLevel(w), row); }
 
 // All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row.
 void visitRows(World *w, int row, int low, int high, int inwards, int subStep) {
     w->subStep = subStep;
     if (isIn(row, low, high)) {
-        for (int r = 0; r < 2; r++) integrateVelocitiesOfRow(w, ringRow(w, row + r));
+        for (int r = 0; r < 2; r++) integrateVelocitiesOf(w, cellsOfRow(w, ringRow(w, row + r)));
     }
     for (int r = 0; r < 2; r++) {
         if (isIn(row - r, low + r * inwards, high - r * inwards)) solveRow(w, ringRow(w, row - r));
     }
     for (int r = 2; r > 0; r--) {
-        if (isIn(row - r, low + inwards, high - inwards)) integratePositionsOfRow(w, ringRow(w, row - r), subStep == 0);
+        if (isIn(row - r, low + inwards, high - inwards)) integratePositionsOf(w, cellsOfRow(w, ringRow(w, row - r)), subStep == 0);
     }
     for (int r = 2; r < 4; r++) {
         if (isIn(row - r, low + r * inwards, high - r * inwards)) {
@@ -87,7 +107,7 @@ void sweepRows(World *w, const Crew *crew, int low, int high, int inwards, int f
         }
         for (int r = 0; r < 2 && to == w->k.subSteps; r++) {
             int row = front - lag + r;
-            if (isIn(row, low + inwards * lag, high - inwards * lag)) finishRow(w, ringRow(w, row));
+            if (isIn(row, low + inwards * lag, high - inwards * lag)) finish(w, cellsOfRow(w, ringRow(w, row)));
         }
         if (inwards > 0 && front == low + 2 * lag - 2) announce(lowestRowsDone(w, crew->group), to);
     }
@@ -112,16 +132,16 @@ void solveInSweeps(World *w, const Crew *crew, const Band *band) {
 void solveInPasses(World *w, int rows) {
     for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
         w->subStep = subStep;
-        for (int row = 0; row < rows; row++) integrateVelocitiesOfRow(w, row);
+        for (int row = 0; row < rows; row++) integrateVelocitiesOf(w, cellsOfRow(w, row));
         for (int odd = 0; odd < 2; odd++) {
             for (int row = odd; row < rows; row += 2) solveRow(w, row);
         }
-        for (int row = 0; row < rows; row++) integratePositionsOfRow(w, row, subStep == 0);
+        for (int row = 0; row < rows; row++) integratePositionsOf(w, cellsOfRow(w, row), subStep == 0);
         for (int odd = 0; odd < 2; odd++) {
             for (int row = odd; row < rows; row += 2) relaxRow(w, row, subStep == w->k.subSteps - 1);
         }
     }
-    for (int row = 0; row < rows; row++) finishRow(w, row);
+    for (int row = 0; row < rows; row++) finish(w, cellsOfRow(w, row));
 }
 
 #ifdef RECORDING
@@ -154,7 +174,7 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             sweepCircles(&w, &crew);
             made = listContacts(&w, &crew, &band);
             if (!made) break;
-            band = bandOf(&w, &crew, true);
+            band = bandOf(&w, &crew, onlyLevel(&w), 2 * LAG, true);
             if (band.narrowest >= 2 * LAG) {
                 solveInSweeps(&w, &crew, &band);
             } else {

@@ -15,6 +15,7 @@ typedef struct {
     int slot;
     bool isStatic;
     Look look;
+    bool byLanes; // whether it may look at four circles at a time
 } Runner;
 
 // Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
@@ -131,7 +132,17 @@ bool mayMatter(const World *w, const Runner *s, int other) {
     return mayTouch(ACROSS_X(w, c.x - s->x), ACROSS_Y(w, c.y - s->y), s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
 }
 
+#ifdef BY_LANES
+void meetByLanes(const World *w, const Runner *s, int from, int to); // LaneSweep.cl
+#endif
+
 void meetAll(const World *w, const Runner *s, int from, int to) {
+#ifdef BY_LANES
+    if (s->byLanes) {
+        meetByLanes(w, s, from, to);
+        return;
+    }
+#endif
     for (int other = from; other < to; other++) {
         if (other == s->slot) continue;
         if (s->look == STOPS) {
@@ -168,14 +179,14 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     }
 }
 
-void lookAhead(const World *w, int slot, Look look) {
+void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
     bool isStatic = sight.w == 0.0f;
     if (isStatic && look == STOPS) return;
     Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic,
-                look};
+                look, byLanes};
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
@@ -202,6 +213,8 @@ void lookAhead(const World *w, int slot, Look look) {
         }
     }
 }
+
+void lookAhead(const World *w, int slot, Look look) { lookAheadBy(w, slot, look, false); }
 
 // Fast circles look for others that they would touch, no faster than themselves. Index space: a working slot a work-item.
 // Cost: the cells around its path, for a fast circle.

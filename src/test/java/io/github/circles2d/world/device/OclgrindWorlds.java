@@ -78,6 +78,8 @@ final class OclgrindWorlds {
                 break;
             case "PERSISTENT_CPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_CPU));
+                kernels.addAll(
+                        steps(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 40 : 60, 1), 1 / 60f, 2, small ? 1 : 4));
                 break;
             case "queries":
                 // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
@@ -86,6 +88,7 @@ final class OclgrindWorlds {
                 break;
             case EVENTS_OF_LANES:
                 kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.thesis(40, 1)));
+                kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 30 : 60, 2)));
                 break;
             case "levels of tiles":
                 kernels.addAll(steps(Plans.TILES, Scenes.mixed(small ? 20 : 40, 1), 1 / 60f, 2, small ? 2 : 4));

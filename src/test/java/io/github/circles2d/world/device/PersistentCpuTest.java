@@ -128,6 +128,41 @@ class PersistentCpuTest {
         }
     }
 
+    /** Every tenth circle is static or very heavy, so that in some pairs the larger circle is the light one. */
+    @ParameterizedTest
+    @MethodSource("processors")
+    void circlesOfManySizesHaveTheSameBitsInAnyNumberOfWorkGroups(Device device) {
+        Scene scene = Scenes.mixed(8000, 3);
+        Absent workGroups = new Absent(device);
+        try (Twins twins = Twins.load(scene, java(), pipeline(device, workGroups))) {
+            for (int id = 0; id < scene.size(); id += 10) {
+                float mass = id % 20 == 0 ? Float.POSITIVE_INFINITY : 1e5f * scene.mass(id);
+                twins.set(Commands.MASS, id, mass, 0);
+            }
+            for (int k = 0; k < 6; k++) {
+                workGroups.most = 1 + k % device.computeUnits();
+                twins.step(scene.timeStep(), 3);
+                twins.assertEqual(workGroups.most() + " work-groups");
+                twins.assertSameFigures();
+            }
+        }
+    }
+
+    /** Contacts for which there is no room at first: what is noted for other work-groups needs room, too. */
+    @ParameterizedTest
+    @MethodSource("processors")
+    void roomIsMadeForContactsOfManySizes(Device device) {
+        Scene scene = Scenes.mixed(4000, 6);
+        try (Twins twins = Twins.load(scene, java(), Pipelines.of(device, Plans.PERSISTENT_CPU))) {
+            for (int id = 0; id < scene.size(); id++) {
+                twins.set(Commands.POSITION, id, 0.3f * scene.x(id), 0.3f * scene.y(id));
+            }
+            twins.step(scene.timeStep(), 2);
+            twins.assertEqual("close together");
+            twins.assertSameFigures();
+        }
+    }
+
     @ParameterizedTest
     @MethodSource("processors")
     void worldsOfHardlyAnyRowsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
@@ -158,12 +193,12 @@ class PersistentCpuTest {
 
     @ParameterizedTest
     @MethodSource("processors")
-    void stepsByLanesAndByColoursMayTakeTurns(Device device) {
+    void stepsOfOneLevelAndOfSeveralMayTakeTurns(Device device) {
         Scene scene = Scenes.packed(3000, 5);
         DevicePipeline pipeline = Pipelines.of(device, Plans.PERSISTENT_CPU);
         try (Twins twins = Twins.load(scene, java(), pipeline)) {
             for (int k = 0; k < 8; k++) {
-                // One circle that is much larger makes a second level, which lanes do not take.
+                // One circle that is much larger makes a second level.
                 twins.set(Commands.RADIUS, 0, (k % 2 == 0 ? 1 : 5) * scene.radius(0), 0);
                 twins.step(scene.timeStep(), 1 + k % 3);
                 twins.assertEqual("turn " + k);

@@ -145,7 +145,8 @@ class WorldOclgrindTest {
                         "solver_solveTile",
                         "continuousCollision_look",
                         "persistentGpu_steps",
-                        "persistentCpu_steps");
+                        "persistentCpu_steps",
+                        "persistentCpu_mixedSteps");
         return kernels;
     }
 }

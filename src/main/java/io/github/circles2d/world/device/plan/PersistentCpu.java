@@ -4,11 +4,12 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.GridLevels;
 import java.util.List;
 
 /**
- * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/persistent_cpu/Lanes.cl}. The
- * launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If they do not run at
+ * One launch for many steps on a processor; {@code kernels/world/persistent_cpu/Lanes.cl}, and {@code MixedLanes.cl} if circles are of
+ * several levels. The launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If they do not run at
  * the same time, the launch says so and changes nothing; later launches have one work-group.
  */
 public final class PersistentCpu implements Plan {
@@ -18,13 +19,19 @@ public final class PersistentCpu implements Plan {
     /** Rows of cells that a work-group needs at least. */
     private static final int LEAST_ROWS = 8;
 
+    /** Columns that a level has at least: kernels number the rows of all levels as if each had no more. */
+    private static final int LEAST_COLUMNS = 4;
+
     private final WorkGroups workGroups;
     private Stages stages;
     private Kernel steps;
+    private Kernel mixedSteps;
     private Kernel degrees;
 
-    /** Rows of cells of the last steps. */
-    private int rows;
+    /** Work-groups of the last launch, and work-items that count its contacts. */
+    private int groups;
+
+    private int countingItems;
 
     public PersistentCpu(WorkGroups workGroups) {
         this.workGroups = workGroups;
@@ -37,7 +44,13 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/persistent_cpu/Lanes.cl");
+        return List.of("world/persistent_cpu/Lanes.cl", "world/persistent_cpu/MixedLanes.cl");
+    }
+
+    /** Stages that kernels by lanes share with others call theirs. */
+    @Override
+    public KernelSource define(KernelSource source) {
+        return source.define("BY_LANES", 1);
     }
 
     @Override
@@ -58,21 +71,27 @@ public final class PersistentCpu implements Plan {
     public void load(Stages shared) {
         stages = shared;
         steps = stages.kernel("persistentCpu_steps");
+        mixedSteps = stages.kernel("persistentCpu_mixedSteps");
         degrees = stages.kernel("persistentCpu_degrees");
     }
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning() && wanted.haveOneLevel();
+        return !wanted.thinning();
     }
 
     @Override
     public void enqueue(Steps wanted) {
         stages.begin(wanted, false);
-        rows = wanted.levels().rowCount[wanted.level()];
+        GridLevels levels = wanted.levels();
+        int rows = 0;
+        for (int l = 0; l < levels.usedCount; l++) {
+            rows = Math.max(rows, levels.rowCount[levels.used[l]]);
+        }
         int useful = Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS);
-        int groups = Math.max(1, Math.min(workGroups.most(), useful));
-        stages.record(steps, 3)
+        groups = Math.max(1, Math.min(workGroups.most(), useful));
+        countingItems = levels.buckets() / LEAST_COLUMNS + groups;
+        stages.record(wanted.haveOneLevel() ? steps : mixedSteps, 3)
                 .arg(StageKernels.own(0), wanted.count())
                 .arg(StageKernels.own(1), workGroups.awaited(groups))
                 .arg(StageKernels.own(2), workGroups.patience())
@@ -81,7 +100,7 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public void countDegrees(int contacts) {
-        degrees.run(rows);
+        degrees.arg(StageKernels.own(0), groups).run(countingItems);
     }
 
     /** The fullest band says how much room is needed, which is no sign of a crowd; kernels tell of crowds by themselves. */
