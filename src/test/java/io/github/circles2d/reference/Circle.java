@@ -62,6 +62,9 @@ final class Circle {
     /** Of a heavy circle, what its contacts with light ones add up to. */
     int load;
 
+    /** Of a heavy circle, 1 + the highest id of the light ones that wait to bounce off it; 0 if there are none. */
+    int claim;
+
     FixedSum heavyGain;
     FixedSum heavyImpulse;
     float[] velocityBeforePass;
@@ -125,6 +128,7 @@ final class Circle {
 
     void forgetHeavyContacts(StepParameters k) {
         load = 0;
+        claim = 0;
         heavyGain = new FixedSum(radius * k.inverseH());
         heavyImpulse = new FixedSum(radius * k.inverseH() / inverseMass());
     }

@@ -121,6 +121,11 @@ abstract class Constraint {
         return 0f;
     }
 
+    /** Whether circles that are to bounce in free flight wait for it. */
+    boolean waits(boolean biased, float vn) {
+        return false;
+    }
+
     /** Takes note of an impulse that the constraint does not keep. */
     void note(float impulse) {}
 
@@ -155,7 +160,7 @@ abstract class Constraint {
         boolean flies = restitution > 0f && !isLoaded() && normalImpulse == 0f;
         if (flies && isImpactInFlight(vn)) {
             boolean meets = !biased || separation * step.inverseH() + vn < 0f;
-            if (vn < 0f && meets) {
+            if (vn < 0f && meets && !waits(biased, vn)) {
                 float speed = biased ? vn - halfFall() : vn;
                 float impulse = -(1f + restitution) * speed * (1f / inverseMasses);
                 applyFreeBounce(impulse);

@@ -109,6 +109,25 @@ final class Contact extends Constraint {
         return Numbers.dot(normal, minus(velocity.apply(higher), velocity.apply(lower)));
     }
 
+    /**
+     * Two circles of different levels that meet claim a turn, unless they would be too deep or one is static. In the pass without bias
+     * only one light circle bounces off a heavy one, if it is no heavy one itself whose turn it is.
+     */
+    @Override
+    boolean waits(boolean biased, float vn) {
+        if (!isCross() || heavy.isStatic()) {
+            return false;
+        }
+        float depth = Numbers.min(0.25f * radii, 4f * Numbers.min(lower.radius, higher.radius));
+        if ((biased ? separation + vn * step.h() : separation) + depth < 0f) {
+            return false;
+        }
+        if (biased) {
+            heavy.claim = Math.max(heavy.claim, light.id + 1);
+        }
+        return biased || heavy.claim != light.id + 1 || light.claim != 0;
+    }
+
     /** By the relative velocity before any impulse: it takes longer than LINGER to cover the depth. */
     @Override
     boolean lingers() {

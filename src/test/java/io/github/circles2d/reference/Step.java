@@ -47,6 +47,7 @@ final class Step {
             circles.forEach(c -> integratePositions(c, now));
             contacts.forEach(Step::relax);
             crossPass(Step::relax);
+            circles.forEach(c -> c.claim = 0);
             circles.forEach(Circle::takeImpulses);
             all(Contact::lookAfterRelax);
         }

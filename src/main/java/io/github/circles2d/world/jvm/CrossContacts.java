@@ -97,6 +97,11 @@ final class CrossContacts {
         return number[heavySlot(contact)];
     }
 
+    /** The number of a slot among the heavy circles; -1 if it is heavy in no contact. */
+    int numberOf(int slot) {
+        return load[slot] == 0 ? -1 : number[slot];
+    }
+
     /** By how much the heavy circle of a contact counts as lighter. */
     float share(int contact) {
         return CrossRule.share(load[heavySlot(contact)]);

@@ -26,10 +26,12 @@ import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
 import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
@@ -169,6 +171,7 @@ final class CrossPasses {
                 seen[heavy + SEEN_VY] - m[light + VY]);
     }
 
+    /** Visits a contact of circles that fly free of each other with bias; returns false if it is to be solved as others are. */
     private boolean solveFlying(int c, float vn, StepConstants k) {
         float[] q = contacts.contact;
         float[] load = state.load;
@@ -179,29 +182,59 @@ final class CrossPasses {
         float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
         float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
         int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
-        int meets = Constraints.meets(separation, vn, k.inverseH);
-        boolean isLightLower = a == contacts.light(c);
-        float invMassA = q[o + (isLightLower ? INV_MASS_A : INV_MASS_B)];
-        float invMassB = q[o + (isLightLower ? INV_MASS_B : INV_MASS_A)];
-        return fly(c, vn, lingers, meets, contacts.halfFall(c, invMassA, invMassB, k));
-    }
-
-    /** Leaves a contact of circles that fly free of each other alone, or lets them bounce; returns false if it is to be solved. */
-    private boolean fly(int c, float vn, int lingers, int meets, float halfFall) {
-        float[] q = contacts.contact;
-        int o = ContactRow.of(c);
-        float restitution = q[o + RESTITUTION];
-        int visit = Constraints.visitOf(restitution, 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
+        int visit = visitOf(c, vn, lingers, Constraints.meets(separation, vn, k.inverseH));
         if (visit == Constraints.BOUNCE) {
-            // it is no pile that pushes the heavy circle, so its mass is not split
-            float mass = 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
-            float impulse = CircleMath.freeBounce(restitution, vn - halfFall, mass);
-            apply(c, impulse);
-            if (touches != null) {
-                touches.add(c, impulse);
+            if (mayWait(c, separation + vn * k.h)) {
+                heavyCircles.claim(contacts.heavy(c), state.id[CircleRow.slot(contacts.light(c))]);
+            } else {
+                boolean isLightLower = a == contacts.light(c);
+                float invMassA = q[o + (isLightLower ? INV_MASS_A : INV_MASS_B)];
+                float invMassB = q[o + (isLightLower ? INV_MASS_B : INV_MASS_A)];
+                bounce(c, vn - contacts.halfFall(c, invMassA, invMassB, k));
             }
         }
         return visit != Constraints.SOLVE;
+    }
+
+    /** As {@link #solveFlying} without bias: of those that waited, the one that has claimed the heavy circle bounces. */
+    private boolean relaxFlying(int c, float vn) {
+        int visit = visitOf(c, vn, 0, Constraints.ALWAYS);
+        if (visit == Constraints.BOUNCE
+                && (!mayWait(c, contacts.contact[ContactRow.of(c) + SEPARATION]) || hasClaimed(c))) {
+            bounce(c, vn);
+        }
+        return visit != Constraints.SOLVE;
+    }
+
+    private int visitOf(int c, float vn, int lingers, int meets) {
+        float[] q = contacts.contact;
+        int o = ContactRow.of(c);
+        return Constraints.visitOf(q[o + RESTITUTION], 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
+    }
+
+    private boolean mayWait(int c, float separation) {
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float invMassOfHeavy = contacts.contact[ContactRow.of(c) + INV_MASS_B];
+        return CrossRule.mayWait(invMassOfHeavy, separation, state.circle[a + RADIUS], state.circle[b + RADIUS]);
+    }
+
+    private boolean hasClaimed(int c) {
+        int light = CircleRow.slot(contacts.light(c));
+        return heavyCircles.isClaimedBy(contacts.heavy(c), state.id[light])
+                && !heavyCircles.isClaimed(contacts.cross().numberOf(light));
+    }
+
+    /** Lets the circles of a contact bounce. */
+    private void bounce(int c, float vn) {
+        float[] q = contacts.contact;
+        int o = ContactRow.of(c);
+        // it is no pile that pushes the heavy circle, so its mass is not split
+        float impulse = CircleMath.freeBounce(q[o + RESTITUTION], vn, 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]));
+        apply(c, impulse);
+        if (touches != null) {
+            touches.add(c, impulse);
+        }
     }
 
     /** Applies an impulse to the light circle, and gives it to the heavy one. */
@@ -265,8 +298,7 @@ final class CrossPasses {
             if (q[o + RESTITUTION] > 0f && impulse == 0f) {
                 float loaded =
                         load[contacts.pair[ContactRow.a(c)] + LOADED] + load[contacts.pair[ContactRow.b(c)] + LOADED];
-                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0
-                        && fly(c, vn, 0, Constraints.ALWAYS, 0f)) {
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && relaxFlying(c, vn)) {
                     continue;
                 }
             }

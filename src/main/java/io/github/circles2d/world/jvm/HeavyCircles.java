@@ -11,6 +11,8 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
@@ -38,6 +40,8 @@ final class HeavyCircles {
     static final int SUM_IMPULSE_X = 2;
     static final int SUM_IMPULSE_Y = 3;
 
+    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
     private final State state;
     private final Team team;
 
@@ -52,6 +56,9 @@ final class HeavyCircles {
 
     /** By worker, by number: what its contacts give, as {@link CrossRule} counts it; 0 between the passes. */
     private final long[][] sums;
+
+    /** By number: of the light circles that wait to bounce off it, 1 + the highest id; 0 if there are none. */
+    private int[] claim = new int[0];
 
     HeavyCircles(State state, Team team) {
         this.state = state;
@@ -74,6 +81,7 @@ final class HeavyCircles {
             int c = circles + (circles >> 2);
             slot = new int[c];
             seen = new float[STRIDE * c];
+            claim = new int[c];
         }
         for (int w = 0; w < team.size(); w++) {
             if (sums[w].length < SUMS * circles) {
@@ -84,7 +92,7 @@ final class HeavyCircles {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (slot.length + seen.length);
+        long sum = 4L * (slot.length + seen.length + claim.length);
         for (long[] each : sums) {
             sum += 8L * each.length;
         }
@@ -110,6 +118,28 @@ final class HeavyCircles {
         for (int w = 0; w < team.size(); w++) {
             Arrays.fill(sums[w], sum(from), sum(to), 0L);
         }
+        forgetClaims(from, to);
+    }
+
+    /** Claims the next bounce off a heavy circle for a light one. */
+    void claim(int number, int idOfLight) {
+        int before = (int) INTS.getVolatile(claim, number);
+        while (before <= idOfLight && !INTS.compareAndSet(claim, number, before, idOfLight + 1)) {
+            before = (int) INTS.getVolatile(claim, number);
+        }
+    }
+
+    boolean isClaimedBy(int number, int idOfLight) {
+        return claim[number] == idOfLight + 1;
+    }
+
+    /** Whether a circle has been claimed; a number below 0 stands for one that is not heavy in any contact. */
+    boolean isClaimed(int number) {
+        return number >= 0 && claim[number] != 0;
+    }
+
+    void forgetClaims(int from, int to) {
+        Arrays.fill(claim, from, to, 0);
     }
 
     private float velocityRange(int s, StepConstants k) {

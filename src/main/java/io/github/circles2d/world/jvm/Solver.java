@@ -328,6 +328,7 @@ public final class Solver {
         }
         team.sync(worker);
         heavyCircles.takeGains(firstHeavy(worker), firstHeavy(worker + 1), k);
+        heavyCircles.forgetClaims(firstHeavy(worker), firstHeavy(worker + 1));
         if (!last) {
             heavyCircles.takeImpulses(firstHeavy(worker), firstHeavy(worker + 1), k);
         }

@@ -31,6 +31,12 @@ public final class CrossRule {
     /** Units of a load of 1. */
     public static final float LOAD_UNITS = 16384f;
 
+    /** How deep circles may overlap that wait to bounce, in sums of their radii. */
+    private static final float WAIT_DEPTH = 0.25f;
+
+    /** The same, in radii of the smaller one. */
+    private static final float WAIT_DEPTH_OF_SMALLER = 4f;
+
     private CrossRule() {}
 
     /** Whether the circle of the finer level is the light one of a pair. */
@@ -51,6 +57,17 @@ public final class CrossRule {
     /** The effective mass of a contact that is solved. */
     public static float mass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
         return 1f / (inverseMassOfLight + share * inverseMassOfHeavy);
+    }
+
+    /**
+     * Whether two circles that fly free of each other, and are to bounce, may wait for it. If two light circles bounced off a heavy one
+     * in the same pass, each as if it were alone, energy would be won or lost. So those that meet in the biased pass wait, and in
+     * the relaxing pass one of them bounces: the one with the highest id. Nobody waits who would be too deep, or meets a static circle.
+     */
+    public static boolean mayWait(float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
+        float depth = CircleMath.least(
+                WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * CircleMath.least(radius, otherRadius));
+        return inverseMassOfHeavy > 0f && separation + depth >= 0f;
     }
 
     /** The range of what a heavy circle's velocity gains. */

@@ -98,6 +98,16 @@ class CrossRuleTest {
     }
 
     @Test
+    void circlesWaitToBounceUnlessOneIsStaticOrTheyWouldBeTooDeep() {
+        assertTrue(CrossRule.mayWait(1f, 0.1f, 1f, 1f));
+        assertFalse(CrossRule.mayWait(0f, 0.1f, 1f, 1f));
+        assertTrue(CrossRule.mayWait(1f, -0.5f, 1f, 1f));
+        assertFalse(CrossRule.mayWait(1f, Math.nextDown(-0.5f), 1f, 1f));
+        assertTrue(CrossRule.mayWait(1f, -4f, 1f, 99f));
+        assertFalse(CrossRule.mayWait(1f, Math.nextDown(-4f), 99f, 1f));
+    }
+
+    @Test
     void rangesAreThoseOfTheSpeedThatTakesACircleItsRadiusFarInASubStep() {
         assertEquals(120f, CrossRule.velocityRange(0.5f, 240f));
         assertEquals(480f, CrossRule.impulseRange(0.5f, 240f, 0.25f));
