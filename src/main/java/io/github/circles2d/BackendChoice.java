@@ -1,8 +1,9 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.CurvesByRatio;
 import io.github.circles2d.calibration.Timings;
-import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
@@ -37,13 +38,13 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
-    static BackendChoice of(Backend wanted, int threads, int capacity, boolean profiling) {
+    static BackendChoice of(Backend wanted, int threads, Crowd crowd, boolean profiling) {
         BackendChoice choice =
                 switch (wanted) {
-                    case JVM -> jvm(threads, capacity, profiling, ASKED_FOR);
-                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
-                    case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
-                    case AUTO -> fastest(threads, capacity, profiling);
+                    case JVM -> jvm(threads, crowd.circles(), profiling, ASKED_FOR);
+                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), crowd.circles(), profiling, ASKED_FOR);
+                    case OPENCL_GPU -> openCl(gpu(), crowd.circles(), profiling, ASKED_FOR);
+                    case AUTO -> fastest(threads, crowd, profiling);
                 };
         String subject = choice.backend + choice.pipeline.device();
         return choice.logged(
@@ -55,44 +56,49 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
     }
 
-    private static BackendChoice fastest(int threads, int capacity, boolean profiling) {
+    private static BackendChoice fastest(int threads, Crowd crowd, boolean profiling) {
         Timings timings = Calibration.timings();
         if (timings.entries().isEmpty()) {
             String hint = "; not calibrated: Calibration.run() would measure it";
-            return byRule(threads, capacity, profiling, hint);
+            return byRule(threads, crowd.circles(), profiling, hint);
         }
-        Optional<Curve> jvm = timings.find(Workload.WORLD, "", Runners.jvm(threads));
+        Optional<CurvesByRatio> jvm = timings.world(Runners.jvm(threads));
         if (jvm.isEmpty()) {
             String hint = "; the calibration is not of this Java virtual machine with so many threads";
-            return byRule(threads, capacity, profiling, hint);
+            return byRule(threads, crowd.circles(), profiling, hint);
         }
-        Map<Optional<Device>, Curve> candidates = new LinkedHashMap<>();
-        candidates.put(Optional.empty(), jvm.get());
+        Map<Optional<Device>, CurvesByRatio> known = new LinkedHashMap<>();
+        known.put(Optional.empty(), jvm.get());
         // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
-        boolean jvmIsFastest = isFastest(jvm.get(), timings, capacity);
-        if (capacity >= LEAST_FOR_GPU || !jvmIsFastest) {
+        boolean jvmIsFastest = isFastest(jvm.get(), timings, crowd);
+        if (crowd.circles() >= LEAST_FOR_GPU || !jvmIsFastest) {
             for (Device device : usable()) {
-                Optional<Curve> curve = curveOf(device, timings);
-                curve.ifPresent(measured -> candidates.put(Optional.of(device), measured));
-                if (curve.isEmpty() && isTheGpuOfTheRule(device)) {
+                Optional<CurvesByRatio> curves = curvesOf(device, timings);
+                curves.ifPresent(measured -> known.put(Optional.of(device), measured));
+                if (curves.isEmpty() && isTheGpuOfTheRule(device)) {
                     String hint =
                             "; the calibration is not of " + device.name() + " with this driver and these kernels";
-                    return byRule(threads, capacity, profiling, hint);
+                    return byRule(threads, crowd.circles(), profiling, hint);
                 }
             }
         }
-        String why = Timings.words(
-                        candidates, capacity, device -> device.map(Device::name).orElse("JVM"))
+        Map<Optional<Device>, Curve> candidates = CurvesByRatio.at(crowd.ratio(), known);
+        boolean byLikeRadii =
+                crowd.isMixed() && CurvesByRatio.common(known.values()).size() == 1;
+        String why = Timings.words(candidates, byLikeRadii ? Crowd.like(crowd.circles()) : crowd, device -> device.map(
+                                Device::name)
+                        .orElse("JVM"))
+                + (byLikeRadii ? "; mixed radii are not calibrated: Calibration.run() would measure them" : "")
                 + (jvmIsFastest ? "; nothing that was measured is faster" : "");
-        Optional<Device> taken = Timings.fastest(candidates, capacity);
+        Optional<Device> taken = Timings.fastest(candidates, crowd.circles());
         try {
             if (taken.isPresent()) {
-                return openCl(taken.get(), capacity, profiling, why);
+                return openCl(taken.get(), crowd.circles(), profiling, why);
             }
         } catch (OpenClException e) {
             why = taken.get().name() + " cannot be used: " + e.getMessage();
         }
-        return jvm(threads, capacity, profiling, why);
+        return jvm(threads, crowd.circles(), profiling, why);
     }
 
     private static boolean isTheGpuOfTheRule(Device device) {
@@ -100,15 +106,16 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     }
 
     /** Whether nothing that was measured, here or on what was here once, is faster. */
-    private static boolean isFastest(Curve jvm, Timings timings, int capacity) {
-        return timings.entries().stream()
-                .filter(entry -> entry.workload() == Workload.WORLD)
-                .allMatch(entry -> entry.curve().millis(capacity) >= jvm.millis(capacity));
+    private static boolean isFastest(CurvesByRatio jvm, Timings timings, Crowd crowd) {
+        return timings.worlds().stream().allMatch(other -> {
+            Map<Boolean, Curve> isJvm = CurvesByRatio.at(crowd.ratio(), Map.of(true, jvm, false, other));
+            return isJvm.get(false).millis(crowd.circles()) >= isJvm.get(true).millis(crowd.circles());
+        });
     }
 
-    private static Optional<Curve> curveOf(Device device, Timings timings) {
+    private static Optional<CurvesByRatio> curvesOf(Device device, Timings timings) {
         try {
-            return timings.find(Workload.WORLD, "", Runners.world(device));
+            return timings.world(Runners.world(device));
         } catch (IllegalArgumentException | UncheckedIOException e) {
             return Optional.empty(); // Kernels that cannot be read: whoever builds them says so.
         }

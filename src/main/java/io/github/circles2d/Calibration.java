@@ -1,7 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.calibration.CachePlace;
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.CurvesByRatio;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.TimingsFile;
@@ -26,6 +28,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.ToDoubleFunction;
 
 /**
  * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
@@ -47,6 +50,9 @@ public final class Calibration {
 
     static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 10_000, 100_000);
     static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
+
+    /** Greatest radius over least of the crowds that World is timed with. */
+    static final List<Double> RATIOS = List.of(Crowd.LIKE, 10.0, 100.0);
 
     /** A size is left out where the one before it tells that it would take longer. */
     private static final double MOST_MILLIS = 5_000;
@@ -107,12 +113,8 @@ public final class Calibration {
         Optional<Path> place = CachePlace.findToWrite();
         devices.forEach(Calibration::requireKernels);
         List<Timings.Entry> entries = new ArrayList<>();
-        Curve jvm = curve(
-                Workload.WORLD,
-                worldSizes,
-                FrameMeter.WORLD_FRAMES_IN_ALL,
-                circles -> meter.world(Optional.empty(), circles));
-        entries.add(new Timings.Entry(Workload.WORLD, "", Runners.jvm(World.Builder.defaultThreads()), jvm));
+        Runner jvm = Runners.jvm(World.Builder.defaultThreads());
+        entries.addAll(worlds(jvm, worldSizes, crowd -> meter.world(Optional.empty(), crowd)));
         Set<String> names = new HashSet<>();
         for (Device device : List.copyOf(devices)) {
             if (!names.add(Runners.name(device))) {
@@ -137,12 +139,8 @@ public final class Calibration {
             Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
         List<Timings.Entry> entries = new ArrayList<>();
         if (device.correctlyRounded()) {
-            Curve frames = curve(
-                    Workload.WORLD,
-                    worldSizes,
-                    FrameMeter.WORLD_FRAMES_IN_ALL,
-                    circles -> meter.world(Optional.of(device), circles));
-            entries.add(new Timings.Entry(Workload.WORLD, "", Runners.world(device), frames));
+            Runner runner = Runners.world(device);
+            entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
         }
         for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
             Runner runner = Runners.circles2d(device, indexing);
@@ -152,6 +150,19 @@ public final class Calibration {
                     FrameMeter.LOOPS_IN_ALL,
                     circles -> meter.loop(device, indexing, circles));
             entries.add(new Timings.Entry(Workload.CIRCLES2D, indexing.name(), runner, loops));
+        }
+        return entries;
+    }
+
+    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, ToDoubleFunction<Crowd> millis) {
+        List<Timings.Entry> entries = new ArrayList<>();
+        for (double ratio : RATIOS) {
+            Curve frames = curve(
+                    Workload.WORLD,
+                    sizes,
+                    FrameMeter.WORLD_FRAMES_IN_ALL,
+                    circles -> millis.applyAsDouble(new Crowd(circles, ratio)));
+            entries.add(new Timings.Entry(Workload.WORLD, CurvesByRatio.variant(ratio), runner, frames));
         }
         return entries;
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
@@ -1363,6 +1364,7 @@ public final class World implements AutoCloseable {
         private Device device;
         private int threads = defaultThreads();
         private int capacity = 1024;
+        private double radiiRatio = 1;
         private boolean profiling;
 
         private Builder() {}
@@ -1562,6 +1564,23 @@ public final class World implements AutoCloseable {
         }
 
         /**
+         * Which radii circles are going to have. It tells {@link Backend#AUTO} for which radii the world is to be fast: the fastest
+         * back end for like radii may not be the fastest for mixed ones. By default radii are expected to be alike. No effect on
+         * results, and circles may have any other radii.
+         *
+         * @param least the least radius that is expected, greater than 0
+         * @param greatest the greatest radius that is expected, at least the least
+         * @return this
+         * @throws IllegalArgumentException where a value is out of range
+         */
+        public Builder radii(float least, float greatest) {
+            Limits.within(
+                    "the least radius", least, Limits.LEAST_EXTENT * Limits.LEAST_RADIUS_SHARE, Limits.COORDINATE);
+            radiiRatio = (double) Limits.within("the greatest radius", greatest, least, Limits.COORDINATE) / least;
+            return this;
+        }
+
+        /**
          * Whether to measure the time of each stage. By default not.
          *
          * @param profiling true to measure
@@ -1583,7 +1602,7 @@ public final class World implements AutoCloseable {
         public World build() {
             Limits.edges(arena()); // before anything is opened
             BackendChoice choice = device == null
-                    ? BackendChoice.of(backend, threads, capacity, profiling)
+                    ? BackendChoice.of(backend, threads, new Crowd(capacity, radiiRatio), profiling)
                     : BackendChoice.of(device, capacity, profiling);
             return new World(this, choice);
         }

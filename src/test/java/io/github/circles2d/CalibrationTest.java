@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
@@ -61,7 +62,7 @@ class CalibrationTest {
         final List<String> calls = new ArrayList<>();
 
         @Override
-        public double world(Optional<Device> device, int circles) {
+        public double world(Optional<Device> device, Crowd crowd) {
             calls.add((device.isPresent() ? "device " : "JVM ") + circles);
             return device.isPresent() ? 1 : circles / 1000.0;
         }
@@ -285,7 +286,7 @@ class CalibrationTest {
         List<Device> devices = TestDevices.all();
         Calibration failed = calibrate(new Meter() {
             @Override
-            public double world(Optional<Device> device, int circles) {
+            public double world(Optional<Device> device, Crowd crowd) {
                 return 1;
             }
 
@@ -299,7 +300,7 @@ class CalibrationTest {
                 .doesNotContain(devices.get(0).name());
         Calibration small = calibrate(new Meter() {
             @Override
-            public double world(Optional<Device> device, int circles) {
+            public double world(Optional<Device> device, Crowd crowd) {
                 return 1;
             }
 
