@@ -48,7 +48,7 @@ import java.util.function.ToDoubleFunction;
 public final class Calibration {
     private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
 
-    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 10_000, 100_000);
+    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 3_000, 10_000, 30_000, 100_000);
     static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
 
     /** Greatest radius over least of the crowds that World is timed with. */

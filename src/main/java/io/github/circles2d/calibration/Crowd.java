@@ -1,5 +1,7 @@
 package io.github.circles2d.calibration;
 
+import java.text.DecimalFormat;
+import java.text.DecimalFormatSymbols;
 import java.util.Locale;
 
 /**
@@ -34,6 +36,7 @@ public record Crowd(int circles, double ratio) {
     /** The crowd in words. */
     @Override
     public String toString() {
-        return circles + " circles" + (isMixed() ? String.format(Locale.ROOT, " of radii 1:%.4g", ratio) : "");
+        String radii = new DecimalFormat("0.#", DecimalFormatSymbols.getInstance(Locale.ROOT)).format(ratio);
+        return circles + " circles" + (isMixed() ? " of radii 1:" + radii : "");
     }
 }
