@@ -41,9 +41,11 @@ import java.util.function.ToDoubleFunction;
  * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
  * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
  *
- * <p>One crowd is timed at a few sizes: World at 250, 1,000, 10,000 and 100,000 circles, Circles2D at 1,000 and 8,000 with each
- * exact indexing, fewer where it would take long. What lies between is interpolated; beyond, the order at the last size holds. A
- * world unlike that crowd (radii over decades, a thousand circles in one point) may be faster elsewhere.
+ * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World at 250, 1,000, 3,000, 10,000, 30,000 and 100,000 circles, with
+ * like radii and with radii of 1:3, 1:10 and 1:100, Circles2D at 1,000 and 8,000 with each exact indexing, fewer where it would take long.
+ * What lies between is interpolated; beyond, the order at the last size and ratio holds. {@link World.Builder#capacity} and {@link
+ * World.Builder#radii} say which of these times count for a world. A world unlike those crowds (a thousand circles in one point, one
+ * boulder in sand) may be faster elsewhere.
  */
 public final class Calibration {
     private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
@@ -51,8 +53,8 @@ public final class Calibration {
     static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 3_000, 10_000, 30_000, 100_000);
     static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
 
-    /** Greatest radius over least of the crowds that World is timed with. */
-    static final List<Double> RATIOS = List.of(Crowd.LIKE, 10.0, 100.0);
+    /** Greatest radius over least of the crowds that World is timed with. Up to some ratio radii count as alike: 3 may be below it. */
+    static final List<Double> RATIOS = List.of(Crowd.LIKE, 3.0, 10.0, 100.0);
 
     /** A size is left out where the one before it tells that it would take longer. */
     private static final double MOST_MILLIS = 5_000;
@@ -69,7 +71,7 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and every OpenCL device, and keeps the times. Takes about ten seconds a device, and as much memory as
+     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute a device, and as much memory as
      * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
      * it measures the JVM.
      *

@@ -15,7 +15,7 @@ import java.util.Optional;
  */
 public final class CalibrationPicks {
     private static final int[] SIZES = {500, 1_700, 5_500, 17_000, 55_000};
-    private static final double[] RATIOS = {1, 3, 30, 90};
+    private static final double[] RATIOS = {1, 2, 5, 30};
 
     /** Of so many measurements the median counts. */
     private static final int ROUNDS = 3;

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class CurvesByRatioTest {
     private static final List<Integer> SIZES = List.of(250, 1_000, 3_000, 10_000, 30_000, 100_000);
-    private static final List<Double> RATIOS = List.of(Crowd.LIKE, 10.0, 100.0);
+    private static final List<Double> RATIOS = List.of(Crowd.LIKE, 3.0, 10.0, 100.0);
 
     /** The time of a frame, made up. */
     private interface Engine {
