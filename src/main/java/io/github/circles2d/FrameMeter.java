@@ -39,6 +39,10 @@ final class FrameMeter implements Meter {
     private static final float GRAVITY = -0.01f;
     private static final float RESTITUTION = 0.5f;
     private static final int THESIS_SIZE = 1250;
+    private static final double FILL = 0.62;
+
+    /** Mass over square of the radius in a crowd of mixed radii: about that of the thesis's circles. */
+    private static final double MASS = 1e5;
 
     /** Whether the JVM has made steps of like radii, and of mixed ones, for which it has other code. */
     private final Set<Boolean> compiled = new HashSet<>();
@@ -49,7 +53,7 @@ final class FrameMeter implements Meter {
                 World.builder().gravity(0, GRAVITY).restitution(RESTITUTION).capacity(crowd.circles());
         device.ifPresentOrElse(builder::device, () -> builder.backend(Backend.JVM));
         try (World world = builder.build()) {
-            float[] circles = crowd.isMixed() ? MixedCrowd.of(crowd, new Random(THESIS_SIZE)) : like(crowd.circles());
+            float[] circles = crowd.isMixed() ? mixed(crowd) : like(crowd.circles());
             world.addAll(circles, null);
             Runnable frame = () -> {
                 world.step(STEP);
@@ -109,5 +113,32 @@ final class FrameMeter implements Meter {
             crowd[4 * i + 3] = 1 + 9 * random.nextFloat();
         }
         return crowd;
+    }
+
+    /**
+     * x, y, radius and mass of each: the same circles every time. The logarithms of radii are spread evenly, and masses go by area. As
+     * in the other crowd circles overlap at first, so that they have about as many contacts as in a pile.
+     */
+    static float[] mixed(Crowd crowd) {
+        Random random = new Random(THESIS_SIZE);
+        double[] radii = new double[crowd.circles()];
+        double squares = 0;
+        double greatest = 0;
+        for (int i = 0; i < radii.length; i++) {
+            radii[i] = StrictMath.pow(crowd.ratio(), random.nextDouble());
+            squares += radii[i] * radii[i];
+            greatest = Math.max(greatest, radii[i]);
+        }
+        double scale = Math.sqrt(FILL / (Math.PI * squares));
+        double margin = Math.max(0.1, scale * greatest);
+        float[] circles = new float[4 * radii.length];
+        for (int i = 0; i < radii.length; i++) {
+            double radius = scale * radii[i];
+            circles[4 * i] = (float) (margin + (1 - 2 * margin) * random.nextDouble());
+            circles[4 * i + 1] = (float) (margin + (1 - 2 * margin) * random.nextDouble());
+            circles[4 * i + 2] = (float) radius;
+            circles[4 * i + 3] = (float) (MASS * radius * radius);
+        }
+        return circles;
     }
 }
