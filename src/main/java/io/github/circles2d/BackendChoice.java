@@ -38,34 +38,33 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
-    static BackendChoice of(Backend wanted, int threads, Crowd crowd, boolean profiling) {
+    static BackendChoice of(BackendWish wish) {
+        if (wish.device != null) {
+            return openCl(wish.device, wish, "this device was asked for").logged(System.Logger.Level.DEBUG);
+        }
         BackendChoice choice =
-                switch (wanted) {
-                    case JVM -> jvm(threads, crowd.circles(), profiling, ASKED_FOR);
-                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), crowd.circles(), profiling, ASKED_FOR);
-                    case OPENCL_GPU -> openCl(gpu(), crowd.circles(), profiling, ASKED_FOR);
-                    case AUTO -> fastest(threads, crowd, profiling);
+                switch (wish.backend) {
+                    case JVM -> jvm(wish, ASKED_FOR);
+                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), wish, ASKED_FOR);
+                    case OPENCL_GPU -> openCl(gpu(), wish, ASKED_FOR);
+                    case AUTO -> fastest(wish);
                 };
         String subject = choice.backend + choice.pipeline.device();
         return choice.logged(
-                wanted == Backend.AUTO ? Notice.level(System.Logger.Level.INFO, subject) : System.Logger.Level.DEBUG);
+                wish.backend == Backend.AUTO
+                        ? Notice.level(System.Logger.Level.INFO, subject)
+                        : System.Logger.Level.DEBUG);
     }
 
-    /** Takes this very device. */
-    static BackendChoice of(Device device, int capacity, boolean profiling) {
-        return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
-    }
-
-    private static BackendChoice fastest(int threads, Crowd crowd, boolean profiling) {
+    private static BackendChoice fastest(BackendWish wish) {
+        Crowd crowd = wish.crowd();
         Timings timings = Calibration.timings();
         if (timings.entries().isEmpty()) {
-            String hint = "; not calibrated: Calibration.run() would measure it";
-            return byRule(threads, crowd.circles(), profiling, hint);
+            return byRule(wish, "; not calibrated: Calibration.run() would measure it");
         }
-        Optional<CurvesByRatio> jvm = timings.world(Runners.jvm(threads));
+        Optional<CurvesByRatio> jvm = timings.world(Runners.jvm(wish.threads));
         if (jvm.isEmpty()) {
-            String hint = "; the calibration is not of this Java virtual machine with so many threads";
-            return byRule(threads, crowd.circles(), profiling, hint);
+            return byRule(wish, "; the calibration is not of this Java virtual machine with so many threads");
         }
         Map<Optional<Device>, CurvesByRatio> known = new LinkedHashMap<>();
         known.put(Optional.empty(), jvm.get());
@@ -74,31 +73,31 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         if (crowd.circles() >= LEAST_FOR_GPU || !jvmIsFastest) {
             for (Device device : usable()) {
                 Optional<CurvesByRatio> curves = curvesOf(device, timings);
-                curves.ifPresent(measured -> known.put(Optional.of(device), measured));
+                curves.ifPresent(found -> known.put(Optional.of(device), found));
                 if (curves.isEmpty() && isTheGpuOfTheRule(device)) {
                     String hint =
                             "; the calibration is not of " + device.name() + " with this driver and these kernels";
-                    return byRule(threads, crowd.circles(), profiling, hint);
+                    return byRule(wish, hint);
                 }
             }
         }
         Map<Optional<Device>, Curve> candidates = CurvesByRatio.at(crowd.ratio(), known);
         boolean byLikeRadii =
                 crowd.isMixed() && CurvesByRatio.common(known.values()).size() == 1;
-        String why = Timings.words(candidates, byLikeRadii ? Crowd.like(crowd.circles()) : crowd, device -> device.map(
-                                Device::name)
-                        .orElse("JVM"))
+        Crowd measured = byLikeRadii ? Crowd.like(crowd.circles()) : crowd;
+        String why = Timings.words(
+                        candidates, measured, device -> device.map(Device::name).orElse("JVM"))
                 + (byLikeRadii ? "; mixed radii are not calibrated: Calibration.run() would measure them" : "")
                 + (jvmIsFastest ? "; nothing that was measured is faster" : "");
         Optional<Device> taken = Timings.fastest(candidates, crowd.circles());
         try {
             if (taken.isPresent()) {
-                return openCl(taken.get(), crowd.circles(), profiling, why);
+                return openCl(taken.get(), wish, why);
             }
         } catch (OpenClException e) {
             why = taken.get().name() + " cannot be used: " + e.getMessage();
         }
-        return jvm(threads, crowd.circles(), profiling, why);
+        return jvm(wish, why);
     }
 
     private static boolean isTheGpuOfTheRule(Device device) {
@@ -129,23 +128,24 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         }
     }
 
-    private static BackendChoice byRule(int threads, int capacity, boolean profiling, String hint) {
+    private static BackendChoice byRule(BackendWish wish, String hint) {
         String reason;
-        if (capacity < LEAST_FOR_GPU) {
-            reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is " + capacity;
+        if (wish.capacity < LEAST_FOR_GPU) {
+            reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is "
+                    + wish.capacity;
         } else {
             try {
                 Device gpu = gpu();
                 if (gpu.correctlyRounded()) {
                     String why = "a GPU is the fastest from a capacity of " + LEAST_FOR_GPU + " circles on, as a rule";
-                    return openCl(gpu, capacity, profiling, why + hint);
+                    return openCl(gpu, wish, why + hint);
                 }
                 reason = gpu.name() + " does not round correctly, so its results would differ";
             } catch (OpenClException e) {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return jvm(threads, capacity, profiling, reason + hint);
+        return jvm(wish, reason + hint);
     }
 
     private static Device gpu() {
@@ -156,7 +156,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return best;
     }
 
-    private static BackendChoice openCl(Device device, int capacity, boolean profiling, String reason) {
+    private static BackendChoice openCl(Device device, BackendWish wish, String reason) {
         if (!device.correctlyRounded()) {
             LOG.log(
                     System.Logger.Level.WARNING,
@@ -164,12 +164,12 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                     device.name());
         }
         Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
-        return new BackendChoice(backend, new DevicePipeline(device, capacity, profiling), reason);
+        return new BackendChoice(backend, new DevicePipeline(device, wish.capacity, wish.profiling), reason);
     }
 
-    private static BackendChoice jvm(int threads, int capacity, boolean profiling, String reason) {
-        return new BackendChoice(
-                Backend.JVM, new JvmPipeline(threads, JvmPipeline.LEAST_SHARE, capacity, profiling), reason);
+    private static BackendChoice jvm(BackendWish wish, String reason) {
+        Pipeline pipeline = new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
+        return new BackendChoice(Backend.JVM, pipeline, reason);
     }
 
     private BackendChoice logged(System.Logger.Level level) {

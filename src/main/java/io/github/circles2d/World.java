@@ -1,6 +1,5 @@
 package io.github.circles2d;
 
-import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.OpenClUnavailableException;
@@ -1360,12 +1359,7 @@ public final class World implements AutoCloseable {
         private float restitution = 0.5f;
         private int subSteps = 4;
         private ContactSettings contacts = ContactSettings.DEFAULT;
-        private Backend backend = Backend.AUTO;
-        private Device device;
-        private int threads = defaultThreads();
-        private int capacity = 1024;
-        private double radiiRatio = 1;
-        private boolean profiling;
+        private final BackendWish wish = new BackendWish();
 
         private Builder() {}
 
@@ -1522,8 +1516,8 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder backend(Backend backend) {
-            this.backend = Limits.notNull("backend", backend);
-            device = null;
+            wish.backend = Limits.notNull("backend", backend);
+            wish.device = null;
             return this;
         }
 
@@ -1534,7 +1528,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder device(Device device) {
-            this.device = Limits.notNull("device", device);
+            wish.device = Limits.notNull("device", device);
             return this;
         }
 
@@ -1546,7 +1540,7 @@ public final class World implements AutoCloseable {
          * @throws IllegalArgumentException where the value is out of range
          */
         public Builder threads(int threads) {
-            this.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
+            wish.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
             return this;
         }
 
@@ -1559,7 +1553,7 @@ public final class World implements AutoCloseable {
          * @throws IllegalArgumentException where the value is out of range
          */
         public Builder capacity(int capacity) {
-            this.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
+            wish.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
             return this;
         }
 
@@ -1574,9 +1568,7 @@ public final class World implements AutoCloseable {
          * @throws IllegalArgumentException where a value is out of range
          */
         public Builder radii(float least, float greatest) {
-            Limits.within(
-                    "the least radius", least, Limits.LEAST_EXTENT * Limits.LEAST_RADIUS_SHARE, Limits.COORDINATE);
-            radiiRatio = (double) Limits.within("the greatest radius", greatest, least, Limits.COORDINATE) / least;
+            wish.expectRadii(least, greatest);
             return this;
         }
 
@@ -1587,7 +1579,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder profiling(boolean profiling) {
-            this.profiling = profiling;
+            wish.profiling = profiling;
             return this;
         }
 
@@ -1601,10 +1593,7 @@ public final class World implements AutoCloseable {
          */
         public World build() {
             Limits.edges(arena()); // before anything is opened
-            BackendChoice choice = device == null
-                    ? BackendChoice.of(backend, threads, new Crowd(capacity, radiiRatio), profiling)
-                    : BackendChoice.of(device, capacity, profiling);
-            return new World(this, choice);
+            return new World(this, BackendChoice.of(wish));
         }
     }
 }
