@@ -80,8 +80,8 @@ public final class CurvesByRatio {
     /**
      * Returns the times of one ratio, of each by the same ratios measured, so that they can be compared.
      *
-     * @param all what is to be compared
      * @param ratio greatest radius over least, at least 1
+     * @param all what is to be compared
      * @param <T> what was measured
      * @return the times by number of circles, in the same order
      */
