@@ -1,8 +1,9 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.CurvesByRatio;
 import io.github.circles2d.calibration.Timings;
-import io.github.circles2d.calibration.Workload;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
 import io.github.circles2d.opencl.OpenClException;
@@ -37,62 +38,66 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     private static final String ASKED_FOR = "asked for";
 
     /** Takes what is asked for, or the fastest that is there. */
-    static BackendChoice of(Backend wanted, int threads, int capacity, boolean profiling) {
+    static BackendChoice of(BackendWish wish) {
+        if (wish.device != null) {
+            return openCl(wish.device, wish, "this device was asked for").logged(System.Logger.Level.DEBUG);
+        }
         BackendChoice choice =
-                switch (wanted) {
-                    case JVM -> jvm(threads, capacity, profiling, ASKED_FOR);
-                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), capacity, profiling, ASKED_FOR);
-                    case OPENCL_GPU -> openCl(gpu(), capacity, profiling, ASKED_FOR);
-                    case AUTO -> fastest(threads, capacity, profiling);
+                switch (wish.backend) {
+                    case JVM -> jvm(wish, ASKED_FOR);
+                    case OPENCL_CPU -> openCl(OpenCl.cpuDevice(), wish, ASKED_FOR);
+                    case OPENCL_GPU -> openCl(gpu(), wish, ASKED_FOR);
+                    case AUTO -> fastest(wish);
                 };
         String subject = choice.backend + choice.pipeline.device();
         return choice.logged(
-                wanted == Backend.AUTO ? Notice.level(System.Logger.Level.INFO, subject) : System.Logger.Level.DEBUG);
+                wish.backend == Backend.AUTO
+                        ? Notice.level(System.Logger.Level.INFO, subject)
+                        : System.Logger.Level.DEBUG);
     }
 
-    /** Takes this very device. */
-    static BackendChoice of(Device device, int capacity, boolean profiling) {
-        return openCl(device, capacity, profiling, "this device was asked for").logged(System.Logger.Level.DEBUG);
-    }
-
-    private static BackendChoice fastest(int threads, int capacity, boolean profiling) {
+    private static BackendChoice fastest(BackendWish wish) {
+        Crowd crowd = wish.crowd();
         Timings timings = Calibration.timings();
         if (timings.entries().isEmpty()) {
-            String hint = "; not calibrated: Calibration.run() would measure it";
-            return byRule(threads, capacity, profiling, hint);
+            return byRule(wish, "; not calibrated: Calibration.run() would measure it");
         }
-        Optional<Curve> jvm = timings.find(Workload.WORLD, "", Runners.jvm(threads));
+        Optional<CurvesByRatio> jvm = timings.world(Runners.jvm(wish.threads));
         if (jvm.isEmpty()) {
-            String hint = "; the calibration is not of this Java virtual machine with so many threads";
-            return byRule(threads, capacity, profiling, hint);
+            return byRule(wish, "; the calibration is not of this Java virtual machine with so many threads");
         }
-        Map<Optional<Device>, Curve> candidates = new LinkedHashMap<>();
-        candidates.put(Optional.empty(), jvm.get());
+        Map<Optional<Device>, CurvesByRatio> known = new LinkedHashMap<>();
+        known.put(Optional.empty(), jvm.get());
         // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
-        boolean jvmIsFastest = isFastest(jvm.get(), timings, capacity);
-        if (capacity >= LEAST_FOR_GPU || !jvmIsFastest) {
+        boolean jvmIsFastest = isFastest(jvm.get(), timings, crowd);
+        if (crowd.circles() >= LEAST_FOR_GPU || !jvmIsFastest) {
             for (Device device : usable()) {
-                Optional<Curve> curve = curveOf(device, timings);
-                curve.ifPresent(measured -> candidates.put(Optional.of(device), measured));
-                if (curve.isEmpty() && isTheGpuOfTheRule(device)) {
+                Optional<CurvesByRatio> curves = curvesOf(device, timings);
+                curves.ifPresent(found -> known.put(Optional.of(device), found));
+                if (curves.isEmpty() && isTheGpuOfTheRule(device)) {
                     String hint =
                             "; the calibration is not of " + device.name() + " with this driver and these kernels";
-                    return byRule(threads, capacity, profiling, hint);
+                    return byRule(wish, hint);
                 }
             }
         }
+        Map<Optional<Device>, Curve> candidates = CurvesByRatio.at(crowd.ratio(), known);
+        boolean byLikeRadii =
+                crowd.isMixed() && CurvesByRatio.common(known.values()).size() == 1;
+        Crowd measured = byLikeRadii ? Crowd.like(crowd.circles()) : crowd;
         String why = Timings.words(
-                        candidates, capacity, device -> device.map(Device::name).orElse("JVM"))
+                        candidates, measured, device -> device.map(Device::name).orElse("JVM"))
+                + (byLikeRadii ? "; mixed radii are not calibrated: Calibration.run() would measure them" : "")
                 + (jvmIsFastest ? "; nothing that was measured is faster" : "");
-        Optional<Device> taken = Timings.fastest(candidates, capacity);
+        Optional<Device> taken = Timings.fastest(candidates, crowd.circles());
         try {
             if (taken.isPresent()) {
-                return openCl(taken.get(), capacity, profiling, why);
+                return openCl(taken.get(), wish, why);
             }
         } catch (OpenClException e) {
             why = taken.get().name() + " cannot be used: " + e.getMessage();
         }
-        return jvm(threads, capacity, profiling, why);
+        return jvm(wish, why);
     }
 
     private static boolean isTheGpuOfTheRule(Device device) {
@@ -100,15 +105,16 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     }
 
     /** Whether nothing that was measured, here or on what was here once, is faster. */
-    private static boolean isFastest(Curve jvm, Timings timings, int capacity) {
-        return timings.entries().stream()
-                .filter(entry -> entry.workload() == Workload.WORLD)
-                .allMatch(entry -> entry.curve().millis(capacity) >= jvm.millis(capacity));
+    private static boolean isFastest(CurvesByRatio jvm, Timings timings, Crowd crowd) {
+        return timings.worlds().stream().allMatch(other -> {
+            Map<Boolean, Curve> isJvm = CurvesByRatio.at(crowd.ratio(), Map.of(true, jvm, false, other));
+            return isJvm.get(false).millis(crowd.circles()) >= isJvm.get(true).millis(crowd.circles());
+        });
     }
 
-    private static Optional<Curve> curveOf(Device device, Timings timings) {
+    private static Optional<CurvesByRatio> curvesOf(Device device, Timings timings) {
         try {
-            return timings.find(Workload.WORLD, "", Runners.world(device));
+            return timings.world(Runners.world(device));
         } catch (IllegalArgumentException | UncheckedIOException e) {
             return Optional.empty(); // Kernels that cannot be read: whoever builds them says so.
         }
@@ -122,23 +128,24 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         }
     }
 
-    private static BackendChoice byRule(int threads, int capacity, boolean profiling, String hint) {
+    private static BackendChoice byRule(BackendWish wish, String hint) {
         String reason;
-        if (capacity < LEAST_FOR_GPU) {
-            reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is " + capacity;
+        if (wish.capacity < LEAST_FOR_GPU) {
+            reason = "no GPU is looked for below a capacity of " + LEAST_FOR_GPU + " circles, and it is "
+                    + wish.capacity;
         } else {
             try {
                 Device gpu = gpu();
                 if (gpu.correctlyRounded()) {
                     String why = "a GPU is the fastest from a capacity of " + LEAST_FOR_GPU + " circles on, as a rule";
-                    return openCl(gpu, capacity, profiling, why + hint);
+                    return openCl(gpu, wish, why + hint);
                 }
                 reason = gpu.name() + " does not round correctly, so its results would differ";
             } catch (OpenClException e) {
                 reason = "no GPU can be used: " + e.getMessage();
             }
         }
-        return jvm(threads, capacity, profiling, reason + hint);
+        return jvm(wish, reason + hint);
     }
 
     private static Device gpu() {
@@ -149,7 +156,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         return best;
     }
 
-    private static BackendChoice openCl(Device device, int capacity, boolean profiling, String reason) {
+    private static BackendChoice openCl(Device device, BackendWish wish, String reason) {
         if (!device.correctlyRounded()) {
             LOG.log(
                     System.Logger.Level.WARNING,
@@ -157,12 +164,12 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                     device.name());
         }
         Backend backend = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
-        return new BackendChoice(backend, new DevicePipeline(device, capacity, profiling), reason);
+        return new BackendChoice(backend, new DevicePipeline(device, wish.capacity, wish.profiling), reason);
     }
 
-    private static BackendChoice jvm(int threads, int capacity, boolean profiling, String reason) {
-        return new BackendChoice(
-                Backend.JVM, new JvmPipeline(threads, JvmPipeline.LEAST_SHARE, capacity, profiling), reason);
+    private static BackendChoice jvm(BackendWish wish, String reason) {
+        Pipeline pipeline = new JvmPipeline(wish.threads, JvmPipeline.LEAST_SHARE, wish.capacity, wish.profiling);
+        return new BackendChoice(Backend.JVM, pipeline, reason);
     }
 
     private BackendChoice logged(System.Logger.Level level) {

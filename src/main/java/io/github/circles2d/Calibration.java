@@ -1,7 +1,9 @@
 package io.github.circles2d;
 
 import io.github.circles2d.calibration.CachePlace;
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
+import io.github.circles2d.calibration.CurvesByRatio;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.TimingsFile;
@@ -26,6 +28,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.IntToDoubleFunction;
+import java.util.function.ToDoubleFunction;
 
 /**
  * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
@@ -38,15 +41,20 @@ import java.util.function.IntToDoubleFunction;
  * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
  * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
  *
- * <p>One crowd is timed at a few sizes: World at 250, 1,000, 10,000 and 100,000 circles, Circles2D at 1,000 and 8,000 with each
- * exact indexing, fewer where it would take long. What lies between is interpolated; beyond, the order at the last size holds. A
- * world unlike that crowd (radii over decades, a thousand circles in one point) may be faster elsewhere.
+ * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World at 250, 1,000, 3,000, 10,000, 30,000 and 100,000 circles, with
+ * like radii and with radii of 1:3, 1:10 and 1:100, Circles2D at 1,000 and 8,000 with each exact indexing, fewer where it would take long.
+ * What lies between is interpolated; beyond, the order at the last size and ratio holds. {@link World.Builder#capacity} and {@link
+ * World.Builder#radii} say which of these times count for a world. A world unlike those crowds (a thousand circles in one point, one
+ * boulder in sand) may be faster elsewhere.
  */
 public final class Calibration {
     private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
 
-    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 10_000, 100_000);
+    static final List<Integer> WORLD_SIZES = List.of(250, 1_000, 3_000, 10_000, 30_000, 100_000);
     static final List<Integer> CIRCLES2D_SIZES = List.of(1_000, 8_000);
+
+    /** Greatest radius over least of the crowds that World is timed with. Up to some ratio radii count as alike: 3 may be below it. */
+    static final List<Double> RATIOS = List.of(Crowd.LIKE, 3.0, 10.0, 100.0);
 
     /** A size is left out where the one before it tells that it would take longer. */
     private static final double MOST_MILLIS = 5_000;
@@ -63,7 +71,7 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and every OpenCL device, and keeps the times. Takes about ten seconds a device, and as much memory as
+     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute a device, and as much memory as
      * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
      * it measures the JVM.
      *
@@ -107,12 +115,8 @@ public final class Calibration {
         Optional<Path> place = CachePlace.findToWrite();
         devices.forEach(Calibration::requireKernels);
         List<Timings.Entry> entries = new ArrayList<>();
-        Curve jvm = curve(
-                Workload.WORLD,
-                worldSizes,
-                FrameMeter.WORLD_FRAMES_IN_ALL,
-                circles -> meter.world(Optional.empty(), circles));
-        entries.add(new Timings.Entry(Workload.WORLD, "", Runners.jvm(World.Builder.defaultThreads()), jvm));
+        Runner jvm = Runners.jvm(World.Builder.defaultThreads());
+        entries.addAll(worlds(jvm, worldSizes, crowd -> meter.world(Optional.empty(), crowd)));
         Set<String> names = new HashSet<>();
         for (Device device : List.copyOf(devices)) {
             if (!names.add(Runners.name(device))) {
@@ -137,12 +141,8 @@ public final class Calibration {
             Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
         List<Timings.Entry> entries = new ArrayList<>();
         if (device.correctlyRounded()) {
-            Curve frames = curve(
-                    Workload.WORLD,
-                    worldSizes,
-                    FrameMeter.WORLD_FRAMES_IN_ALL,
-                    circles -> meter.world(Optional.of(device), circles));
-            entries.add(new Timings.Entry(Workload.WORLD, "", Runners.world(device), frames));
+            Runner runner = Runners.world(device);
+            entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
         }
         for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
             Runner runner = Runners.circles2d(device, indexing);
@@ -152,6 +152,19 @@ public final class Calibration {
                     FrameMeter.LOOPS_IN_ALL,
                     circles -> meter.loop(device, indexing, circles));
             entries.add(new Timings.Entry(Workload.CIRCLES2D, indexing.name(), runner, loops));
+        }
+        return entries;
+    }
+
+    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, ToDoubleFunction<Crowd> millis) {
+        List<Timings.Entry> entries = new ArrayList<>();
+        for (double ratio : RATIOS) {
+            Curve frames = curve(
+                    Workload.WORLD,
+                    sizes,
+                    FrameMeter.WORLD_FRAMES_IN_ALL,
+                    circles -> millis.applyAsDouble(new Crowd(circles, ratio)));
+            entries.add(new Timings.Entry(Workload.WORLD, CurvesByRatio.variant(ratio), runner, frames));
         }
         return entries;
     }

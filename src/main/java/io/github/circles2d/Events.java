@@ -116,7 +116,8 @@ public final class Events {
      * When it happened.
      *
      * @param event its number, from 0 on
-     * @return the number of the step: 0 for the first since {@link World#events} was called before, or since the request that was taken
+     * @return the number of the step: 0 for the first since {@link World#events} was called before, or since the request that was taken;
+     *     2^31 - 1 for that step and all later ones
      */
     public int step(int event) {
         return rows.step(event);

@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.Workload;
@@ -51,7 +52,8 @@ record IndexingChoice(PairIndexing indexing, String reason) {
         Map<PairIndexing, Curve> candidates = new LinkedHashMap<>();
         fitting.forEach(indexing -> candidates.put(indexing, measured.get(indexing)));
         return new IndexingChoice(
-                Timings.fastest(candidates, circles), Timings.words(candidates, circles, PairIndexing::name));
+                Timings.fastest(candidates, circles),
+                Timings.words(candidates, Crowd.like(circles), PairIndexing::name));
     }
 
     /**

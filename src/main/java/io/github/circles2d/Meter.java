@@ -1,5 +1,6 @@
 package io.github.circles2d;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.opencl.Device;
 import java.util.Optional;
 
@@ -9,10 +10,10 @@ interface Meter {
      * Times a frame of World: a step, and a read of all circles.
      *
      * @param device what to run on; the JVM where it is empty
-     * @param circles number of circles
+     * @param crowd the circles
      * @return milliseconds
      */
-    double world(Optional<Device> device, int circles);
+    double world(Optional<Device> device, Crowd crowd);
 
     /**
      * Times a loop of Circles2D.

@@ -1359,11 +1359,7 @@ public final class World implements AutoCloseable {
         private float restitution = 0.5f;
         private int subSteps = 4;
         private ContactSettings contacts = ContactSettings.DEFAULT;
-        private Backend backend = Backend.AUTO;
-        private Device device;
-        private int threads = defaultThreads();
-        private int capacity = 1024;
-        private boolean profiling;
+        private final BackendWish wish = new BackendWish();
 
         private Builder() {}
 
@@ -1520,8 +1516,8 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder backend(Backend backend) {
-            this.backend = Limits.notNull("backend", backend);
-            device = null;
+            wish.backend = Limits.notNull("backend", backend);
+            wish.device = null;
             return this;
         }
 
@@ -1532,7 +1528,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder device(Device device) {
-            this.device = Limits.notNull("device", device);
+            wish.device = Limits.notNull("device", device);
             return this;
         }
 
@@ -1544,7 +1540,7 @@ public final class World implements AutoCloseable {
          * @throws IllegalArgumentException where the value is out of range
          */
         public Builder threads(int threads) {
-            this.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
+            wish.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
             return this;
         }
 
@@ -1557,7 +1553,22 @@ public final class World implements AutoCloseable {
          * @throws IllegalArgumentException where the value is out of range
          */
         public Builder capacity(int capacity) {
-            this.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
+            wish.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
+            return this;
+        }
+
+        /**
+         * Which radii circles are going to have. It tells {@link Backend#AUTO} for which radii the world is to be fast: the fastest
+         * back end for like radii may not be the fastest for mixed ones. By default radii are expected to be alike. No effect on
+         * results, and circles may have any other radii.
+         *
+         * @param least the least radius that is expected, greater than 0
+         * @param greatest the greatest radius that is expected, at least the least
+         * @return this
+         * @throws IllegalArgumentException where a value is out of range
+         */
+        public Builder radii(float least, float greatest) {
+            wish.expectRadii(least, greatest);
             return this;
         }
 
@@ -1568,7 +1579,7 @@ public final class World implements AutoCloseable {
          * @return this
          */
         public Builder profiling(boolean profiling) {
-            this.profiling = profiling;
+            wish.profiling = profiling;
             return this;
         }
 
@@ -1582,10 +1593,7 @@ public final class World implements AutoCloseable {
          */
         public World build() {
             Limits.edges(arena()); // before anything is opened
-            BackendChoice choice = device == null
-                    ? BackendChoice.of(backend, threads, capacity, profiling)
-                    : BackendChoice.of(device, capacity, profiling);
-            return new World(this, choice);
+            return new World(this, BackendChoice.of(wish));
         }
     }
 }

@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
@@ -21,6 +22,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -56,14 +58,20 @@ class CalibrationTest {
         }
     }
 
-    /** Gives times instead of taking them: the JVM's grow with n, a device's do not, and the row search is the fastest. */
+    /**
+     * Gives times instead of taking them: the JVM's grow with n, a device's only with the ratio of radii, and the row search is the
+     * fastest.
+     */
     private static final class FakeMeter implements Meter {
         final List<String> calls = new ArrayList<>();
 
         @Override
-        public double world(Optional<Device> device, int circles) {
-            calls.add((device.isPresent() ? "device " : "JVM ") + circles);
-            return device.isPresent() ? 1 : circles / 1000.0;
+        public double world(Optional<Device> device, Crowd crowd) {
+            calls.add((device.isPresent() ? "device, " : "JVM, ") + crowd);
+            if (device.isEmpty()) {
+                return crowd.circles() / 1000.0;
+            }
+            return crowd.isMixed() ? crowd.ratio() : 1;
         }
 
         @Override
@@ -107,6 +115,47 @@ class CalibrationTest {
                 .isEqualTo(device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU);
         assertThat(many.device()).isEqualTo(device.toString());
         assertThat(many.reason()).contains("by calibration", "5000 circles", "JVM 5.", device.name() + " 1.0");
+    }
+
+    @Test
+    void aWorldRunsOnWhatWasMeasuredToBeTheFastestForTheRadiiThatItExpects() {
+        Device device = TestDevices.all().get(0);
+        Backend byDevice = device.kind() == Device.Kind.CPU ? Backend.OPENCL_CPU : Backend.OPENCL_GPU;
+        calibrate(new FakeMeter());
+        assertThat(statsOf(World.builder().capacity(5_000).radii(2, 3)).backend())
+                .isEqualTo(byDevice);
+        WorldStats mixed = statsOf(World.builder().capacity(5_000).radii(0.5f, 5));
+        assertThat(mixed.backend()).isEqualTo(Backend.JVM);
+        assertThat(mixed.reason())
+                .contains("5000 circles of radii 1:10: JVM 5.", "nothing that was measured is faster");
+        assertThat(statsOf(World.builder().capacity(20_000).radii(0.5f, 5)).backend())
+                .isEqualTo(byDevice);
+        assertThat(statsOf(World.builder().capacity(20_000).radii(0.5f, 25)).backend())
+                .isEqualTo(Backend.JVM);
+        // The last word counts.
+        assertThat(statsOf(World.builder().capacity(5_000).radii(0.5f, 5).radii(1, 1))
+                        .backend())
+                .isEqualTo(byDevice);
+    }
+
+    @Test
+    void aFileWithoutMixedRadiiIsFollowedByItsFiguresOfLikeOnesAndTheReasonSaysSo() throws IOException {
+        Device device = TestDevices.all().get(0);
+        calibrate(new FakeMeter());
+        Timings both = TimingsFile.read(file);
+        Predicate<Timings.Entry> isMixed =
+                entry -> entry.workload() == Workload.WORLD && !entry.variant().isEmpty();
+        Predicate<Timings.Entry> isOfADevice = entry -> !entry.runner().equals(Runners.jvm(THREADS));
+        for (Predicate<Timings.Entry> missing : List.of(isMixed, isMixed.and(isOfADevice))) {
+            TimingsFile.write(
+                    file,
+                    new Timings(both.entries().stream().filter(missing.negate()).toList()));
+            WorldStats stats = statsOf(World.builder().capacity(5_000).radii(1, 10));
+            assertThat(stats.backend()).isNotEqualTo(Backend.JVM);
+            assertThat(stats.reason())
+                    .contains("5000 circles: JVM 5.", device.name() + " 1.0", "mixed radii are not calibrated");
+            assertThat(statsOf(World.builder().capacity(5_000)).reason()).doesNotContain("mixed");
+        }
     }
 
     @Test
@@ -265,14 +314,24 @@ class CalibrationTest {
     void theSizesAreThoseOfTheContractAndALargeOneIsLeftOutWhereItWouldTakeLong() {
         FakeMeter meter = new FakeMeter();
         Calibration.run(List.of(), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
-        // 100,000 circles would take 100 ms a frame, 8 s in all.
-        assertThat(meter.calls).containsExactly("JVM 250", "JVM 1000", "JVM 10000");
+        List<String> jvm = new ArrayList<>();
+        List<String> world = new ArrayList<>();
+        for (String radii : List.of("", " of radii 1:3", " of radii 1:10", " of radii 1:100")) {
+            for (int circles : Calibration.WORLD_SIZES) {
+                world.add("device, " + circles + " circles" + radii);
+                if (circles < 100_000) { // Those would take 100 ms a frame, 8 s in all.
+                    jvm.add("JVM, " + circles + " circles" + radii);
+                }
+            }
+        }
+        assertThat(meter.calls).isEqualTo(jvm);
         meter.calls.clear();
         Device device = TestDevices.all().get(0);
         Calibration.run(List.of(device, device), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
-        List<String> expected = new ArrayList<>(List.of("JVM 250", "JVM 1000", "JVM 10000"));
+        List<String> expected = new ArrayList<>(jvm);
         if (device.correctlyRounded()) {
-            expected.addAll(List.of("device 250", "device 1000", "device 10000", "device 100000"));
+            // By the time of 250 circles of radii 1:100, which is that of all others, each takes 8 s in all.
+            expected.addAll(world.subList(0, 3 * Calibration.WORLD_SIZES.size() + 1));
         }
         for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
             expected.addAll(List.of(indexing + " 1000", indexing + " 8000"));
@@ -285,7 +344,7 @@ class CalibrationTest {
         List<Device> devices = TestDevices.all();
         Calibration failed = calibrate(new Meter() {
             @Override
-            public double world(Optional<Device> device, int circles) {
+            public double world(Optional<Device> device, Crowd crowd) {
                 return 1;
             }
 
@@ -299,7 +358,7 @@ class CalibrationTest {
                 .doesNotContain(devices.get(0).name());
         Calibration small = calibrate(new Meter() {
             @Override
-            public double world(Optional<Device> device, int circles) {
+            public double world(Optional<Device> device, Crowd crowd) {
                 return 1;
             }
 
@@ -357,10 +416,13 @@ class CalibrationTest {
     @Test
     void aRealCalibrationTimesEveryDeviceAndIsFollowed() throws IOException {
         List<Device> devices = TestDevices.all();
-        Calibration.run(devices, new FrameMeter(), List.of(100, 400), List.of(100, 300));
+        Calibration.run(devices, new FrameMeter(), List.of(400), List.of(100, 300));
         Timings timings = Calibration.timings();
-        Curve jvm = timings.find(Workload.WORLD, "", Runners.jvm(THREADS)).orElseThrow();
-        assertThat(jvm.measured().keySet()).containsExactly(100, 400);
+        for (String radii : List.of("", "1:3", "1:10", "1:100")) {
+            Curve jvm =
+                    timings.find(Workload.WORLD, radii, Runners.jvm(THREADS)).orElseThrow();
+            assertThat(jvm.measured().keySet()).containsExactly(400);
+        }
         for (Device device : devices) {
             if (device.correctlyRounded()) {
                 assertThat(timings.find(Workload.WORLD, "", Runners.world(device)))

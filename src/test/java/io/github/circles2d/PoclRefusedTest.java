@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenCl;
@@ -81,7 +82,7 @@ class PoclRefusedTest {
     /** Takes no time. */
     private static final class NoMeter implements Meter {
         @Override
-        public double world(Optional<Device> device, int circles) {
+        public double world(Optional<Device> device, Crowd crowd) {
             return 1;
         }
 

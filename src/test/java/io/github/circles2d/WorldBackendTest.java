@@ -52,6 +52,29 @@ class WorldBackendTest {
 
     @ParameterizedTest
     @MethodSource("openClBackends")
+    void aWorldThatReportsSensorsAloneTakesNoMemoryForContacts(Backend backend) {
+        Scene scene = Scenes.packed(5_000, Scenes.SEED);
+        long[] held = new long[2];
+        for (int k = 0; k < 2; k++) {
+            try (World world =
+                    WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
+                world.kind(1).setSensor(true);
+                long sensor = world.add(0.5f, 0.5f, 0.1f, 1, 0, 0, 1);
+                if (k == 1) {
+                    world.report(0, 1, Events.BEGIN | Events.END);
+                }
+                world.step(scene.timeStep(), 3);
+                assertThat(world.events().size() == 0).isEqualTo(k == 0);
+                held[k] = world.stats().bytesHeld();
+                assertThat(world.contains(sensor)).isTrue();
+            }
+        }
+        // What a sensor's world has besides: where circles began the step, records, pairs and tables of kinds.
+        assertThat(held[1] - held[0]).isBetween(1L, 100L * scene.size());
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
     void aSnapshotTakenAtAnyStepGoesOnTheSameOnAnotherBackEnd(Backend backend) {
         Scene scene = Scenes.packed(500, Scenes.SEED);
         try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend));

@@ -1,5 +1,6 @@
 package io.github.circles2d.calibration;
 
+import java.util.List;
 import java.util.Map;
 import java.util.NavigableMap;
 import java.util.TreeMap;
@@ -34,6 +35,11 @@ public final class Curve {
         this.millis = new TreeMap<>(millis);
     }
 
+    private Curve(int growth, Map<Integer, Double> millis) {
+        this.growth = growth;
+        this.millis = new TreeMap<>(millis);
+    }
+
     /**
      * Returns the time for a number of circles.
      *
@@ -54,6 +60,23 @@ public final class Curve {
         }
         double share = Math.log((double) circles / below.getKey()) / Math.log((double) above.getKey() / below.getKey());
         return below.getValue() * Math.pow(above.getValue() / below.getValue(), share);
+    }
+
+    /**
+     * Returns a curve between this one and another of the same workload: the logarithm of the time is linear between them.
+     *
+     * @param other the other curve
+     * @param share 0 for this one, 1 for the other
+     * @return the curve; exact at every number of circles, since its sizes are those of both
+     */
+    Curve towards(Curve other, double share) {
+        Map<Integer, Double> between = new TreeMap<>();
+        for (Curve curve : List.of(this, other)) {
+            for (int n : curve.millis.keySet()) {
+                between.put(n, millis(n) * Math.pow(other.millis(n) / millis(n), share));
+            }
+        }
+        return new Curve(growth, between);
     }
 
     /**

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -24,11 +25,26 @@ public record Timings(List<Entry> entries) {
      * One curve.
      *
      * @param workload what was timed
-     * @param variant how it was done, where there are several ways; else empty
+     * @param variant of Circles2D, the pair indexing; of World, the ratio of radii, as {@link CurvesByRatio#variant} names it
      * @param runner what it ran on
      * @param curve the times
      */
     public record Entry(Workload workload, String variant, Runner runner, Curve curve) {
+        /**
+         * Checks the ratio of radii.
+         *
+         * @param workload what was timed
+         * @param variant how it was done
+         * @param runner what it ran on
+         * @param curve the times
+         * @throws IllegalArgumentException if the workload is World and the variant is no ratio of radii
+         */
+        public Entry {
+            if (workload == Workload.WORLD) {
+                CurvesByRatio.ratio(variant);
+            }
+        }
+
         private boolean replaces(Entry other) {
             return workload == other.workload
                     && variant.equals(other.variant)
@@ -59,6 +75,35 @@ public record Timings(List<Entry> entries) {
                         entry.workload == workload && entry.variant.equals(variant) && entry.runner.equals(runner))
                 .map(Entry::curve)
                 .findFirst();
+    }
+
+    /**
+     * Finds the times of World on a runner.
+     *
+     * @param runner what it ran on, in that very version
+     * @return the times, if at least those of like radii were measured
+     */
+    public Optional<CurvesByRatio> world(Runner runner) {
+        Map<Double, Curve> curves = new TreeMap<>();
+        for (Entry entry : entries) {
+            if (entry.workload == Workload.WORLD && entry.runner.equals(runner)) {
+                curves.putIfAbsent(CurvesByRatio.ratio(entry.variant), entry.curve);
+            }
+        }
+        return curves.containsKey(Crowd.LIKE) ? Optional.of(new CurvesByRatio(curves)) : Optional.empty();
+    }
+
+    /**
+     * Returns the times of World on all runners.
+     *
+     * @return the times of each of which at least those of like radii were measured
+     */
+    public List<CurvesByRatio> worlds() {
+        return entries.stream()
+                .map(Entry::runner)
+                .distinct()
+                .flatMap(runner -> world(runner).stream())
+                .toList();
     }
 
     /**
@@ -98,18 +143,18 @@ public record Timings(List<Entry> entries) {
      * Says what {@link #fastest} decides by.
      *
      * @param candidates their curves
-     * @param circles number of circles
+     * @param crowd whose times they are
      * @param name how to call a candidate
      * @param <T> a candidate
      * @return the times in words
      */
-    public static <T> String words(Map<T, Curve> candidates, int circles, Function<T, String> name) {
+    public static <T> String words(Map<T, Curve> candidates, Crowd crowd, Function<T, String> name) {
         return candidates.entrySet().stream()
                 .map(candidate -> String.format(
                         Locale.ROOT,
                         "%s %.3g",
                         name.apply(candidate.getKey()),
-                        candidate.getValue().millis(circles)))
-                .collect(Collectors.joining(", ", "by calibration, ms a frame of " + circles + " circles: ", ""));
+                        candidate.getValue().millis(crowd.circles())))
+                .collect(Collectors.joining(", ", "by calibration, ms a frame of " + crowd + ": ", ""));
     }
 }

@@ -18,7 +18,7 @@ import java.util.zip.CRC32;
 
 /**
  * The file that keeps timings: a line for each curve, with tabs between the fields, and a last line with a checksum of all before
- * it, so that a file that was cut off is known for one. It is replaced as a whole, so a reader sees the old one or the new one.
+ * it, so that a file that was cut off is known for one. The fields are those of {@link Timings.Entry}. It is replaced as a whole, so a reader sees the old one or the new one.
  */
 public final class TimingsFile {
     private static final String FIRST_LINE = "circles2d calibration 1";

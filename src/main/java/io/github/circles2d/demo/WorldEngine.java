@@ -69,6 +69,7 @@ final class WorldEngine implements Engine {
     private World.Builder builder() {
         World.Builder builder = World.builder();
         SceneLoader.parameters(scene, builder::bounds, builder::gravity, builder::restitution, builder::capacity);
+        SceneLoader.radii(scene, builder::radii);
         return builder.gravity(options.gravityX(), options.gravityY()).restitution(options.restitution());
     }
 

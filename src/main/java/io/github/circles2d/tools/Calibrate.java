@@ -41,7 +41,7 @@ public final class Calibrate {
             out.println("PairIndexing.AUTO to choose by, or forgets what was measured");
             return help ? 0 : 2;
         }
-        out.println("measuring: about ten seconds a device, best with nothing else to do");
+        out.println("measuring: about half a minute a device, best with nothing else to do");
         Calibration calibration;
         try {
             calibration = Calibration.run();

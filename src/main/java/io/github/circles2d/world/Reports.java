@@ -19,61 +19,53 @@ public final class Reports {
 
     /** Sets which events are reported of all circles from the next step on. */
     public void report(int types) {
-        guard.enter();
-        try {
-            check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL");
-            simulation.settle();
-            events.makeRoom(simulation.handles);
-            simulation.snapshots().forget();
-            boolean was = events.isOn();
-            boolean hadWalls = events.hasWalls();
-            guard.changing = true;
-            events.report(types, simulation.handles);
-            tell(was, hadWalls);
-            guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        change(
+                () -> check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL"),
+                () -> events.makeRoom(simulation.handles),
+                () -> events.report(types, simulation.handles));
     }
 
     /** Sets which events are reported of two kinds. */
     public void report(int kindA, int kindB, int types) {
-        guard.enter();
-        try {
-            KindTable.check(kindA);
-            KindTable.check(kindB);
-            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
-            simulation.settle();
-            events.makeRoomForPairs(simulation.handles);
-            simulation.snapshots().forget();
-            boolean was = events.isOn();
-            boolean hadWalls = events.hasWalls();
-            guard.changing = true;
-            events.reportPair(kindA, kindB, types, simulation.handles);
-            tell(was, hadWalls);
-            guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        change(
+                () -> {
+                    KindTable.check(kindA);
+                    KindTable.check(kindB);
+                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+                },
+                () -> events.makeRoomForPairs(simulation.handles),
+                () -> events.reportPair(kindA, kindB, types, simulation.handles));
     }
 
     /** Sets which events of walls are reported of a kind. */
     public void reportWalls(int kind, int types) {
+        change(
+                () -> {
+                    KindTable.check(kind);
+                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+                },
+                () -> events.makeRoom(simulation.handles),
+                () -> events.reportWalls(kind, types, simulation.handles));
+    }
+
+    /**
+     * Changes what is reported.
+     *
+     * @param checks refuses what is not allowed
+     * @param makeRoom for the change, so that it does not run out of memory; all steps have been made
+     * @param change what is asked for
+     */
+    private void change(Runnable checks, Runnable makeRoom, Runnable change) {
         guard.enter();
         try {
-            KindTable.check(kind);
-            check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+            checks.run();
             simulation.settle();
-            events.makeRoom(simulation.handles);
+            makeRoom.run();
             simulation.snapshots().forget();
             boolean was = events.isOn();
             boolean hadWalls = events.hasWalls();
             guard.changing = true;
-            events.reportWalls(kind, types, simulation.handles);
+            change.run();
             tell(was, hadWalls);
             guard.changing = false;
         } catch (RuntimeException | Error e) {

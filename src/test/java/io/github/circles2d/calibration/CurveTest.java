@@ -46,6 +46,7 @@ class CurveTest {
         assertThat(Timings.fastest(candidates, 100)).isEqualTo("preferred");
         assertThat(Timings.fastest(candidates, 150)).isEqualTo("other");
         assertThat(Timings.fastest(candidates, 1_000_000)).isEqualTo("other");
-        assertThat(Timings.words(candidates, 1_000, name -> name)).contains("1000 circles", "preferred 10", "other 5");
+        assertThat(Timings.words(candidates, Crowd.like(1_000), name -> name))
+                .contains("1000 circles", "preferred 10", "other 5");
     }
 }

@@ -4,12 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import java.util.zip.CRC32;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -17,7 +19,13 @@ class TimingsFileTest {
     private static final Runner DEVICE = new Runner("a device\twith\na strange name ", "driver 1, kernels 0123");
     private static final Timings SOME = new Timings(List.of(
             entry(Workload.WORLD, "", new Runner("JVM", "17"), Map.of(250, 0.125, 1_000, 1 / 3.0)),
+            entry(Workload.WORLD, "1:10", new Runner("JVM", "17"), Map.of(250, 0.25)),
             entry(Workload.CIRCLES2D, "EXACT", DEVICE, Map.of(1_000, 1e-9, 8_000, 12_345.678))));
+
+    /** As the library wrote it before it knew of mixed radii. */
+    private static final String OLD = "circles2d calibration 1\n"
+            + "# What Backend.AUTO and PairIndexing.AUTO choose by: ms by number of circles. Delete this file to forget it.\n"
+            + "WORLD\t\tJVM\t17\t250=0.125 1000=0.5\n";
 
     @TempDir
     Path folder;
@@ -33,8 +41,8 @@ class TimingsFileTest {
         assertThat(TimingsFile.read(file)).isEqualTo(Timings.NONE);
         TimingsFile.write(file, SOME);
         Timings read = TimingsFile.read(file);
-        assertThat(read.entries()).hasSize(2);
-        for (int k = 0; k < 2; k++) {
+        assertThat(read.entries()).hasSize(SOME.entries().size());
+        for (int k = 0; k < SOME.entries().size(); k++) {
             Timings.Entry expected = SOME.entries().get(k);
             Timings.Entry actual = read.entries().get(k);
             assertThat(actual.workload()).isEqualTo(expected.workload());
@@ -85,17 +93,45 @@ class TimingsFileTest {
         TimingsFile.write(file, SOME);
         assertThatThrownBy(() -> TimingsFile.write(file.resolve("below a file"), Timings.NONE))
                 .isInstanceOf(IOException.class);
-        assertThat(TimingsFile.read(file).entries()).hasSize(2);
+        assertThat(TimingsFile.read(file).entries()).hasSize(SOME.entries().size());
+    }
+
+    private Timings read(String lines) throws IOException {
+        CRC32 sum = new CRC32();
+        sum.update(lines.getBytes(StandardCharsets.UTF_8));
+        Path file = folder.resolve("by hand");
+        Files.writeString(file, lines + "checksum " + Long.toHexString(sum.getValue()) + "\n");
+        return TimingsFile.read(file);
+    }
+
+    @Test
+    void anOldFileIsReadAndHasLikeRadiiAlone() throws IOException {
+        CurvesByRatio world = read(OLD).world(new Runner("JVM", "17")).orElseThrow();
+        assertThat(CurvesByRatio.common(List.of(world))).containsExactly(Crowd.LIKE);
+        assertThat(CurvesByRatio.at(100, Map.of("JVM", world)).get("JVM").measured())
+                .isEqualTo(Map.of(250, 0.125, 1_000, 0.5));
+    }
+
+    @Test
+    void whatIsNoRatioOfRadiiIsRefusedWithTheReason() {
+        for (String ratio : List.of("10", "1:", "1:ten", "1:1", "1:-3", "1:NaN", "1:Infinity", "EXACT")) {
+            assertThatThrownBy(() -> read(OLD + "WORLD\t" + ratio + "\tJVM\t17\t250=1\n"))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContainingAll("makes no sense", "'" + ratio + "' is no ratio of radii");
+        }
     }
 
     @Test
     void newerTimingsReplaceThoseOfTheSameRunnerInAnyVersionAndNoOthers() {
         Runner newer = new Runner(DEVICE.name(), "driver 2");
         Timings both = SOME.and(new Timings(List.of(entry(Workload.CIRCLES2D, "EXACT", newer, Map.of(1_000, 2.0)))));
-        assertThat(both.entries()).hasSize(2);
+        assertThat(both.entries()).hasSize(SOME.entries().size());
         assertThat(both.find(Workload.CIRCLES2D, "EXACT", newer)).isPresent();
         assertThat(both.find(Workload.CIRCLES2D, "EXACT", DEVICE)).isEmpty();
         assertThat(both.find(Workload.CIRCLES2D, "ROW_SEARCH", newer)).isEmpty();
         assertThat(both.find(Workload.WORLD, "", new Runner("JVM", "17"))).isPresent();
+        assertThat(both.world(new Runner("JVM", "17"))).isPresent();
+        assertThat(both.world(new Runner("JVM", "18"))).isEmpty();
+        assertThat(both.worlds()).hasSize(1);
     }
 }

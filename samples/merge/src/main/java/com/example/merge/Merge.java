@@ -22,6 +22,7 @@ final class Merge implements Runnable {
 
     Merge(Backend backend, long seed) {
         World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).gravity(0, -30);
+        builder.radii(RADII[0], RADII[RADII.length - 1]); // what to be fast for
         world = builder.restitution(0.2f).backend(backend).build();
         for (int kind = 0; kind < RADII.length; kind++) {
             world.report(kind, kind, Events.BEGIN);

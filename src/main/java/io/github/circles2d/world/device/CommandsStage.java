@@ -7,6 +7,7 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.CachedImpulse;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
@@ -79,16 +80,9 @@ final class CommandsStage {
             link = new int[LINK_STRIDE * (count + (count >> 1))];
         }
         arrays.ensureIds(last.length);
-        if (records.bytes() < RECORD_BYTES * count) {
-            DeviceBuffer larger = session.allocate("commands", RECORD_BYTES * (count + (count >> 1)));
-            records.close();
-            records = larger;
-        }
-        if (links.bytes() < LINK_BYTES * count) {
-            DeviceBuffer larger = session.allocate("command links", LINK_BYTES * (count + (count >> 1)));
-            links.close();
-            links = larger;
-        }
+        int more = count + (count >> 1);
+        records = GrownBuffer.of(session, "commands", records, RECORD_BYTES * count, RECORD_BYTES * more);
+        links = GrownBuffer.of(session, "command links", links, LINK_BYTES * count, LINK_BYTES * more);
         arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
 

@@ -228,7 +228,7 @@ public final class DevicePipeline implements Pipeline {
             warmScale = constants.warmScale;
             parameters.set(constants, shape);
             if (reader != null) {
-                reader.prepare(constants);
+                reader.prepare(constants, arrays);
             }
             if (recordedIn() != stages.touches()) {
                 load(
@@ -401,7 +401,7 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void report(ContactEvents events) {
         settle();
-        ReportReader next = events == null ? null : new ReportReader(session, arrays, events);
+        ReportReader next = events == null ? null : new ReportReader(session, events);
         if (stages.touches() != null) {
             load(tuned, isEdged, null);
         }

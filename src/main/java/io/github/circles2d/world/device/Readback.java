@@ -8,6 +8,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -130,11 +131,7 @@ final class Readback {
     }
 
     private void ensureDevice(long bytes) {
-        if (byId.bytes() < bytes) {
-            DeviceBuffer larger = session.allocate("read-back", bytes + (bytes >> 1));
-            byId.close();
-            byId = larger;
-        }
+        byId = GrownBuffer.of(session, "read-back", byId, bytes, bytes + (bytes >> 1));
     }
 
     /** Room for so many bytes on the host, and for some growth. */

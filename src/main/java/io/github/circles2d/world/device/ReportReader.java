@@ -30,27 +30,29 @@ final class ReportReader implements AutoCloseable {
     /** Whether the last step that was made recorded what contacts do. */
     private boolean hasRecorded;
 
-    ReportReader(Session session, DeviceArrays arrays, ContactEvents events) {
+    ReportReader(Session session, ContactEvents events) {
         this.events = events;
         touches = new TouchArrays(session, events.hasWalls());
         sensing = new SensingArrays(session);
         touchReader = new TouchReader(touches, events);
         sensedReader = new SensedReader(sensing, events);
-        touches.ensure(arrays);
-        sensing.ensure(arrays);
     }
 
     TouchArrays touches() {
         return touches;
     }
 
-    /** Takes down what of the steps to come is reported; none are pending. */
-    void prepare(StepConstants k) {
+    /** Takes down what of the steps to come is reported, and takes the memory for it; none are pending. */
+    void prepare(StepConstants k, DeviceArrays arrays) {
         recording = k.recording;
         sensed = k.sensing;
         seekingVersion = k.seekingVersion;
         timeStep = k.dt;
+        if (recording) {
+            touches.ensure(arrays);
+        }
         if (sensed) {
+            sensing.ensure(arrays);
             sensing.send(k);
         }
     }

@@ -9,6 +9,7 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.StageKernels;
 import java.nio.FloatBuffer;
 
@@ -131,13 +132,7 @@ final class RequestedPositions {
         if (copies == null) {
             copies = session.copyQueue();
         }
-        if (byId == null || byId.bytes() < bytes) {
-            DeviceBuffer larger = session.allocate("requested positions", bytes + (bytes >> 1));
-            if (byId != null) {
-                byId.close();
-            }
-            byId = larger;
-        }
+        byId = GrownBuffer.of(session, "requested positions", byId, bytes, bytes + (bytes >> 1));
         Target target = targets[current];
         if (target.host == null || target.host.size() < bytes) {
             target.replace(session.hostBuffer(Readback.roomier(bytes)));

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.events;
 
-import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
@@ -8,15 +7,16 @@ import io.github.circles2d.world.circles.SavedTouches;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
-import java.util.Arrays;
 
 /**
  * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It holds the pairs that touch. A pipeline
  * tells it after each step of the pairs that touch then, {@link #concerns}, and hands over the records of those that something
  * happened to, {@link #endStep}. A pair that it does not hear of has ended. So a pile at rest has no records.
+ *
+ * <p>{@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds, {@link TouchSnapshots} saves and
+ * restores, and {@link TouchingList} lists pairs.
  *
  * <p>A wall is the partner of a circle too, under a code above all ids.
  */
@@ -42,75 +42,47 @@ public final class ContactEvents {
     /** The hit speed if none is set: that of the pair, from which on impacts bounce. */
     public static final float OF_PAIR = -1f;
 
-    private static final int NO_SIDE = -1;
-    private static final int NOT_REQUESTED = -1;
-
-    // The order of a step's events: lower id, higher id, rank. Late events are those of a circle that has been removed.
-    private static final int LATE_HIT = 0;
-    private static final int LATE_END = 1;
-    private static final int RANK_OF_BEGIN = 2;
-    private static final int RANK_OF_HIT = 3;
-    private static final int RANK_OF_END = 4;
-    private static final int RANK_BITS = 3;
-    private static final int ID_BITS = 28;
-
-    private static final int KIND_BITS = PairTable.KINDS - 1;
-    private static final int FIELD_OF_KIND = CircleField.OF_STEPS.indexOf(CircleField.KIND);
+    private static final int FIRST_STAMP = 1;
 
     private final TouchingPairs pairs = new TouchingPairs();
     private final ReportTable reported = new ReportTable();
+    private final KnownCircles circles = new KnownCircles();
 
     /** Events of the step to come, in no order: at first those of removed circles. */
     private final EventRows step = new EventRows();
 
-    private EventRows events = new EventRows();
-    private EventRows taken = new EventRows();
+    private final EventQueue queue = new EventQueue();
+    private final TouchingList touching = new TouchingList(this, pairs, circles);
+    private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles);
 
     /** Hits that were not complete after the last step, and those after this one. */
     private TouchRecords open = new TouchRecords();
 
     private TouchRecords stillOpen = new TouchRecords();
 
-    /** By id: the handle as of the last step, which the table of handles may be ahead of. */
-    private long[] handleOf = new long[0];
-
-    /** By id: the kind, as of the last commands, which the table of handles may be ahead of too. */
-    private byte[] kindOf = new byte[0];
-
-    /** By id: the last batch of commands that removed its circle. */
-    private int[] removedIn = new int[0];
-
-    private int batch;
     private Bounds arena = new Bounds(0, 0, 1, 1);
 
     private float hitSpeed = OF_PAIR;
 
-    /** The stamp of the step that is being looked at. */
-    private int now = 1;
+    /** The stamp of the step that is being looked at: another than that of the step before. */
+    private int now;
 
     /** Whether the next step has to tell of every pair in touch, since some are not as it left them. */
     private boolean wantsAll = true;
 
-    /** Steps since events were taken last: those of which there are events, those that have been asked for, and of these those of a request. */
-    private int steps;
-
-    private int asked;
-    private int requested = NOT_REQUESTED;
-
-    /** What {@link #list} has found. */
-    private final EventRows listed = new EventRows();
-
     /** Nothing is reported. */
-    public ContactEvents() {}
+    public ContactEvents() {
+        this(FIRST_STAMP);
+    }
+
+    /** As if many steps had been made. */
+    ContactEvents(int stamp) {
+        now = stamp;
+    }
 
     /** The code of a wall: axis 0 or 1, side 1 for the lower wall and -1 for the upper. */
     public static int wall(int axis, float side) {
         return Limits.CIRCLES + 2 * axis + (side > 0f ? 0 : 1);
-    }
-
-    /** Whether a partner is a wall. */
-    private static boolean isWall(int higher) {
-        return higher >= Limits.CIRCLES;
     }
 
     /** Whether an int is the code of a wall. */
@@ -153,15 +125,13 @@ public final class ContactEvents {
 
     /** The types that are reported of two circles. */
     public int typesOfCircles(int id, int otherId) {
-        return reported.isUniform()
-                ? reported.types(0, 0)
-                : reported.types(kindOf[id] & KIND_BITS, kindOf[otherId] & KIND_BITS);
+        return reported.isUniform() ? reported.types(0, 0) : reported.types(circles.kind(id), circles.kind(otherId));
     }
 
     /** The types that are reported of a pair: the one place that decides. */
-    private int typesOf(int lower, int higher) {
-        if (isWall(higher)) {
-            return hasWall(higher) ? reported.wallTypes(kindOf[lower] & KIND_BITS) : 0;
+    int typesOf(int lower, int higher) {
+        if (EventOrder.isWall(higher)) {
+            return hasWall(higher) ? reported.wallTypes(circles.kind(lower)) : 0;
         }
         return typesOfCircles(lower, higher);
     }
@@ -217,7 +187,7 @@ public final class ContactEvents {
             step.clear();
             open.clear();
         } else if (!was) {
-            readHandles(handles);
+            circles.read(handles);
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (typesOf(pairs.lower(pair), pairs.higher(pair)) == 0) {
@@ -225,16 +195,9 @@ public final class ContactEvents {
             }
         }
         for (int late = step.count - 1; late >= 0; late--) {
-            if (!mayReport(step.side(late) != NO_SIDE, step.type(late))) {
+            if (!reported.mayReport(step.side(late) != EventOrder.NO_SIDE, step.type(late))) {
                 step.remove(late);
             }
-        }
-    }
-
-    private void readHandles(HandleTable handles) {
-        for (int id = 0; id < handles.end(); id++) {
-            handleOf[id] = handles.lives(id) ? handles.handle(id) : 0;
-            kindOf[id] = (byte) handles.fields().getInt(CircleField.KIND, id);
         }
     }
 
@@ -253,12 +216,7 @@ public final class ContactEvents {
 
     private void ensureIds(int ids) {
         pairs.ensureIds(ids);
-        if (ids > handleOf.length) {
-            int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
-            removedIn = Arrays.copyOf(removedIn, c);
-            kindOf = Arrays.copyOf(kindOf, c);
-            handleOf = Arrays.copyOf(handleOf, c);
-        }
+        circles.ensure(ids);
     }
 
     /** Makes room for commands, so that {@link #apply} does not run out of memory. */
@@ -268,7 +226,7 @@ public final class ContactEvents {
             ids = Math.max(ids, commands.id(c) + 1);
         }
         ensureIds(ids);
-        if (markRemoved(commands)) {
+        if (circles.markRemoved(commands)) {
             int ends = 0;
             for (int pair = 0; pair < pairs.count; pair++) {
                 ends += isOfRemoved(pair) ? 1 : 0;
@@ -279,68 +237,44 @@ public final class ContactEvents {
 
     /** Ends the pairs of circles that commands remove, and learns the handles of new ones, and kinds. */
     public void apply(Commands commands, HandleTable handles) {
-        batch++;
+        circles.beginBatch();
         boolean waiting = false;
         for (int c = 0; c < commands.count(); c++) {
             int id = commands.id(c);
             if (commands.operation(c) == Commands.REMOVE) {
-                removedIn[id] = batch;
+                circles.remove(id);
                 waiting = true;
-            } else if (commands.operation(c) == Commands.ADD && removedIn[id] != batch) {
-                removedIn[id] = -batch; // it has no pairs yet
-            } else if (isKind(commands, c) && Math.abs(removedIn[id]) != batch) {
+            } else if (commands.operation(c) == Commands.ADD) {
+                circles.add(id); // it has no pairs yet
+            } else if (KnownCircles.isKind(commands, c) && circles.hasStayed(id)) {
                 // An end is reported by the kinds that both circles have when one of them is removed.
                 if (waiting && reported.dependsOnKinds()) {
                     endRemoved();
                     waiting = false;
                 }
-                kindOf[id] = (byte) commands.second(c);
+                circles.setKind(id, commands.second(c));
                 wantsAll |= reported.dependsOnKinds();
             }
         }
         if (waiting) {
             endRemoved();
         }
-        for (int c = 0; c < commands.count(); c++) {
-            int id = commands.id(c);
-            if (commands.operation(c) == Commands.ADD) {
-                handleOf[id] = handles.handle(id);
-                kindOf[id] = 0;
-            } else if (isKind(commands, c)) {
-                kindOf[id] = (byte) commands.second(c);
-            }
-        }
-    }
-
-    private static boolean isKind(Commands commands, int c) {
-        return commands.operation(c) == Commands.FIELD && commands.first(c) == FIELD_OF_KIND;
+        circles.learn(commands, handles);
     }
 
     private void endRemoved() {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (isOfRemoved(pair)) {
-                addOpenHit(pair, LATE_HIT);
-                add(pair, END, LATE_END);
+                addOpenHit(pair, EventOrder.LATE_HIT);
+                add(pair, END, EventOrder.LATE_END);
                 pairs.remove(pair);
             }
         }
     }
 
-    private boolean markRemoved(Commands commands) {
-        batch++;
-        boolean some = false;
-        for (int c = 0; c < commands.count(); c++) {
-            if (commands.operation(c) == Commands.REMOVE) {
-                removedIn[commands.id(c)] = batch;
-                some = true;
-            }
-        }
-        return some;
-    }
-
     private boolean isOfRemoved(int pair) {
         int higher = pairs.higher(pair);
-        return removedIn[pairs.lower(pair)] == batch || !isWall(higher) && removedIn[higher] == batch;
+        return circles.isRemoved(pairs.lower(pair)) || !EventOrder.isWall(higher) && circles.isRemoved(higher);
     }
 
     // ---- a step
@@ -418,15 +352,15 @@ public final class ContactEvents {
         }
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (pairs.stamp(pair) != now && (all || !pairs.holds(pair))) {
-                addOpenHit(pair, RANK_OF_HIT);
-                add(pair, END, RANK_OF_END);
+                addOpenHit(pair, EventOrder.HIT);
+                add(pair, END, EventOrder.END);
                 pairs.remove(pair);
             }
         }
         TouchRecords complete = open;
         open = stillOpen;
         stillOpen = complete;
-        now++;
+        now = now == Integer.MAX_VALUE ? FIRST_STAMP : now + 1;
         publish(1);
     }
 
@@ -436,9 +370,8 @@ public final class ContactEvents {
     }
 
     private void publish(int count) {
-        events.addInOrder(step, steps);
+        queue.publish(step, count);
         step.clear();
-        steps += count;
     }
 
     private void take(TouchRecords list, int r) {
@@ -446,20 +379,21 @@ public final class ContactEvents {
         int higher = list.higher(r);
         int pair = pairs.find(lower, higher);
         if (pair == TouchingPairs.NONE) {
-            pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
+            pair = pairs.add(
+                    lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
             pairs.stamp(pair, now);
-            add(pair, BEGIN, RANK_OF_BEGIN, list, r);
+            add(pair, BEGIN, EventOrder.BEGIN, list, r);
         }
         boolean goesOn = pairs.open(pair) != TouchingPairs.NONE;
         boolean isHit = isHit(list.approach(r), list.impulse(r), list.threshold(r));
         if (goesOn) {
             list.addTo(r, open, pairs.open(pair));
-            addOpenHit(pair, RANK_OF_HIT);
+            addOpenHit(pair, EventOrder.HIT);
             pairs.setOpen(pair, TouchingPairs.NONE);
         } else if (isHit && TouchRule.isIncomplete(list.vn(r), list.approach(r))) {
             pairs.setOpen(pair, stillOpen.add(list, r));
         } else if (isHit) {
-            add(pair, HIT, RANK_OF_HIT, list, r);
+            add(pair, HIT, EventOrder.HIT, list, r);
         }
     }
 
@@ -483,12 +417,8 @@ public final class ContactEvents {
         if ((typesOf(lower, higher) & type) == 0) {
             return -1;
         }
-        int side = isWall(higher) ? higher - Limits.CIRCLES : NO_SIDE;
-        return step.add(key(lower, higher, rank), type, pairs.a[pair], pairs.b[pair], side);
-    }
-
-    private static long key(int lower, int higher, int rank) {
-        return ((long) lower << ID_BITS | higher) << RANK_BITS | rank;
+        long key = EventOrder.key(lower, higher, rank);
+        return step.add(key, type, pairs.a[pair], pairs.b[pair], EventOrder.side(higher));
     }
 
     // ---- for the caller
@@ -496,46 +426,32 @@ public final class ContactEvents {
 
     /** Takes note that steps have been asked for, of which there will be events. */
     public void asked(int count) {
-        asked += count;
+        queue.asked(count);
     }
 
     /** The events of all steps since events were taken last. They stay as they are until the next call; no request is left. */
     public EventRows take() {
-        EventRows next = taken;
-        taken = events;
-        events = next;
-        events.clear();
-        steps = 0;
-        asked = 0;
-        requested = NOT_REQUESTED;
-        return taken;
+        return queue.take();
     }
 
     /** Requests the events of the steps that have been asked for. */
     public void request() {
-        requested = asked;
+        queue.request();
     }
 
     /** Whether events have been requested and not been taken. */
     public boolean isRequested() {
-        return requested != NOT_REQUESTED;
+        return queue.isRequested();
     }
 
     /** Whether there are the events of all steps of the request. */
     public boolean haveArrived() {
-        return steps >= requested;
+        return queue.haveArrived();
     }
 
     /** The events of the request, which have arrived. They stay as they are until events are taken again. */
     public EventRows takeRequested() {
-        int ofRequest = requested;
-        int stepsNow = steps;
-        int askedNow = asked;
-        EventRows all = take();
-        steps = stepsNow - ofRequest;
-        asked = askedNow - ofRequest;
-        all.moveFrom(ofRequest, events);
-        return all;
+        return queue.takeRequested();
     }
 
     /**
@@ -545,38 +461,12 @@ public final class ContactEvents {
      * @return how many pairs there are
      */
     public int list(int kindA, int kindB, long[] handles) {
-        listed.clear();
-        for (int pair = 0; pair < pairs.count; pair++) {
-            int lower = pairs.lower(pair);
-            int higher = pairs.higher(pair);
-            if (!isWall(higher) && typesOf(lower, higher) != 0) {
-                int ofLower = kindOf[lower] & KIND_BITS;
-                int ofHigher = kindOf[higher] & KIND_BITS;
-                if (ofLower == kindA && ofHigher == kindB) {
-                    listed.add(key(lower, higher, 0), 0, pairs.a[pair], pairs.b[pair], NO_SIDE);
-                } else if (ofLower == kindB && ofHigher == kindA) {
-                    listed.add(key(lower, higher, 0), 0, pairs.b[pair], pairs.a[pair], NO_SIDE);
-                }
-            }
-        }
-        listed.sort();
-        for (int k = 0; k < Math.min(listed.count, handles.length / 2); k++) {
-            int row = listed.ordered(k);
-            handles[2 * k] = listed.a(row);
-            handles[2 * k + 1] = listed.b(row);
-        }
-        return listed.count;
+        return touching.list(kindA, kindB, handles);
     }
 
     /** Memory of the arrays. */
     public long bytes() {
-        return events.bytes()
-                + taken.bytes()
-                + step.bytes()
-                + listed.bytes()
-                + 13L * handleOf.length
-                + pairs.bytes()
-                + reported.bytes();
+        return queue.bytes() + step.bytes() + touching.bytes() + circles.bytes() + pairs.bytes() + reported.bytes();
     }
 
     // ---- snapshots
@@ -585,37 +475,9 @@ public final class ContactEvents {
     /** Saves what the next events depend on; nothing if nothing is reported. */
     public void save(SavedTouches into) {
         into.clear();
-        if (!isOn()) {
-            return;
+        if (isOn()) {
+            snapshots.save(into, open);
         }
-        into.ensure(pairs.count, pairs.count, step.count);
-        for (int pair = 0; pair < pairs.count; pair++) {
-            into.pair[pair] = (long) pairs.lower(pair) << Integer.SIZE | pairs.higher(pair);
-        }
-        into.pairs = pairs.count;
-        Arrays.sort(into.pair, 0, into.pairs);
-        for (int k = 0; k < into.pairs; k++) {
-            int pair = pairs.find((int) (into.pair[k] >>> Integer.SIZE), (int) into.pair[k]);
-            if (pairs.open(pair) != TouchingPairs.NONE) {
-                open.copy(pairs.open(pair), into.openValues, SavedTouches.VALUES * into.open);
-                into.openPair[into.open++] = k;
-            }
-        }
-        step.sort();
-        for (int k = 0; k < step.count; k++) {
-            int row = step.ordered(k);
-            into.lateHandles[2 * k] = step.a(row);
-            into.lateHandles[2 * k + 1] = step.b(row);
-            into.lateInts[SavedTouches.LATE_INTS * k] = step.type(row);
-            into.lateInts[SavedTouches.LATE_INTS * k + 1] = step.side(row);
-            System.arraycopy(
-                    step.values,
-                    SavedTouches.VALUES * row,
-                    into.lateValues,
-                    SavedTouches.VALUES * k,
-                    SavedTouches.VALUES);
-        }
-        into.late = step.count;
     }
 
     /** Makes room for a saved state, so that {@link #load} does not run out of memory. */
@@ -635,54 +497,13 @@ public final class ContactEvents {
      */
     public void load(SavedTouches from, HandleTable handles) {
         wantsAll = true;
-        events.clear();
-        steps = 0;
-        asked = 0;
-        requested = Math.min(requested, 0);
+        queue.drop();
         pairs.clear();
         step.clear();
         open.clear();
-        if (!isOn()) {
-            return;
-        }
-        readHandles(handles);
-        int nextOpen = 0;
-        for (int k = 0; k < from.pairs; k++) {
-            int lower = (int) (from.pair[k] >>> Integer.SIZE);
-            int higher = (int) from.pair[k];
-            boolean isOpen = nextOpen < from.open && from.openPair[nextOpen] == k;
-            if (mayReport(isWall(higher), OF_PAIR_TYPES)) {
-                int pair = pairs.add(lower, higher, handleOf[lower], isWall(higher) ? 0 : handleOf[higher]);
-                if (isOpen) {
-                    pairs.setOpen(pair, open.addValues(from.openValues, SavedTouches.VALUES * nextOpen));
-                }
-            }
-            nextOpen += isOpen ? 1 : 0;
-        }
-        for (int k = 0; k < from.late; k++) {
-            loadLate(from, k);
-        }
-    }
-
-    /**
-     * Whether a saved pair, or a late event, may still be reported. If kinds decide it may be: they may change until the next step,
-     * which forgets the pairs that are not, and the kind of a removed circle is not known any more.
-     */
-    private boolean mayReport(boolean ofWall, int types) {
-        int now = ofWall ? reported.wallTypes(0) : reported.types(0, 0);
-        return reported.dependsOnKinds() || (now & types) != 0;
-    }
-
-    private void loadLate(SavedTouches from, int k) {
-        int type = from.lateInts[SavedTouches.LATE_INTS * k];
-        int side = from.lateInts[SavedTouches.LATE_INTS * k + 1];
-        long a = from.lateHandles[2 * k];
-        long b = from.lateHandles[2 * k + 1];
-        int lower = (int) a;
-        int higher = side == NO_SIDE ? (int) b : Limits.CIRCLES + side;
-        if (mayReport(side != NO_SIDE, type)) {
-            int at = step.add(key(lower, higher, type == HIT ? LATE_HIT : LATE_END), type, a, b, side);
-            System.arraycopy(from.lateValues, SavedTouches.VALUES * k, step.values, at, SavedTouches.VALUES);
+        if (isOn()) {
+            circles.read(handles);
+            snapshots.load(from, open);
         }
     }
 }

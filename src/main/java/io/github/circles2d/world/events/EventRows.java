@@ -13,7 +13,7 @@ public final class EventRows {
 
     private int[] order = new int[0];
     private int[] type = new int[0];
-    private int[] step = new int[0];
+    private long[] step = new long[0];
     private long[] a = new long[0];
     private long[] b = new long[0];
     private int[] side = new int[0];
@@ -54,7 +54,7 @@ public final class EventRows {
     }
 
     /** Adds the events of another list, in the order of their keys, which are distinct, as those of a step. */
-    void addInOrder(EventRows from, int stepNumber) {
+    void addInOrder(EventRows from, long stepNumber) {
         ensure(count + from.count);
         from.sort();
         for (int k = 0; k < from.count; k++) {
@@ -66,7 +66,7 @@ public final class EventRows {
     }
 
     /** Moves the events from a step on, which are in the order of steps, into a list whose first step that is. */
-    void moveFrom(int firstStep, EventRows to) {
+    void moveFrom(long firstStep, EventRows to) {
         int first = count;
         while (first > 0 && step[first - 1] >= firstStep) {
             first--;
@@ -142,9 +142,9 @@ public final class EventRows {
         return type[check(event)];
     }
 
-    /** The number of the step. */
+    /** The number of the step; 2^31 - 1 for all from there on. */
     public int step(int event) {
-        return step[check(event)];
+        return (int) Math.min(step[check(event)], Integer.MAX_VALUE);
     }
 
     /** The handle of the circle of lower id. */
@@ -201,6 +201,6 @@ public final class EventRows {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 40L * side.length + 4L * values.length;
+        return 44L * side.length + 4L * values.length;
     }
 }

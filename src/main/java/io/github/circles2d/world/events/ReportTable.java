@@ -110,6 +110,15 @@ final class ReportTable {
         return wallTypes[kind];
     }
 
+    /**
+     * Whether a saved pair, or a late event, may still be reported. If kinds decide it may be: they may change until the next step,
+     * which forgets the pairs that are not, and the kind of a removed circle is not known any more.
+     */
+    boolean mayReport(boolean ofWall, int wanted) {
+        int now = ofWall ? wallTypes(0) : types(0, 0);
+        return dependsOnKinds() || (now & wanted) != 0;
+    }
+
     /** Finds out what follows, if anything has changed. */
     void resolve(KindTable kinds) {
         if (resolvedVersion == version && resolvedKinds == kinds.version()) {

@@ -121,6 +121,7 @@ final class TouchingPairs {
         int row = STRIDE * pair;
         rows[row + HIGHER] = higherId;
         rows[row + NEXT] = first[lowerId];
+        rows[row + STAMP] = NEVER;
         rows[row + OPEN] = NONE;
         first[lowerId] = pair;
         return pair;

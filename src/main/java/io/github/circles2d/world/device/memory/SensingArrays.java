@@ -28,7 +28,6 @@ public final class SensingArrays implements AutoCloseable {
     private static final int TAKES_PART = 1;
     private static final int SEEKS = 2;
     private static final long START_BYTES = 8;
-    private static final long RECORD_BYTES = (long) Integer.BYTES * RECORD;
     private static final int LEAST_RECORDS = 256;
 
     private final Session session;
@@ -36,18 +35,19 @@ public final class SensingArrays implements AutoCloseable {
     private int version = -1;
     private DeviceBuffer start;
     private DeviceBuffer seeking;
-    private DeviceBuffer records;
+    private final RecordBuffer records;
 
     /** No memory yet. */
     public SensingArrays(Session session) {
         this.session = session;
+        records = new RecordBuffer(session, "sensing: records", RECORD);
     }
 
     /** Makes room for the ids that other arrays have room for. */
     public void ensure(DeviceArrays arrays) {
         seeking = ensure("sensing: kinds", seeking, (long) Integer.BYTES * table.length);
         start = ensure("sensing: start", start, START_BYTES * arrays.idCapacity());
-        records = ensure("sensing: records", records, RECORD_BYTES * LEAST_RECORDS);
+        records.ensure(LEAST_RECORDS);
     }
 
     /** Makes room for records. */
@@ -56,18 +56,11 @@ public final class SensingArrays implements AutoCloseable {
             throw new IllegalStateException(count + " pairs are sensed in a step, but must be at most "
                     + Integer.MAX_VALUE / (2 * RECORD) + " on a device");
         }
-        records = ensure("sensing: records", records, RECORD_BYTES * (count + (count >> 1)));
+        records.ensure(count + (count >> 1));
     }
 
     private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
-        if (buffer != null && buffer.bytes() >= bytes) {
-            return buffer;
-        }
-        DeviceBuffer larger = session.allocate(name, bytes);
-        if (buffer != null) {
-            buffer.close();
-        }
-        return larger;
+        return GrownBuffer.of(session, name, buffer, bytes, bytes);
     }
 
     /** Sends who looks for whom, if it is not there yet. */
@@ -100,27 +93,22 @@ public final class SensingArrays implements AutoCloseable {
 
     /** The records of the last step. */
     public DeviceBuffer records() {
-        return records;
+        return records.buffer();
     }
 
     /** Records that there is room for. */
     public int room() {
-        return (int) Math.min(records.bytes() / RECORD_BYTES, Integer.MAX_VALUE);
+        return records.room();
     }
 
     /** Reads the first records into an array. */
     public void read(int[] to, int count) {
-        if (count > 0) {
-            records.read(IntBuffer.wrap(to, 0, RECORD * count));
-        }
+        records.read(to, count);
     }
 
     @Override
     public void close() {
-        for (DeviceBuffer buffer : new DeviceBuffer[] {start, seeking, records}) {
-            if (buffer != null) {
-                buffer.close();
-            }
-        }
+        GrownBuffer.close(start, seeking);
+        records.close();
     }
 }

@@ -30,7 +30,6 @@ public final class TouchArrays implements AutoCloseable {
 
     private static final long CONTACT_BYTES = 32;
     private static final long SLOT_BYTES = 32;
-    private static final long RECORD_BYTES = (long) Integer.BYTES * RECORD;
 
     /** Records of walls that a circle may have in a step: of each axis that of the wall it has touched, and of the nearer one. */
     private static final int RECORDS_PER_SLOT = 4;
@@ -39,7 +38,7 @@ public final class TouchArrays implements AutoCloseable {
     private final boolean walls;
     private DeviceBuffer contacts;
     private DeviceBuffer slots;
-    private DeviceBuffer records;
+    private final RecordBuffer records;
     private DeviceBuffer hits;
 
     /** A step's number is that of the steps made before it and this: 0, which is in memory at first, is of none. */
@@ -58,6 +57,7 @@ public final class TouchArrays implements AutoCloseable {
     public TouchArrays(Session session, boolean walls) {
         this.session = session;
         this.walls = walls;
+        records = new RecordBuffer(session, "records of touches", RECORD);
     }
 
     /**
@@ -94,7 +94,7 @@ public final class TouchArrays implements AutoCloseable {
     public void bind(Kernel kernel, int first) {
         kernel.arg(StageKernels.own(first), contacts)
                 .arg(StageKernels.own(first + 1), slots)
-                .arg(StageKernels.own(first + 2), records)
+                .arg(StageKernels.own(first + 2), records.buffer())
                 .arg(StageKernels.own(first + 3), hits)
                 .arg(StageKernels.own(first + 4), room())
                 .arg(StageKernels.own(first + 5), walls ? 1 : 0)
@@ -128,7 +128,7 @@ public final class TouchArrays implements AutoCloseable {
         long room = arrays.contactCapacity() + (walls ? (long) RECORDS_PER_SLOT * arrays.slotCapacity() : 0);
         contacts = ensure("touches", contacts, CONTACT_BYTES * arrays.contactCapacity());
         slots = ensure("touches of walls", slots, SLOT_BYTES * arrays.slotCapacity());
-        records = ensure("records of touches", records, RECORD_BYTES * room);
+        records.ensure(room);
         DeviceBuffer before = hits;
         hits = ensure("hits of circles", hits, 2L * Integer.BYTES * arrays.idCapacity());
         if (hits != before) {
@@ -137,14 +137,7 @@ public final class TouchArrays implements AutoCloseable {
     }
 
     private DeviceBuffer ensure(String name, DeviceBuffer buffer, long bytes) {
-        if (buffer != null && buffer.bytes() >= bytes) {
-            return buffer;
-        }
-        DeviceBuffer larger = session.allocate(name, bytes);
-        if (buffer != null) {
-            buffer.close();
-        }
-        return larger;
+        return GrownBuffer.of(session, name, buffer, bytes, bytes);
     }
 
     /** Whether walls are recorded. */
@@ -164,27 +157,22 @@ public final class TouchArrays implements AutoCloseable {
 
     /** The records of the last step. */
     public DeviceBuffer records() {
-        return records;
+        return records.buffer();
     }
 
     /** Records that there is room for. */
     public int room() {
-        return (int) Math.min(records.bytes() / RECORD_BYTES, Integer.MAX_VALUE);
+        return records.room();
     }
 
     /** Reads the first records into an array. */
     public void read(int[] to, int count) {
-        if (count > 0) {
-            records.read(IntBuffer.wrap(to, 0, RECORD * count));
-        }
+        records.read(to, count);
     }
 
     @Override
     public void close() {
-        for (DeviceBuffer buffer : new DeviceBuffer[] {contacts, slots, records, hits}) {
-            if (buffer != null) {
-                buffer.close();
-            }
-        }
+        GrownBuffer.close(contacts, slots, hits);
+        records.close();
     }
 }

@@ -6,6 +6,7 @@ import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.GrownBuffer;
 import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.queries.CircleTree;
@@ -200,13 +201,7 @@ final class DeviceTree {
 
     /** A buffer with room for so many bytes, and for some growth; what was held is given back if it is too small. */
     static DeviceBuffer grown(Session session, DeviceBuffer held, String name, long bytes) {
-        if (held != null && held.bytes() >= bytes) {
-            return held;
-        }
-        DeviceBuffer larger = session.allocate(name, Math.max(LEAST_BYTES, (bytes + (bytes >> 1)) & -ROW_BYTES));
-        if (held != null) {
-            held.close();
-        }
-        return larger;
+        long roomy = Math.max(LEAST_BYTES, (bytes + (bytes >> 1)) & -ROW_BYTES);
+        return GrownBuffer.of(session, name, held, bytes, roomy);
     }
 }

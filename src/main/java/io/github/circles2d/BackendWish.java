@@ -1,0 +1,31 @@
+package io.github.circles2d;
+
+import io.github.circles2d.calibration.Crowd;
+import io.github.circles2d.opencl.Device;
+import io.github.circles2d.world.model.Limits;
+
+/** What a builder says of the back end of its world, and of the circles that it is to be fast for. */
+final class BackendWish {
+    Backend backend = Backend.AUTO;
+
+    /** Instead of a back end; null if none is named. */
+    Device device;
+
+    int threads = World.Builder.defaultThreads();
+    int capacity = 1024;
+    boolean profiling;
+
+    /** Greatest radius over least. */
+    private double ratio = 1;
+
+    /** Takes the radii that are expected. */
+    void expectRadii(float least, float greatest) {
+        Limits.within("the least radius", least, Limits.LEAST_EXTENT * Limits.LEAST_RADIUS_SHARE, Limits.COORDINATE);
+        ratio = (double) Limits.within("the greatest radius", greatest, least, Limits.COORDINATE) / least;
+    }
+
+    /** The circles that are expected. */
+    Crowd crowd() {
+        return new Crowd(capacity, ratio);
+    }
+}

@@ -1,0 +1,121 @@
+package io.github.circles2d.world.events;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.PairTable;
+import java.util.Arrays;
+
+/** What events know of circles, by id: as of the last commands that were applied, which the table of handles may be ahead of. */
+final class KnownCircles {
+    private static final int KIND_BITS = PairTable.KINDS - 1;
+    private static final int FIELD_OF_KIND = CircleField.OF_STEPS.indexOf(CircleField.KIND);
+
+    /** By id: the handle as of the last step. */
+    private long[] handleOf = new long[0];
+
+    /** By id: the kind, as of the last commands. */
+    private byte[] kindOf = new byte[0];
+
+    /** By id: the last batch of commands that removed its circle; negative if it only added one. */
+    private int[] changedIn = new int[0];
+
+    private int batch;
+
+    /** Makes room. The length of the array that grows last tells whether there is room. */
+    void ensure(int ids) {
+        if (ids > handleOf.length) {
+            int c = Math.max(ids, handleOf.length + (handleOf.length >> 1));
+            changedIn = Arrays.copyOf(changedIn, c);
+            kindOf = Arrays.copyOf(kindOf, c);
+            handleOf = Arrays.copyOf(handleOf, c);
+        }
+    }
+
+    /** Learns all handles and kinds. */
+    void read(HandleTable handles) {
+        for (int id = 0; id < handles.end(); id++) {
+            handleOf[id] = handles.lives(id) ? handles.handle(id) : 0;
+            kindOf[id] = (byte) handles.fields().getInt(CircleField.KIND, id);
+        }
+    }
+
+    long handle(int id) {
+        return handleOf[id];
+    }
+
+    int kind(int id) {
+        return kindOf[id] & KIND_BITS;
+    }
+
+    void setKind(int id, int kind) {
+        kindOf[id] = (byte) kind;
+    }
+
+    /** Whether a command changes a kind. */
+    static boolean isKind(Commands commands, int c) {
+        return commands.operation(c) == Commands.FIELD && commands.first(c) == FIELD_OF_KIND;
+    }
+
+    /** Begins a batch of commands: no circle has been removed or added in it. */
+    void beginBatch() {
+        if (batch == Integer.MAX_VALUE) {
+            Arrays.fill(changedIn, 0);
+            batch = 0;
+        }
+        batch++;
+    }
+
+    /** Takes note that the batch removes a circle. */
+    void remove(int id) {
+        changedIn[id] = batch;
+    }
+
+    /** Takes note that the batch adds a circle. One that it has removed under the same id still counts as removed. */
+    void add(int id) {
+        if (changedIn[id] != batch) {
+            changedIn[id] = -batch;
+        }
+    }
+
+    /** Whether the batch has removed a circle. */
+    boolean isRemoved(int id) {
+        return changedIn[id] == batch;
+    }
+
+    /** Whether the batch has neither removed nor added a circle. */
+    boolean hasStayed(int id) {
+        return Math.abs(changedIn[id]) != batch;
+    }
+
+    /** Begins a batch of commands, and takes note of all that they remove. Returns whether they remove any. */
+    boolean markRemoved(Commands commands) {
+        beginBatch();
+        boolean some = false;
+        for (int c = 0; c < commands.count(); c++) {
+            if (commands.operation(c) == Commands.REMOVE) {
+                remove(commands.id(c));
+                some = true;
+            }
+        }
+        return some;
+    }
+
+    /** Learns the handles of the circles that commands add, and kinds. */
+    void learn(Commands commands, HandleTable handles) {
+        for (int c = 0; c < commands.count(); c++) {
+            int id = commands.id(c);
+            if (commands.operation(c) == Commands.ADD) {
+                handleOf[id] = handles.handle(id);
+                kindOf[id] = 0;
+            } else if (isKind(commands, c)) {
+                setKind(id, commands.second(c));
+            }
+        }
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return 13L * handleOf.length;
+    }
+}

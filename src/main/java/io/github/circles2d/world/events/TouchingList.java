@@ -1,0 +1,49 @@
+package io.github.circles2d.world.events;
+
+/** Lists pairs that touch, in order. */
+final class TouchingList {
+    private final ContactEvents events;
+    private final TouchingPairs pairs;
+    private final KnownCircles circles;
+    private final EventRows listed = new EventRows();
+
+    TouchingList(ContactEvents events, TouchingPairs pairs, KnownCircles circles) {
+        this.events = events;
+        this.pairs = pairs;
+        this.circles = circles;
+    }
+
+    /** See {@link ContactEvents#list}. */
+    int list(int kindA, int kindB, long[] handles) {
+        listed.clear();
+        for (int pair = 0; pair < pairs.count; pair++) {
+            int lower = pairs.lower(pair);
+            int higher = pairs.higher(pair);
+            if (!EventOrder.isWall(higher) && events.typesOf(lower, higher) != 0) {
+                int ofLower = circles.kind(lower);
+                int ofHigher = circles.kind(higher);
+                if (ofLower == kindA && ofHigher == kindB) {
+                    add(lower, higher, pairs.a[pair], pairs.b[pair]);
+                } else if (ofLower == kindB && ofHigher == kindA) {
+                    add(lower, higher, pairs.b[pair], pairs.a[pair]);
+                }
+            }
+        }
+        listed.sort();
+        for (int k = 0; k < Math.min(listed.count, handles.length / 2); k++) {
+            int row = listed.ordered(k);
+            handles[2 * k] = listed.a(row);
+            handles[2 * k + 1] = listed.b(row);
+        }
+        return listed.count;
+    }
+
+    private void add(int lower, int higher, long first, long second) {
+        listed.add(EventOrder.key(lower, higher, 0), 0, first, second, EventOrder.NO_SIDE);
+    }
+
+    /** Memory of the arrays. */
+    long bytes() {
+        return listed.bytes();
+    }
+}

@@ -1,0 +1,77 @@
+package io.github.circles2d.world.events;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.github.circles2d.world.circles.HandleTable;
+import org.junit.jupiter.api.Test;
+
+/** That events stay what they are after more steps than an int counts. */
+class ContactEventsTest {
+    private final HandleTable handles = new HandleTable();
+    private final TouchRecords records = new TouchRecords();
+
+    private ContactEvents ofTwoCircles(int stamp) {
+        ContactEvents events = new ContactEvents(stamp);
+        handles.ensure(2);
+        handles.add(1);
+        handles.add(1);
+        events.makeRoom(handles);
+        events.report(ContactEvents.ALL, handles);
+        return events;
+    }
+
+    /** A step in which the two circles touch, or not. */
+    private void step(ContactEvents events, boolean touch) {
+        records.clear();
+        events.asked(1);
+        if (touch && events.concerns(0, 1, true, 0, 0, 1)) {
+            records.add(0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
+        }
+        events.endStep(records);
+    }
+
+    private static String types(EventRows rows) {
+        StringBuilder types = new StringBuilder();
+        for (int k = 0; k < rows.size(); k++) {
+            types.append(rows.type(k)).append('@').append(rows.step(k)).append(' ');
+        }
+        return types.toString();
+    }
+
+    @Test
+    void aPairThatStaysInTouchWhileStampsBeginAgainBeginsOnceAndEndsOnce() {
+        for (int stamp : new int[] {1, Integer.MAX_VALUE - 2, Integer.MAX_VALUE}) {
+            ContactEvents events = ofTwoCircles(stamp);
+            for (int k = 0; k < 7; k++) {
+                step(events, k >= 1 && k < 5);
+            }
+            assertThat(types(events.take())).isEqualTo("1@1 4@5 ");
+        }
+    }
+
+    @Test
+    void aRequestBeyondTheStepsOfAnIntWaitsForItsLastStep() {
+        ContactEvents events = ofTwoCircles(1);
+        events.asked(Integer.MAX_VALUE);
+        events.emptySteps(Integer.MAX_VALUE);
+        events.asked(2);
+        events.request();
+        assertThat(events.haveArrived()).isFalse();
+        events.emptySteps(1);
+        assertThat(events.haveArrived()).isFalse();
+        events.emptySteps(1);
+        assertThat(events.haveArrived()).isTrue();
+        step(events, true);
+        assertThat(types(events.takeRequested())).isEmpty();
+        assertThat(types(events.take())).isEqualTo("1@0 ");
+    }
+
+    @Test
+    void theNumberOfAStepStopsAtTheGreatestInt() {
+        ContactEvents events = ofTwoCircles(1);
+        events.emptySteps(Integer.MAX_VALUE);
+        events.emptySteps(10);
+        step(events, true);
+        assertThat(types(events.take())).isEqualTo("1@" + Integer.MAX_VALUE + " ");
+    }
+}
