@@ -24,6 +24,7 @@ void clearCross(const World *w, int slot, int owner) {
     *nodesOf(w, slot) = NONE;
     w->coarser[slot] = 0;
     w->crossLoad[slot] = 0;
+    w->claim[slot] = 0;
     w->heavySum[slot] = (long4)(0);
 }
 

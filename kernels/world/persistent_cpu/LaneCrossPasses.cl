@@ -1,4 +1,4 @@
-// uses: world/shared/Real.cl*4 world/persistent_cpu/LaneCross.cl world/persistent_cpu/LanePasses.cl
+// uses: world/shared/Real.cl*4 world/stages/CrossTurns.cl world/persistent_cpu/LaneCross.cl world/persistent_cpu/LanePasses.cl
 // The passes over wide cross contacts (LaneCross.cl). Light circles change a velocity of their own, which starts as that of the circle;
 // heavy circles are seen as they were before, and take the sums afterwards.
 
@@ -147,6 +147,16 @@ INLINE void applyCross(const World *w, const Cross4 *c, const Visited4 *visited)
                 velocityChange4(c->ny, c->heavyMass, p));
 }
 
+// Lets lanes that are to bounce off a heavy circle wait for their turn. separation: see waitsForTurn.
+INLINE void waitForTurns(const World *w, const Cross4 *c, float4 separation, bool relaxing, Visited4 *v) {
+    int4 bounces = !(v->leaves || v->solved);
+    if (!someLane(bounces)) return;
+    if (bounces.x && waitsForTurn(w, c->light.x, c->heavy.x, c->heavyMass.x, separation.x, relaxing)) v->leaves.x = -1;
+    if (bounces.y && waitsForTurn(w, c->light.y, c->heavy.y, c->heavyMass.y, separation.y, relaxing)) v->leaves.y = -1;
+    if (bounces.z && waitsForTurn(w, c->light.z, c->heavy.z, c->heavyMass.z, separation.z, relaxing)) v->leaves.z = -1;
+    if (bounces.w && waitsForTurn(w, c->light.w, c->heavy.w, c->heavyMass.w, separation.w, relaxing)) v->leaves.w = -1;
+}
+
 // The biased pass over a wide cross contact. driving: whether that of the step is not 0.
 INLINE void solveCross(const World *w, int wide, bool driving) {
     Cross4 c = crossAt(w, wide);
@@ -167,6 +177,7 @@ INLINE void solveCross(const World *w, int wide, bool driving) {
     Visited4 visited;
     ready.bounceMass = effectiveMass4(c.lightMass, c.heavyMass);
     visitWide(&ready, c.vn, false, &visited);
+    waitForTurns(w, &c, found.separation + c.vn * w->k.h, false, &visited);
     massesOf(w, wide)[3] = ready.bounce;
     stateOf(w, wide)[3] = visited.normalImpulse;
     applyCross(w, &c, &visited);
@@ -214,6 +225,7 @@ INLINE void relaxCross(const World *w, int wide, bool last) {
         makeReadyToRelax4(&w->k, &found, masses[3], &ready);
         ready.bounceMass = effectiveMass4(c.lightMass, c.heavyMass);
         visit4(&ready, c.vn, true, &visited);
+        waitForTurns(w, &c, found.separation, true, &visited);
     } else {
         ready.flight = (float4)(INFINITY);
         visit4(&ready, c.vn, true, &visited);
@@ -275,6 +287,7 @@ INLINE void takeCrosses(const World *shared, Cells cells, bool velocities, bool 
             float unit = unitOf(velocityRange(radius, w->k.inverseH));
             v = (float2)(v.x + fromFixed(sum.x, unit), v.y + fromFixed(sum.y, unit));
             if (impulses) {
+                w->claim[slot] = 0;
                 float impulseUnit = unitOf(impulseRange(radius, w->k.inverseH, inverse));
                 float2 l = vload2(0, halfOf(w->load, (uint) slot, XY));
                 vstore2((float2)(l.x + fromFixed(sum.z, impulseUnit), l.y + fromFixed(sum.w, impulseUnit)), 0,

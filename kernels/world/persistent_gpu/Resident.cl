@@ -162,9 +162,9 @@ void behindTiles(const World *w, int subStep, bool relaxing) {
     bool last = subStep == w->k.subSteps - 1;
     EACH(slot, w->circles) {
         if (relaxing) {
-            relaxCross(&cross, slot, last);
+            relaxCrossOf(&cross, slot, last);
         } else {
-            solveCross(&cross, slot);
+            solveCrossOf(&cross, slot);
         }
     }
     deviceBarrier(w->status + ARRIVALS);
@@ -189,7 +189,7 @@ void solveAll(World *w, local Tile *t) {
     if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
     if (several) {
         World cross = crossWorld(*w);
-        EACH(slot, w->circles) fillCross(&cross, slot);
+        EACH(slot, w->circles) fillCrossOf(&cross, slot);
         deviceBarrier(arrivals);
     }
 #pragma unroll 1

@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/Solver.cl world/stages/Touches.cl
+// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Solver.cl world/stages/Touches.cl
 // The cross contacts' part of stage Solver: those of circles of different levels, behind the like contacts of each pass. A pass has two
 // launches. In the first, each light circle visits its contacts, and sees the heavy ones as before; its velocity is kept aside, since it
 // may be a heavy circle for others. In the second, heavy circles take the sums of what they were given. The Java class
@@ -76,7 +76,7 @@ void fillCrossContact(const World *w, int c, int light) {
 }
 
 // Orders and fills the cross contacts of a light circle.
-void fillCross(const World *w, int slot) {
+void fillCrossOf(const World *w, int slot) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
@@ -90,7 +90,7 @@ kernel void cross_fill(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles || outOfRoom(&w) || tooFast(&w)) return;
     w = crossWorld(w);
-    fillCross(&w, slot);
+    fillCrossOf(&w, slot);
 }
 
 // Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
@@ -103,6 +103,9 @@ float visitCross(const World *w, const Cross *x, float4 q, float4 n, Ready *read
     float vn = along(n.x, n.y, toward.x, toward.y);
     ready->mass = crossMass(wl, wh, crossShare(w->crossLoad[x->heavy]));
     visit(ready, vn, relaxing, visited);
+    if (!visited->leaves && !visited->solved) {
+        visited->leaves = waitsForTurn(w, x->light, x->heavy, wh, relaxing ? n.z : n.z + vn * w->k.h, relaxing);
+    }
     float impulse = visited->impulse;
     if (!visited->leaves) {
         float lx = velocityChange(n.x, wl, impulse);
@@ -168,7 +171,7 @@ void leaveLight(const World *w, int slot, float2 v) {
 }
 
 // The biased pass over the cross contacts of a light circle.
-void solveCross(const World *w, int slot) {
+void solveCrossOf(const World *w, int slot) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
@@ -183,7 +186,7 @@ void solveCross(const World *w, int slot) {
 }
 
 // The relaxing pass over the cross contacts of a light circle.
-void relaxCross(const World *w, int slot, bool last) {
+void relaxCrossOf(const World *w, int slot, bool last) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
@@ -205,7 +208,7 @@ kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
     w = crossWorld(w);
-    solveCross(&w, slot);
+    solveCrossOf(&w, slot);
 }
 
 kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
@@ -215,7 +218,7 @@ kernel void cross_relax(WORLD_PARAMETERS, int last RECORDING_PARAMETERS) {
     if (slot >= circles || refused(&w)) return;
     if (w.k.tiled) w.firstCached = w.homeFirstCached;
     w = crossWorld(w);
-    relaxCross(&w, slot, last != 0);
+    relaxCrossOf(&w, slot, last != 0);
 }
 
 bool isLight(const World *w, int slot) {
@@ -250,6 +253,7 @@ void takeCross(const World *w, int slot, bool velocities, bool impulses) {
     if (impulses) {
         float2 sum = w->load[slot].xy;
         w->load[slot].xy = impulsesTaken(w, slot, sum);
+        w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
 }

@@ -128,6 +128,7 @@ bool gatherCircle(const World *w, int i) {
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
     if (!hasOneLevel(w)) {
         w->crossLoad[slot] = 0;
+        w->claim[slot] = 0;
         w->coarser[slot] = 0;
         w->heavySum[slot] = (long4)(0);
     }

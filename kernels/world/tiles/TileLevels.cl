@@ -10,7 +10,10 @@ void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     *l = w->load[slot];
     if (!isHeavy(w, slot)) return;
     m->zw = velocityTaken(w, slot, m->zw);
-    if (impulses) l->xy = impulsesTaken(w, slot, l->xy);
+    if (impulses) {
+        l->xy = impulsesTaken(w, slot, l->xy);
+        w->claim[slot] = 0;
+    }
     w->heavySum[slot] = (long4)(0);
 }
 

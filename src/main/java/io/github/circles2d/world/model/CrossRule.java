@@ -32,10 +32,10 @@ public final class CrossRule {
     public static final float LOAD_UNITS = 16384f;
 
     /** How deep circles may overlap that wait to bounce, in sums of their radii. */
-    private static final float WAIT_DEPTH = 0.25f;
+    public static final float WAIT_DEPTH = 0.25f;
 
     /** The same, in radii of the smaller one. */
-    private static final float WAIT_DEPTH_OF_SMALLER = 4f;
+    public static final float WAIT_DEPTH_OF_SMALLER = 4f;
 
     private CrossRule() {}
 

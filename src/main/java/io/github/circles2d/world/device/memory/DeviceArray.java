@@ -130,6 +130,11 @@ public enum DeviceArray {
             "crossLoad",
             Index.SLOT,
             "if there are several levels, of a heavy circle: what its cross contacts add to its load"),
+    CLAIM(
+            "int",
+            "claim",
+            Index.SLOT,
+            "if there are several levels, of a heavy circle: of the light ones that are to bounce off it, 1 + the highest id, or 0"),
     COARSER("int", "coarser", Index.SLOT, "if there are several levels: the contacts that it found in coarser ones"),
     HEAVY_SUM(
             "long4",

@@ -54,6 +54,8 @@ public final class WorldSource {
                 .define("CROWD", Tuning.CROWD)
                 .define("RANGE_LOG", CrossRule.RANGE_LOG)
                 .define("LOAD_UNITS", CrossRule.LOAD_UNITS)
+                .define("WAIT_DEPTH", CrossRule.WAIT_DEPTH)
+                .define("WAIT_DEPTH_OF_SMALLER", CrossRule.WAIT_DEPTH_OF_SMALLER)
                 .define("TOUCH_SLACK", TouchRule.SLACK)
                 .define("FIRST_WALL", Limits.CIRCLES)
                 .define("COINCIDENT", Tuning.COINCIDENT)
