@@ -96,8 +96,9 @@ final class OclgrindWorlds {
                 break;
             case "levels of PERSISTENT_GPU":
                 kernels.addAll(
-                        steps(Plans.PERSISTENT_GPU, Scenes.mixed(small ? 20 : 40, 1), 1 / 60f, 2, small ? 2 : 4));
-                kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.mixed(small ? 20 : 40, 2)));
+                        small
+                                ? steps(Plans.PERSISTENT_GPU, Scenes.mixed(30, 1), 1 / 60f, 2, 2)
+                                : events(Plans.PERSISTENT_GPU, Scenes.mixed(30, 2)));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.

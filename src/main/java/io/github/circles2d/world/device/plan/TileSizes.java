@@ -5,8 +5,8 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Chooses the size of a tile: the largest that leaves enough tiles for the device to work on at once, and no region with more
- * circles than {@link TileRecord#CIRCLES}. A step finds out whether a region has more.
+ * Chooses the size of a tile, one for all levels: the largest that leaves enough tiles for the device to work on at once, and no
+ * region with more circles than {@link TileRecord#CIRCLES}. A step finds out whether a region has more.
  */
 final class TileSizes {
     /** A size of a tile, log2 of its columns and rows of cells. */
