@@ -102,8 +102,9 @@ void solveInSweeps(World *w, const Crew *crew, const Band *band) {
     for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
         int end = min(w->k.subSteps, subStep + most);
         sweepRows(w, crew, band->from, band->to, 1, subStep, end);
-        awaitCount(lowestRowsDone(w, (crew->group + 1) % crew->groups), end);
+        awaitCount(crew, lowestRowsDone(w, (crew->group + 1) % crew->groups), end);
         sweepRows(w, crew, band->to, band->to, -1, subStep, end);
+        if (*crew->waited > MOST_WAITING) w->status[HINDERED] = 1; // the barrier shows it to all, or to none
         awaitCrew(w, crew);
     }
 }
@@ -141,10 +142,12 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
                                                                         int patience RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    Crew crew = {groups, (int) get_group_id(0)};
+    ulong begin = CLOCK;
+    ulong waited = 0;
+    Crew crew = {groups, (int) get_group_id(0), &waited};
     noteStack(&w, &crew);
-    // None behind a launch that was called off: it counts on what that one would have left.
-    if (status[APART] == 0 && allHere(&w, &crew, patience)) {
+    // None behind a launch that was called off or left steps out: it counts on what that one would have left.
+    if (status[APART] == 0 && status[HINDERED] == 0 && allHere(&w, &crew, patience)) {
         crew.group = numberByStack(&w, &crew);
         bool made = !outOfRoom(&w) && !tooCrowded(&w);
         awaitCrew(&w, &crew); // nobody may run ahead and be out of room before all have looked
@@ -166,9 +169,11 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;
+            made = status[HINDERED] == 0;
         }
-    } else {
+    } else if (status[HINDERED] == 0) {
         status[APART] = 1;
     }
+    noteTimes(&w, &crew, begin);
     disperse(&w);
 }

@@ -2,14 +2,16 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
-import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.Status;
+import io.github.circles2d.world.device.memory.StatusWord;
 import java.util.List;
 
 /**
  * One launch for many steps on a processor, if all circles are of one level; {@code kernels/world/persistent_cpu/Lanes.cl}. The
  * launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If they do not run at
- * the same time, the launch says so and changes nothing; later launches have one work-group.
+ * the same time, the launch says so and changes nothing; later launches have one work-group. If they wait for long because other
+ * programs have the processors, there are fewer for a while ({@link Headcount}).
  */
 public final class PersistentCpu implements Plan {
     /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */
@@ -26,6 +28,16 @@ public final class PersistentCpu implements Plan {
     /** Rows of cells of the last steps. */
     private int rows;
 
+    /** Work-groups that the last launch could have had use for, and those that it had. */
+    private int useful;
+
+    private int groups;
+
+    /** The sums of times that the status told last. */
+    private int tookBefore;
+
+    private int waitedBefore;
+
     public PersistentCpu(WorkGroups workGroups) {
         this.workGroups = workGroups;
     }
@@ -38,20 +50,6 @@ public final class PersistentCpu implements Plan {
     @Override
     public List<String> files() {
         return List.of("world/persistent_cpu/Lanes.cl");
-    }
-
-    @Override
-    public KernelSource define(KernelSource source, Device device) {
-        return source.define("YIELDS", yields(device));
-    }
-
-    /**
-     * Whether kernels may call the system while they wait, in assembler: POCL 3 compiles that, POCL 5 ends the process, and no
-     * other is known. Elsewhere who waits keeps his processor.
-     */
-    private static boolean yields(Device device) {
-        return device.platform().equals("Portable Computing Language")
-                && device.driverVersion().startsWith("3.");
     }
 
     @Override
@@ -70,13 +68,22 @@ public final class PersistentCpu implements Plan {
     public void enqueue(Steps wanted) {
         stages.begin(wanted, false);
         rows = wanted.levels().rowCount[wanted.level()];
-        int useful = Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS);
-        int groups = Math.max(1, Math.min(workGroups.most(), useful));
+        useful = Math.max(1, Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS));
+        groups = Math.min(workGroups.most(), useful);
         stages.record(steps, 3)
                 .arg(StageKernels.own(0), wanted.count())
                 .arg(StageKernels.own(1), workGroups.awaited(groups))
                 .arg(StageKernels.own(2), workGroups.patience())
                 .run(groups, 1);
+    }
+
+    @Override
+    public void stepped(Status status, int made) {
+        int took = status.get(StatusWord.TOOK);
+        int waited = status.get(StatusWord.WAITED);
+        workGroups.learn(groups, useful, made, took - tookBefore, waited - waitedBefore);
+        tookBefore = took;
+        waitedBefore = waited;
     }
 
     @Override
