@@ -6,7 +6,7 @@
 
 // A work-group that waits looks again and again. It cannot offer its processor to others: no OpenCL function does that. So on a
 // busy machine it may wait for one that has no processor for a time slice of the system, a hundred times as long as a step takes.
-// Work-groups measure how long they wait. The host chooses their number by that, and steps are left to it after MOST_WAITING.
+// Work-groups measure how long they wait. The host chooses their number by that, and steps are left to it after they have waited for long.
 #define LOOKS 100
 
 #if defined(__x86_64__) && defined(__has_builtin)
@@ -26,7 +26,6 @@
 
 #define UNIT_LOG 16 // cycles of a unit of the host's: about 20 us
 #define LONG_WAIT (1UL << 20) // cycles, about 0.4 ms: shorter ones are due to shares that are not quite equal
-#define MOST_WAITING (1UL << 26) // cycles, about 25 ms
 
 // Values of status[MEETING]; 0 while it is not decided.
 #define ALL_HERE 1
@@ -99,10 +98,13 @@ void awaitCrew(const World *w, const Crew *crew) {
     awaitCount(crew, arrivals, (atomic_inc(arrivals) / crew->groups + 1) * crew->groups);
 }
 
+// How long it has waited, in the host's unit.
+int waitedOf(const Crew *crew) { return (int) (*crew->waited >> UNIT_LOG); }
+
 // Tells the host how long a work-group took, and how long of that it waited.
 void noteTimes(const World *w, const Crew *crew, ulong begin) {
     atomic_add(&w->status[TOOK], (int) ((CLOCK - begin) >> UNIT_LOG));
-    if (*crew->waited > 0) atomic_add(&w->status[WAITED], (int) (*crew->waited >> UNIT_LOG));
+    if (*crew->waited > 0) atomic_add(&w->status[WAITED], waitedOf(crew));
 }
 
 // Ends a work-group. The last one makes the counters ready for the next launch.

@@ -3,12 +3,13 @@ package io.github.circles2d.world.device.plan;
 /**
  * How many work-groups make steps together if other programs want the processors, too. Work-groups that wait for one without a
  * processor keep their own busy, and the system takes turns with them: a step may take a hundred times as long. One work-group
- * waits for nobody. So when waiting takes much of the time, half as many are tried, and kept if steps take less time so. After a
- * pause twice as many are tried again. While nobody waits for long, nothing is tried.
+ * waits for nobody. So when waiting takes much of the time, half as many are tried, and half of these, until nobody waits for
+ * long; the number with the shortest steps stays. After a pause twice as many are tried again. While nobody waits for long,
+ * nothing is tried.
  */
 final class Headcount {
     /** How long is measured before a decision: a few time slices of a system. In the kernels' unit, {@code UNIT_LOG}: 20 ms. */
-    static final long WINDOW = 1 << 10;
+    static final int WINDOW = 1 << 10;
 
     /** Waiting matters from this share of the time on: one in so many parts. */
     private static final int WAITING_SHARE = 4;
@@ -22,10 +23,16 @@ final class Headcount {
     private final int greatest;
     private int most;
 
-    /** The number before the trial that runs, 0 if there is none; and what a step took with it. */
-    private int former;
+    /** Whether other numbers are tried, and the number before that. */
+    private boolean trying;
 
-    private double formerCost;
+    private int before;
+
+    /** The number with the shortest steps so far, what a step takes with it, and how long the trial has taken. */
+    private int best;
+
+    private double bestCost;
+    private long trialTime;
 
     /** Time until the next trial, and the factor of the next pause. */
     private long pause;
@@ -71,34 +78,42 @@ final class Headcount {
         }
         double cost = (double) took / steps;
         boolean hindered = waited > took / WAITING_SHARE;
-        if (former != 0) {
-            end(cost);
+        if (trying) {
+            trialTime += took;
+            if (cost < bestCost) {
+                best = most;
+                bestCost = cost;
+            }
+            if (most < before && hindered && groups > 1) {
+                most = groups / 2;
+            } else {
+                decide();
+            }
         } else if (pause > 0) {
             pause -= took;
         } else if (hindered && groups > 1) {
-            begin(groups / 2, cost);
+            tryInstead(groups / 2, cost);
         } else if (groups == most && most < Math.min(greatest, useful)) {
-            begin(Math.min(greatest, 2 * most), cost);
+            tryInstead(Math.min(greatest, 2 * most), cost);
         }
         steps = 0;
         took = 0;
         waited = 0;
     }
 
-    private void begin(int next, double cost) {
-        former = most;
-        formerCost = cost;
-        most = next;
+    private void tryInstead(int other, double cost) {
+        trying = true;
+        before = most;
+        best = most;
+        bestCost = cost;
+        trialTime = 0;
+        most = other;
     }
 
-    private void end(double cost) {
-        boolean better = cost < formerCost;
-        boolean more = most > former;
-        if (!better) {
-            most = former;
-        }
-        pauseFactor = better ? LEAST_PAUSE : Math.min(MOST_PAUSE, 2 * pauseFactor);
-        pause = better && more ? 0 : pauseFactor * took;
-        former = 0;
+    private void decide() {
+        trying = false;
+        most = best;
+        pauseFactor = best == before ? Math.min(MOST_PAUSE, 2 * pauseFactor) : LEAST_PAUSE;
+        pause = best > before ? 0 : pauseFactor * trialTime;
     }
 }

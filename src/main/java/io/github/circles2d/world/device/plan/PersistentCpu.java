@@ -70,10 +70,11 @@ public final class PersistentCpu implements Plan {
         rows = wanted.levels().rowCount[wanted.level()];
         useful = Math.max(1, Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS));
         groups = Math.min(workGroups.most(), useful);
-        stages.record(steps, 3)
+        stages.record(steps, 4)
                 .arg(StageKernels.own(0), wanted.count())
                 .arg(StageKernels.own(1), workGroups.awaited(groups))
                 .arg(StageKernels.own(2), workGroups.patience())
+                .arg(StageKernels.own(3), workGroups.mostWaiting())
                 .run(groups, 1);
     }
 

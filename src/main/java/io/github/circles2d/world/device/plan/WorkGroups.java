@@ -25,6 +25,11 @@ public class WorkGroups {
         return Math.min(most, headcount.most());
     }
 
+    /** How long one waits in a launch before it leaves further steps to the host, in the unit of {@link Headcount}. */
+    public int mostWaiting() {
+        return Headcount.WINDOW;
+    }
+
     /** Takes note of what steps took; see {@link Headcount#learn}. */
     public void learn(int groups, int useful, int steps, long took, long waited) {
         headcount.learn(groups, useful, steps, took, waited);
