@@ -20,7 +20,7 @@ final class Crew {
     private static final int LOOKS = 32;
 
     /** How long to look before going to sleep: longer than most waits if all threads have a processor. */
-    private static final long NANOS_OF_LOOKS = 200_000;
+    private static final long NANOS_OF_LOOKS = 100_000;
 
     /** Waiting for the others at a barrier. */
     private static final int BARRIER = 0;
