@@ -20,7 +20,10 @@ final class Crew {
     private static final int LOOKS = 32;
 
     /** How long to look before going to sleep: longer than most waits if all threads have a processor. */
-    private static final long NANOS_OF_LOOKS = 100_000;
+    private static final long NANOS_OF_LOOKS = 300_000;
+
+    /** The same between two runs, when the caller may be doing something else. */
+    private static final long NANOS_BETWEEN_RUNS = 50_000;
 
     /** Waiting for the others at a barrier. */
     private static final int BARRIER = 0;
@@ -142,8 +145,9 @@ final class Crew {
         if (looks(worker, what, seen)) {
             return;
         }
-        long most = size <= processors ? NANOS_OF_LOOKS : 0;
-        for (long begin = System.nanoTime(); System.nanoTime() - begin < most; ) {
+        long nanos = what == CALL ? NANOS_BETWEEN_RUNS : NANOS_OF_LOOKS;
+        long begin = System.nanoTime();
+        while (size <= processors && System.nanoTime() - begin < nanos) {
             if (looks(worker, what, seen)) {
                 return;
             }
