@@ -117,13 +117,14 @@ void sweepRows(World *w, const Crew *crew, int low, int high, int inwards, int f
 
 // What a sweep cannot do at the edges of its band, because it needs rows of the next one, a second sweep does, from the edge
 // outwards: each work-group at the upper edge of its band, where the next one has long been, as it begins there.
-void solveInSweeps(World *w, const Crew *crew, const Band *band) {
+void solveInSweeps(World *w, const Crew *crew, const Band *band, int mostWaiting) {
     int most = max(1, band->narrowest / ROWS_PER_SUB_STEP);
     for (int subStep = 0; subStep < w->k.subSteps; subStep += most) {
         int end = min(w->k.subSteps, subStep + most);
         sweepRows(w, crew, band->from, band->to, 1, subStep, end);
-        awaitCount(lowestRowsDone(w, (crew->group + 1) % crew->groups), end);
+        awaitCount(crew, lowestRowsDone(w, (crew->group + 1) % crew->groups), end);
         sweepRows(w, crew, band->to, band->to, -1, subStep, end);
+        if (waitedOf(crew) > mostWaiting) w->status[HINDERED] = 1; // before the barrier, so that all see it or none
         awaitCrew(w, crew);
     }
 }
@@ -156,15 +157,18 @@ void recordBand(const World *w, const Crew *crew, const Band *band) {
 #endif
 
 // Makes steps, unless one is refused. Index space: work-groups of one work-item. groups: how many have to come, which is how
-// many there are; patience: how often to look for the others before the launch is called off.
+// many there are; patience: how often to look for the others before the launch is called off; mostWaiting: how long they may wait
+// before they leave further steps to the host.
 kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(WORLD_PARAMETERS, int steps, int groups,
-                                                                        int patience RECORDING_PARAMETERS) {
+                                                                        int patience, int mostWaiting RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    Crew crew = {groups, (int) get_group_id(0)};
+    ulong begin = CLOCK;
+    ulong waited = 0;
+    Crew crew = {groups, (int) get_group_id(0), &waited};
     noteStack(&w, &crew);
-    // None behind a launch that was called off: it counts on what that one would have left.
-    if (status[APART] == 0 && allHere(&w, &crew, patience)) {
+    // None behind a launch that was called off or left steps out: it counts on what that one would have left.
+    if (status[APART] == 0 && status[HINDERED] == 0 && allHere(&w, &crew, patience)) {
         crew.group = numberByStack(&w, &crew);
         bool made = !outOfRoom(&w) && !tooCrowded(&w);
         awaitCrew(&w, &crew); // nobody may run ahead and be out of room before all have looked
@@ -176,7 +180,7 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             if (!made) break;
             band = bandOf(&w, &crew, onlyLevel(&w), 2 * LAG, true);
             if (band.narrowest >= 2 * LAG) {
-                solveInSweeps(&w, &crew, &band);
+                solveInSweeps(&w, &crew, &band, mostWaiting);
             } else {
                 solveInPasses(&w, band.to);
             }
@@ -186,9 +190,11 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_steps(W
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;
+            made = status[HINDERED] == 0;
         }
-    } else {
+    } else if (status[HINDERED] == 0) {
         status[APART] = 1;
     }
+    noteTimes(&w, &crew, begin);
     disperse(&w);
 }

@@ -101,7 +101,7 @@ INLINE void visitLike(const World *w, const Crew *crew, const Part *part, int nu
             visitRow(w, first + row - 1, relaxing, last);
         }
     }
-    for (int group = 0; group < crew->groups; group++) awaitCount(lowestRowsDone(w, group), number);
+    for (int group = 0; group < crew->groups; group++) awaitCount(crew, lowestRowsDone(w, group), number);
     EACH_LEVEL(w, l) {
         Band rows = part->rows[l];
         if (rows.from < rows.to) visitRow(w, rowNumber(w, w->levels->used[l], rows.to - 1), relaxing, last);
@@ -110,7 +110,7 @@ INLINE void visitLike(const World *w, const Crew *crew, const Part *part, int nu
     EACH_LEVEL(w, l) beginCross(w, part->cells[l]);
 }
 
-void solveMixed(World *w, const Crew *crew, const Part *part) {
+void solveMixed(World *w, const Crew *crew, const Part *part, int mostWaiting) {
     setCrossMasses(w, part->crossFrom, part->crossTo);
     EACH_LEVEL(w, l) takeCrosses(w, part->cells[l], false, true);
     for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
@@ -130,6 +130,7 @@ void solveMixed(World *w, const Crew *crew, const Part *part) {
         EACH_LEVEL(w, l) takeCrosses(w, part->cells[l], true, !last);
     }
     EACH_LEVEL(w, l) finish(w, part->cells[l]);
+    if (waitedOf(crew) > mostWaiting) w->status[HINDERED] = 1; // before the barrier, so that all see it or none
     awaitCrew(w, crew);
 }
 
@@ -149,12 +150,14 @@ void recordMixed(const World *w, const Crew *crew, const Part *part) {
 
 // As persistentCpu_steps.
 kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_mixedSteps(WORLD_PARAMETERS, int steps, int groups,
-                                                                             int patience RECORDING_PARAMETERS) {
+                                                                             int patience, int mostWaiting RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    Crew crew = {groups, (int) get_group_id(0)};
+    ulong begin = CLOCK;
+    ulong waited = 0;
+    Crew crew = {groups, (int) get_group_id(0), &waited};
     noteStack(&w, &crew);
-    if (status[APART] == 0 && allHere(&w, &crew, patience)) {
+    if (status[APART] == 0 && status[HINDERED] == 0 && allHere(&w, &crew, patience)) {
         crew.group = numberByStack(&w, &crew);
         bool made = !outOfRoom(&w) && !tooCrowded(&w);
         awaitCrew(&w, &crew);
@@ -165,16 +168,18 @@ kernel __attribute__((reqd_work_group_size(1, 1, 1))) void persistentCpu_mixedSt
             sweepCircles(&w, &crew);
             made = listMixed(&w, &crew, &part);
             if (!made) break;
-            solveMixed(&w, &crew, &part);
+            solveMixed(&w, &crew, &part, mostWaiting);
 #ifdef RECORDING
             recordMixed(&w, &crew, &part);
 #endif
             if (crew.group == 0) status[STEPS_DONE]++;
             w.slots = w.circles;
             w.warmScale = 1.0f;
+            made = status[HINDERED] == 0;
         }
-    } else {
+    } else if (status[HINDERED] == 0) {
         status[APART] = 1;
     }
+    noteTimes(&w, &crew, begin);
     disperse(&w);
 }

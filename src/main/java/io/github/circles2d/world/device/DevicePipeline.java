@@ -302,6 +302,7 @@ public final class DevicePipeline implements Pipeline {
                 }
             }
             pendingSteps -= done;
+            plan.stepped(status, done);
             for (Plan each : plans) {
                 each.learn(status.get(StatusWord.TILE_PEAK), thinning > 0);
             }
@@ -310,6 +311,10 @@ public final class DevicePipeline implements Pipeline {
                 stats.stepped(plan, circles, status.get(StatusWord.CONTACTS));
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
+                if (status.has(StatusWord.HINDERED)) {
+                    status.clear(StatusWord.HINDERED);
+                    status.write(arrays);
+                }
             } else {
                 adapt();
                 int refused = pendingSteps;
@@ -353,6 +358,7 @@ public final class DevicePipeline implements Pipeline {
         status.clear(
                 StatusWord.TILE_COPIES,
                 StatusWord.APART,
+                StatusWord.HINDERED,
                 StatusWord.OUT_OF_ROOM,
                 StatusWord.FAST,
                 StatusWord.CROWDED,

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
@@ -69,6 +70,27 @@ class PersistentCpuTest {
         }
     }
 
+    /** Work-groups that leave further steps to the host after each step, as if they had waited for long. */
+    private static final class Hindered extends WorkGroups {
+        private final List<Integer> made = new ArrayList<>();
+
+        Hindered(Device device) {
+            super(device.computeUnits());
+        }
+
+        @Override
+        public int mostWaiting() {
+            return -1;
+        }
+
+        @Override
+        public void learn(int groups, int useful, int steps, long took, long waited) {
+            if (groups > 1) {
+                made.add(steps);
+            }
+        }
+    }
+
     private static DevicePipeline pipeline(Device device, WorkGroups workGroups) {
         return Pipelines.of(device, List.of(new PersistentCpu(workGroups), new ByColours()));
     }
@@ -113,6 +135,47 @@ class PersistentCpuTest {
             twins.step(1 / 60f, 1);
             twins.assertEqual("after");
         }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void stepsThatWorkGroupsLeaveOutAreMadeByLaterLaunches(Device device) {
+        assumeThat(device.computeUnits()).isGreaterThan(1);
+        Scene scene = Scenes.packed(3000, 6);
+        Hindered workGroups = new Hindered(device);
+        try (Twins twins = Twins.load(scene, java(), pipeline(device, workGroups))) {
+            twins.step(1 / 60f, 2);
+            twins.assertEqual("before");
+            SplittableRandom random = new SplittableRandom(6);
+            for (int k = 0; k < 200; k++) {
+                twins.change(scene, random);
+            }
+            twins.step(1 / 60f, 10);
+            twins.step(1 / 60f, 3);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("after");
+        }
+        assertThat(workGroups.made).hasSizeGreaterThanOrEqualTo(16).containsOnly(0, 1);
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void workGroupsMeasureTheirTime(Device device) {
+        List<Long> times = new ArrayList<>();
+        WorkGroups workGroups = new WorkGroups(device.computeUnits()) {
+            @Override
+            public void learn(int groups, int useful, int steps, long took, long waited) {
+                times.add(took);
+                assertThat(waited).isBetween(0L, took);
+            }
+        };
+        try (Twins twins = Twins.load(Scenes.packed(5000, 7), java(), pipeline(device, workGroups))) {
+            for (int k = 0; k < 5; k++) {
+                twins.step(1 / 60f, 20);
+                twins.assertEqual("steps");
+            }
+        }
+        assertThat(times).hasSizeGreaterThanOrEqualTo(5).allMatch(took -> took > 0);
     }
 
     @ParameterizedTest

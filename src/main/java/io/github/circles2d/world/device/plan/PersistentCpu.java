@@ -4,13 +4,16 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.Status;
+import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.model.GridLevels;
 import java.util.List;
 
 /**
  * One launch for many steps on a processor; {@code kernels/world/persistent_cpu/Lanes.cl}, and {@code MixedLanes.cl} if circles are of
- * several levels. The launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If they do not run at
- * the same time, the launch says so and changes nothing; later launches have one work-group.
+ * several levels. The launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If
+ * they do not run at the same time, the launch says so and changes nothing; later launches have one work-group. If they wait for long
+ * because other programs have the processors, there are fewer for a while ({@link Headcount}).
  */
 public final class PersistentCpu implements Plan {
     /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */
@@ -28,10 +31,18 @@ public final class PersistentCpu implements Plan {
     private Kernel mixedSteps;
     private Kernel degrees;
 
-    /** Work-groups of the last launch, and work-items that count its contacts. */
+    /** Work-groups that the last launch could have had use for, and those that it had. */
+    private int useful;
+
     private int groups;
 
+    /** Work-items that count the contacts of the last launch. */
     private int countingItems;
+
+    /** The sums of times that the status told last. */
+    private int tookBefore;
+
+    private int waitedBefore;
 
     public PersistentCpu(WorkGroups workGroups) {
         this.workGroups = workGroups;
@@ -51,20 +62,6 @@ public final class PersistentCpu implements Plan {
     @Override
     public KernelSource define(KernelSource source) {
         return source.define("BY_LANES", 1);
-    }
-
-    @Override
-    public KernelSource define(KernelSource source, Device device) {
-        return source.define("YIELDS", yields(device));
-    }
-
-    /**
-     * Whether kernels may call the system while they wait, in assembler: POCL 3 compiles that, POCL 5 ends the process, and no
-     * other is known. Elsewhere who waits keeps his processor.
-     */
-    private static boolean yields(Device device) {
-        return device.platform().equals("Portable Computing Language")
-                && device.driverVersion().startsWith("3.");
     }
 
     @Override
@@ -88,14 +85,24 @@ public final class PersistentCpu implements Plan {
         for (int l = 0; l < levels.usedCount; l++) {
             rows = Math.max(rows, levels.rowCount[levels.used[l]]);
         }
-        int useful = Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS);
-        groups = Math.max(1, Math.min(workGroups.most(), useful));
+        useful = Math.max(1, Math.min(wanted.circles() / LEAST_SHARE, rows / LEAST_ROWS));
+        groups = Math.min(workGroups.most(), useful);
         countingItems = levels.buckets() / LEAST_COLUMNS + groups;
-        stages.record(wanted.haveOneLevel() ? steps : mixedSteps, 3)
+        stages.record(wanted.haveOneLevel() ? steps : mixedSteps, 4)
                 .arg(StageKernels.own(0), wanted.count())
                 .arg(StageKernels.own(1), workGroups.awaited(groups))
                 .arg(StageKernels.own(2), workGroups.patience())
+                .arg(StageKernels.own(3), workGroups.mostWaiting())
                 .run(groups, 1);
+    }
+
+    @Override
+    public void stepped(Status status, int made) {
+        int took = status.get(StatusWord.TOOK);
+        int waited = status.get(StatusWord.WAITED);
+        workGroups.learn(groups, useful, made, took - tookBefore, waited - waitedBefore);
+        tookBefore = took;
+        waitedBefore = waited;
     }
 
     @Override

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
+import io.github.circles2d.world.device.memory.Status;
 import java.util.List;
 
 /** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
@@ -43,6 +44,14 @@ public interface Plan {
      * @param thinning whether the steps thinned crowds out
      */
     default void learn(int tilePeak, boolean thinning) {}
+
+    /**
+     * Takes note of steps that this plan has made.
+     *
+     * @param status the status after them
+     * @param steps how many have been made since it was last told
+     */
+    default void stepped(Status status, int steps) {}
 
     /** Whether a step that asks for room for very many contacts has met a crowd. */
     default boolean wantOfRoomTellsOfCrowds() {

@@ -7,6 +7,7 @@ public class WorkGroups {
 
     private static final System.Logger LOG = System.getLogger(WorkGroups.class.getName());
 
+    private final Headcount headcount;
     private int most;
 
     /**
@@ -16,11 +17,22 @@ public class WorkGroups {
      */
     public WorkGroups(int most) {
         this.most = most;
+        headcount = new Headcount(most);
     }
 
     /** How many a launch has at most. */
     public int most() {
-        return most;
+        return Math.min(most, headcount.most());
+    }
+
+    /** How long one waits in a launch before it leaves further steps to the host, in the unit of {@link Headcount}. */
+    public int mostWaiting() {
+        return Headcount.WINDOW;
+    }
+
+    /** Takes note of what steps took; see {@link Headcount#learn}. */
+    public void learn(int groups, int useful, int steps, long took, long waited) {
+        headcount.learn(groups, useful, steps, took, waited);
     }
 
     /** How many of a launch wait for each other, where there are so many. */

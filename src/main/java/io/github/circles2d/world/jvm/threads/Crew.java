@@ -7,20 +7,23 @@ import java.util.concurrent.locks.LockSupport;
 
 /**
  * The threads of a {@link Team}: how they sleep and wake, and their barrier. A thread that waits first looks again and again, then
- * offers the processor to others between two looks, then sleeps. Stages are short, and sleeping at each barrier would cost more
- * than they do. But if other programs, or more threads than processors, want to run, a thread that looks for long takes the
- * processor from the thread that it waits for. With twenty times as many looks, steps of 5,000 circles took twice as long on two
- * busy processors.
+ * sleeps. Stages are short, and sleeping at each barrier would cost more than they do. But if other programs, or more threads
+ * than processors, want to run, a thread that looks for long uses up its share of a processor. A thread that sleeps keeps it, so
+ * the system lets it run soon after it has been woken. No thread yields: one that does is put behind the others, for a whole
+ * time slice of theirs at each barrier.
  */
 final class Crew {
     /** Ends the threads of teams that nobody refers to any more. */
     static final Cleaner CLEANER = Cleaner.create();
 
-    /** How often to look: some microseconds. */
-    private static final int LOOKS = 100;
+    /** How often to look between two looks at the clock: about a microsecond. */
+    private static final int LOOKS = 32;
 
-    /** How often to look after that, giving the processor to others in between, before going to sleep. */
-    private static final int YIELDS = 200;
+    /** How long to look before going to sleep: longer than most waits if all threads have a processor. */
+    private static final long NANOS_OF_LOOKS = 300_000;
+
+    /** The same between two runs, when the caller may be doing something else. */
+    private static final long NANOS_BETWEEN_RUNS = 50_000;
 
     /** Waiting for the others at a barrier. */
     private static final int BARRIER = 0;
@@ -139,24 +142,32 @@ final class Crew {
     // -----------------------------------------------------------------------------------------------------
 
     private void await(int worker, int what, int seen) {
-        int looks = size <= processors ? LOOKS : 1;
-        for (int k = 0; k < looks; k++) {
-            if (isOver(worker, what, seen)) {
-                return;
-            }
-            Thread.onSpinWait();
+        if (looks(worker, what, seen)) {
+            return;
         }
-        for (int k = 0; k < YIELDS; k++) {
-            if (isOver(worker, what, seen)) {
+        long nanos = what == CALL ? NANOS_BETWEEN_RUNS : NANOS_OF_LOOKS;
+        long begin = System.nanoTime();
+        while (size <= processors && System.nanoTime() - begin < nanos) {
+            if (looks(worker, what, seen)) {
                 return;
             }
-            Thread.yield();
         }
         asleep.set(worker, 1); // before it looks again: who ends the wait looks here after having ended it
         while (!isOver(worker, what, seen)) {
             LockSupport.park(this);
         }
         asleep.set(worker, 0);
+    }
+
+    /** Looks some times; returns whether the wait is over. */
+    private boolean looks(int worker, int what, int seen) {
+        for (int k = 0; k < LOOKS; k++) {
+            if (isOver(worker, what, seen)) {
+                return true;
+            }
+            Thread.onSpinWait();
+        }
+        return false;
     }
 
     private boolean isOver(int worker, int what, int seen) {
