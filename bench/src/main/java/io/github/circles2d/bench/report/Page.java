@@ -150,11 +150,9 @@ public final class Page {
                     .append(description.substring(1))
                     .append(".\n\n");
             text.append(allMachinesChart(SeriesCharts.file(series))).append('\n');
-            for (ResultsFolder folder : folders) {
-                text.append("On ").append(folder.name()).append(":\n\n");
-                text.append(SeriesTables.steps(folder, series).markdown()).append('\n');
-                text.append(SeriesTables.failures(folder, series));
-            }
+            text.append(grid(SeriesTables.steps(folders, series))).append('\n');
+            text.append(SeriesTables.failures(folders, series));
+            text.append(SeriesTables.notMeasured(folders, series)).append('\n');
         }
         return text.toString();
     }

@@ -72,19 +72,46 @@ final class SeriesTables {
         return !folder.table(Kind.SERIES).rows("status", "ok").isEmpty();
     }
 
-    /** The median step of every engine at every n, and the depth that it leaves. */
-    static Grid steps(ResultsFolder folder, Series series) {
-        List<String> header = new ArrayList<>(List.of("engine", "threads"));
+    /** The median step of every engine on every machine at every n, and the depth that it leaves; of those that were measured. */
+    static Grid steps(List<ResultsFolder> folders, Series series) {
+        List<String> header = new ArrayList<>(List.of("engine", "threads", "machine"));
         series.sizes().forEach(n -> header.add("ms, n = " + Numbers.whole(n)));
         series.sizes().forEach(n -> header.add("depth, n = " + Numbers.whole(n)));
         Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
-        for (Contender who : contenders(folder)) {
-            List<String> row = new ArrayList<>(List.of(who.engine(), who.threads()));
-            series.sizes().forEach(n -> row.add(millis(run(folder, who, series, n))));
-            series.sizes().forEach(n -> row.add(depth(run(folder, who, series, n))));
-            grid.add(row);
+        for (ResultsFolder folder : folders) {
+            for (Contender who : contenders(folder)) {
+                if (tried(folder, who, series)) {
+                    List<String> row = new ArrayList<>(List.of(who.engine(), who.threads(), folder.name()));
+                    series.sizes().forEach(n -> row.add(millis(run(folder, who, series, n))));
+                    series.sizes().forEach(n -> row.add(depth(run(folder, who, series, n))));
+                    grid.add(row);
+                }
+            }
         }
         return grid;
+    }
+
+    /** Who has no row yet in a series, machine by machine; empty if there is nobody. */
+    static String notMeasured(List<ResultsFolder> folders, Series series) {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            String who = contenders(folder).stream()
+                    .filter(contender -> !tried(folder, contender, series))
+                    .map(Contender::toString)
+                    .collect(Collectors.joining(", "));
+            if (!who.isEmpty()) {
+                text.append("- Not measured on ")
+                        .append(folder.name())
+                        .append(": ")
+                        .append(who)
+                        .append(".\n");
+            }
+        }
+        return text.toString();
+    }
+
+    private static boolean tried(ResultsFolder folder, Contender who, Series series) {
+        return series.sizes().stream().anyMatch(n -> run(folder, who, series, n) != null);
     }
 
     /** The headline: World and Box2D on all machines, at every n of the first series. */
@@ -154,12 +181,21 @@ final class SeriesTables {
     }
 
     /** Why there is no figure, of what failed or did not fit. */
-    static String failures(ResultsFolder folder, Series series) {
-        String list = folder.table(Kind.SERIES).rows("series", series.title).stream()
-                .filter(row -> !ok(row) && !LeftOut.is(row))
-                .map(row ->
-                        "- " + String.join(" ", folder.table(Kind.SERIES).key(row)) + ": " + row.get("status") + "\n")
-                .collect(Collectors.joining());
-        return list.isEmpty() ? "" : "Without a figure:\n\n" + list + "\n";
+    static String failures(List<ResultsFolder> folders, Series series) {
+        StringBuilder text = new StringBuilder();
+        for (ResultsFolder folder : folders) {
+            for (Map<String, String> row : folder.table(Kind.SERIES).rows("series", series.title)) {
+                if (!ok(row) && !LeftOut.is(row)) {
+                    String who = new Contender(row.get("engine"), row.get("threads")).toString();
+                    text.append("- ").append(who).append(", n = ").append(Numbers.whole(Long.parseLong(row.get("n"))));
+                    text.append(", ")
+                            .append(folder.name())
+                            .append(": ")
+                            .append(row.get("status"))
+                            .append(".\n");
+                }
+            }
+        }
+        return text.toString();
     }
 }

@@ -403,20 +403,15 @@ class PageTest {
                         "remarks",
                         "outside Maven: commit abc"));
         assertThat(Page.of(temporary))
+                .contains("## World beside other engines", "### packed-similar", "### over-full", "### boulder")
                 .contains(
-                        "## World beside other engines",
-                        "### packed-similar",
-                        "### over-full",
-                        "### boulder",
-                        "On box:")
+                        "| world-jvm | 4 | box | 0.25 | 2.5 | not measured | not measured | 0.0012 | 0.2, 1,003 outside | - | - |")
+                .contains("| dyn4j | 1 | box | not measured | about 52 | not measured | not measured | - | - | - | - |")
+                .contains("| jbox2d | 1 | box | failed | not measured |")
+                .contains("- jbox2d on 1 thread, n = 1,250, box: failed: SomeException: broke.\n")
                 .contains(
-                        "| world-jvm | 4 | 0.25 | 2.5 | not measured | not measured | 0.0012 | 0.2, 1,003 outside | - | - |")
-                .contains(
-                        "| world@gpu | 4 | not measured | not measured | not measured | not measured | - | - | - | - |")
-                .contains("| dyn4j | 1 | not measured | about 52 | not measured | not measured | - | - | - | - |")
-                .contains("| jbox2d | 1 | failed | not measured |")
-                .contains("- jbox2d packed-similar 1250 1: failed: SomeException: broke\n")
-                .contains("| world-jvm | 4 | box | 0.25 | 2.5 | not measured | not measured |")
+                        "- Not measured on box: world@gpu on 4 threads, world-jvm on 1 thread, box2d-v3 on 1 thread, gdx-box2d on 1 thread.\n")
+                .contains("| world@gpu | 4 | box | not measured | not measured | not measured | not measured |")
                 .contains("- **box2d-v3**, outside Maven: commit abc (box).\n")
                 .doesNotContain("series-packed-similar.svg");
     }
