@@ -129,7 +129,7 @@ public final class Page {
                         .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
                         .collect(Collectors.joining());
             case "series":
-                return folders.stream().anyMatch(SeriesTables::measured) ? fill(series()) : "";
+                return folders.isEmpty() ? NOTHING : fill(series());
             case "series headline":
                 return orNothing(grid(SeriesTables.headline(folders)));
             case "series steps":

@@ -67,11 +67,6 @@ final class SeriesTables {
         return run != null && run.get("status").equals("ok");
     }
 
-    /** Whether a folder has a figure in any series. */
-    static boolean measured(ResultsFolder folder) {
-        return !folder.table(Kind.SERIES).rows("status", "ok").isEmpty();
-    }
-
     /** The median step of every engine on every machine at every n, and the depth that it leaves; of those that were measured. */
     static Grid steps(List<ResultsFolder> folders, Series series) {
         List<String> header = new ArrayList<>(List.of("engine", "threads", "machine"));
