@@ -40,8 +40,26 @@ public final class Scenes {
         return crowd("packed", n, seed, Math.sqrt((double) THESIS_SIZE / n));
     }
 
+    /**
+     * {@link #packed} with gravity multiplied by sqrt(1250 / n), too: seen in radii, circles fall as fast at every n, and n alone
+     * changes. In {@link #packed} gravity grows in radii as n does, until the lowest of a thousand layers give way. The circles
+     * are those of packed to the bit.
+     *
+     * @param n the number of circles, at least 1; used up to 10,000,000
+     * @param seed the seed of the random numbers
+     * @return the scene
+     */
+    public static Scene packedSimilar(int n, long seed) {
+        double scale = Math.sqrt((double) THESIS_SIZE / n);
+        return crowd("packed-similar", n, seed, scale, (float) (-0.01f * scale));
+    }
+
     private static Scene crowd(String name, int n, long seed, double scale) {
-        Scene.Builder b = new Scene.Builder(name, n).gravity(0, -0.01f).restitution(0.5f);
+        return crowd(name, n, seed, scale, -0.01f);
+    }
+
+    private static Scene crowd(String name, int n, long seed, double scale, float gravity) {
+        Scene.Builder b = new Scene.Builder(name, n).gravity(0, gravity).restitution(0.5f);
         Random random = new Random(seed);
         for (int i = 0; i < n; i++) {
             float x = 0.1f + random.nextFloat() * 0.8f;
@@ -312,6 +330,77 @@ public final class Scenes {
             b.y[i] = r + random.nextFloat() * (side - 2 * r);
         }
         return b.arena(0, 0, side, side).build();
+    }
+
+    /**
+     * Unlike radii at the fill of {@link #packed}: log-uniform from R / ratio to R, where R makes the fill 0.62; masses 10^5 r^2,
+     * which are those of packed for its radii; x and y ~ U(0.1, 0.9), or U(R, 1 - R) where R is greater than 0.1; at rest, gravity
+     * (0, -0.01), restitution 0.5, unit arena. All radii are drawn first, then x and y circle by circle. Many small circles start
+     * inside large ones.
+     *
+     * @param n the number of circles, at least 1
+     * @param ratio the greatest radius over the least, at least 1; the published series have 10 and 100
+     * @param seed the seed of the random numbers
+     * @return the scene, named {@code mixed-} and the ratio
+     */
+    public static Scene mixed(int n, int ratio, long seed) {
+        if (ratio < 1) {
+            throw new IllegalArgumentException("the ratio of the radii must be at least 1: " + ratio);
+        }
+        Scene.Builder b =
+                new Scene.Builder("mixed-" + ratio, n).gravity(0, -0.01f).restitution(0.5f);
+        Random random = new Random(seed);
+        double[] radii = new double[n];
+        double squares = 0;
+        double greatest = 0;
+        for (int i = 0; i < n; i++) {
+            radii[i] = StrictMath.pow(ratio, random.nextDouble());
+            squares += radii[i] * radii[i];
+            greatest = Math.max(greatest, radii[i]);
+        }
+        double scale = Math.sqrt(0.62 / (Math.PI * squares));
+        float margin = (float) Math.max(0.1, 1.0001 * scale * greatest);
+        for (int i = 0; i < n; i++) {
+            double r = scale * radii[i];
+            float x = margin + random.nextFloat() * (1 - 2 * margin);
+            float y = margin + random.nextFloat() * (1 - 2 * margin);
+            b.circle(i, x, y, (float) r, (float) (1e5 * r * r));
+        }
+        return b.build();
+    }
+
+    /**
+     * A boulder on grains: circle 0 has a radius of 1,000 mean radii of the others, which lie below it in a bed of rows, r ~
+     * U(0.8, 1.2) of their mean, masses 10^5 r^2. Bed and boulder are 0.95 high together. At rest, gravity (0, -0.01), restitution
+     * 0.5, unit arena. A broad phase that looks around every circle as far as around the greatest looks at every pair.
+     *
+     * @param n the number of circles, the boulder among them, at least 2; the published series has 100,000
+     * @param seed the seed of the random numbers
+     * @return the scene
+     */
+    public static Scene boulder(int n, long seed) {
+        if (n < 2) {
+            throw new IllegalArgumentException("a boulder on grains needs at least 2 circles, not " + n);
+        }
+        double ratio = 1000;
+        double greatest = 1.2;
+        // The bed is bed * R^2 high, where R is the boulder's radius; 1.01 leaves the grains a little room.
+        double pitch = 2.02 * greatest / ratio;
+        double bed = (n - 1) * pitch * pitch;
+        double boulder = (Math.sqrt(1 + 0.95 * bed) - 1) / bed;
+        double wide = pitch * boulder;
+        int columns = (int) (1 / wide);
+        Scene.Builder b = new Scene.Builder("boulder", n).gravity(0, -0.01f).restitution(0.5f);
+        Random random = new Random(seed);
+        for (int i = 1; i < n; i++) {
+            int row = (i - 1) / columns;
+            double r = (0.8 + 0.4 * random.nextDouble()) * boulder / ratio;
+            double x = ((i - 1) % columns + 0.5) * wide;
+            b.circle(i, (float) x, (float) ((row + 0.5) * wide), (float) r, (float) (1e5 * r * r));
+        }
+        int rows = (n - 2) / columns + 1;
+        b.circle(0, 0.5f, (float) (rows * wide + boulder), (float) boulder, (float) (1e5 * boulder * boulder));
+        return b.build();
     }
 
     /**

@@ -29,6 +29,14 @@ class ScenesTest {
                 Scenes.noCollide(),
                 Scenes.billiards(10),
                 Scenes.mixed(5000, 1),
+                Scenes.packedSimilar(10_000, 1),
+                Scenes.mixed(1, 100, 1),
+                Scenes.mixed(1250, 10, 1),
+                Scenes.mixed(10_000, 100, 1),
+                Scenes.boulder(2, 1),
+                Scenes.boulder(1000, 1),
+                Scenes.boulder(100_000, 1),
+                Scenes.boulder(1_000_000, 1),
                 Scenes.onePoint(100, 1),
                 Scenes.oneCell(100, 1));
     }
@@ -41,6 +49,9 @@ class ScenesTest {
                 Scenes::barrel,
                 Scenes::bouncy,
                 seed -> Scenes.mixed(100, seed),
+                seed -> Scenes.packedSimilar(100, seed),
+                seed -> Scenes.mixed(100, 10, seed),
+                seed -> Scenes.boulder(100, seed),
                 seed -> Scenes.onePoint(100, seed),
                 seed -> Scenes.oneCell(100, seed));
     }
@@ -107,6 +118,65 @@ class ScenesTest {
         assertThat(scene.gravityY()).isEqualTo(-0.01f);
         assertThat(scene.restitution()).isEqualTo(0.5f);
         assertThat(scene.fill()).isCloseTo(7.46, within(0.05));
+    }
+
+    @Test
+    void packedSimilarHasTheCirclesOfPackedAndFallsAsFastInRadiiAtEverySize() {
+        for (int n : new int[] {1250, 20_000, 1_000_000}) {
+            Scene packed = Scenes.packed(n, Scenes.SEED);
+            Scene similar = Scenes.packedSimilar(n, Scenes.SEED);
+            assertThat(similar.x()).isEqualTo(packed.x());
+            assertThat(similar.y()).isEqualTo(packed.y());
+            assertThat(similar.radius()).isEqualTo(packed.radius());
+            assertThat(similar.mass()).isEqualTo(packed.mass());
+            double meanRadius = 0.0125 * Math.sqrt(1250.0 / n);
+            assertThat(similar.gravityY() / meanRadius).isCloseTo(-0.8, within(1e-6));
+        }
+    }
+
+    @Test
+    void mixedRadiiAreLogUniformAtTheFillOfPackedWithMassesAsTheirSquares() {
+        for (int ratio : new int[] {10, 100}) {
+            Scene scene = Scenes.mixed(20_000, ratio, Scenes.SEED);
+            float[] radii = scene.radius();
+            Arrays.sort(radii);
+            assertThat(scene.name()).isEqualTo("mixed-" + ratio);
+            assertThat(scene.fill()).isCloseTo(0.62, within(1e-4));
+            assertThat(radii[19_999] / radii[0]).isBetween(0.99f * ratio, (float) ratio);
+            // The median of a log-uniform radius is the geometric mean of its ends.
+            assertThat(radii[10_000] / radii[0]).isCloseTo((float) Math.sqrt(ratio), within(0.05f * ratio));
+            assertThat(scene.mass(7)).isCloseTo(1e5f * scene.radius(7) * scene.radius(7), within(1e-4f));
+            assertThat(scene.gravityY()).isEqualTo(-0.01f);
+        }
+    }
+
+    @Test
+    void aBoulderLiesOnABedOfGrainsAThousandTimesSmallerWithoutAnOverlap() {
+        for (int n : new int[] {2, 5000, 100_000}) {
+            Scene scene = Scenes.boulder(n, Scenes.SEED);
+            double sum = 0;
+            for (int i = 1; i < n; i++) {
+                sum += scene.radius(i);
+            }
+            assertThat(scene.radius(0) / (sum / (n - 1))).isCloseTo(1000, within(n == 2 ? 250.0 : 10));
+            assertThat(Quality.of(scene).overlapping()).isZero();
+        }
+        Scene scene = Scenes.boulder(100_000, Scenes.SEED);
+        double under = scene.y(0) - scene.radius(0);
+        assertThat(under).isBetween(0.05, 0.15);
+        for (int i = 1; i < scene.size(); i++) {
+            assertThat(scene.y(i)).isLessThan((float) under);
+        }
+    }
+
+    @Test
+    void sizesAndRatiosThatMakeNoSceneAreRefused() {
+        assertThatThrownBy(() -> Scenes.mixed(100, 0, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("at least 1: 0");
+        assertThatThrownBy(() -> Scenes.boulder(1, 1))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("at least 2 circles, not 1");
     }
 
     @Test

@@ -7,6 +7,7 @@ import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
 import io.github.circles2d.bench.report.Page;
 import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.series.SeriesBench;
 import io.github.circles2d.bench.sweep.Options;
 import io.github.circles2d.bench.sweep.Sweep;
 import java.io.IOException;
@@ -73,6 +74,9 @@ public final class Bench {
                     break;
                 case "broadphase":
                     BroadPhaseBench.run(rest, System.out);
+                    break;
+                case "series":
+                    SeriesBench.run(rest, System.out);
                     break;
                 case "games":
                     GameCosts.run(rest, System.out);

@@ -76,6 +76,11 @@ public final class Engines {
         return World.builder().device(Devices.find(name.substring(WORLD.length() + 1)));
     }
 
+    /** World on a number of threads of the JVM. */
+    public static Engine worldJvm(int threads) {
+        return new WorldEngine(() -> worldBuilder(WORLD_JVM).threads(threads));
+    }
+
     private static Engine createOwn(String name) {
         int at = name.indexOf('@');
         String engine = at < 0 ? name : name.substring(0, at);
@@ -98,7 +103,7 @@ public final class Engines {
             case "java-all-pairs":
                 return "the thesis's physics, one Java thread, every pair tested, each overlap resolved once a step";
             case "gdx-box2d":
-                return "Box2D 2.3 in C++ through libGDX, one thread; 8 velocity and 3 position iterations; rotation locked, no"
+                return "Box2D 2.3.1 in C++ as libGDX 1.14 wraps it, one thread; 8 velocity and 3 position iterations; rotation locked, no"
                         + " friction, no sleeping; no restitution below 1 m/s at a mean radius of 0.5 m";
             case "jbox2d":
                 return "Box2D 2.2 in Java, one thread; 8 velocity and 3 position iterations; rotation locked, no friction, no"

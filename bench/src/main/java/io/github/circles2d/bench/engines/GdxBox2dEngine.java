@@ -14,7 +14,7 @@ import com.badlogic.gdx.utils.GdxNativesLoader;
 import io.github.circles2d.scenes.Scene;
 
 /**
- * libGDX's binding of Box2D 2.3 (C++, one thread). Rotation locked, no friction, no sleeping, 8 velocity and 3 position
+ * libGDX's binding of Box2D 2.3.1 (C++, one thread). Rotation locked, no friction, no sleeping, 8 velocity and 3 position
  * iterations as Box2D's manual advises; restitution does nothing below Box2D's 1 m/s.
  */
 final class GdxBox2dEngine implements SearchEngine {

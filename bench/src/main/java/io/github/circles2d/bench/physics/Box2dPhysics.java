@@ -3,7 +3,7 @@ package io.github.circles2d.bench.physics;
 import com.badlogic.gdx.utils.GdxNativesLoader;
 
 /**
- * libGDX's binding of Box2D 2.3 (C++): no friction, rotation locked, no sleeping, one step with 8 velocity and 3
+ * libGDX's binding of Box2D 2.3.1 (C++): no friction, rotation locked, no sleeping, one step with 8 velocity and 3
  * position iterations as its manual advises. Its constants are left alone, so slower impacts than 1 m/s do not bounce, and
  * nothing moves farther than 2 m in a step.
  */

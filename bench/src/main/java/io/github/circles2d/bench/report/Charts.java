@@ -79,7 +79,13 @@ public final class Charts {
 
     /** Draws what compares machines, into the folder of their folders; says so where it cannot, as {@link #draw} does. */
     public static void drawAll(Path results, List<ResultsFolder> folders, PrintStream out) throws IOException {
-        tryTo(() -> save(WorldCharts.steps(folders), results, WorldCharts.FILE), results, out);
+        tryTo(
+                () -> {
+                    save(WorldCharts.steps(folders), results, WorldCharts.FILE);
+                    SeriesCharts.draw(results, folders);
+                },
+                results,
+                out);
     }
 
     interface Drawing {

@@ -4,6 +4,7 @@ import io.github.circles2d.bench.engines.Engines;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import io.github.circles2d.bench.series.Series;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -77,6 +78,11 @@ public final class Page {
         return resource("world.md");
     }
 
+    /** The section on the series, with places for tables. */
+    static String series() {
+        return resource("series.md");
+    }
+
     private static String resource(String name) {
         try (InputStream in = Page.class.getResourceAsStream("/io/github/circles2d/bench/" + name)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8);
@@ -122,9 +128,33 @@ public final class Page {
                                 Engines.PEERS.stream(), Stream.of(Engines.WORLD_JVM, "world@device", "circles2d-*"))
                         .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
                         .collect(Collectors.joining());
+            case "series":
+                return folders.isEmpty() ? NOTHING : fill(series());
+            case "series headline":
+                return orNothing(grid(SeriesTables.headline(folders)));
+            case "series steps":
+                return orNothing(allSeries());
+            case "series outside":
+                return orNothing(SeriesTables.outside(folders));
             default:
                 return place.startsWith("world") ? world(place) : figure(place);
         }
+    }
+
+    private String allSeries() {
+        StringBuilder text = new StringBuilder();
+        for (Series series : Series.values()) {
+            text.append("### ").append(series.title).append("\n\n");
+            String description = series.description;
+            text.append(description.substring(0, 1).toUpperCase(Locale.ROOT))
+                    .append(description.substring(1))
+                    .append(".\n\n");
+            text.append(allMachinesChart(SeriesCharts.file(series))).append('\n');
+            text.append(grid(SeriesTables.steps(folders, series))).append('\n');
+            text.append(SeriesTables.failures(folders, series));
+            text.append(SeriesTables.notMeasured(folders, series)).append('\n');
+        }
+        return text.toString();
     }
 
     /** World's parts; nothing where there are no results of it. */

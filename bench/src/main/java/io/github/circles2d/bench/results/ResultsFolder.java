@@ -104,6 +104,25 @@ public final class ResultsFolder {
         TRANSFER(
                 List.of("device", "direction", "memory", "bytes"),
                 List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status")),
+        /** World and other engines by series and n: a step with a wait after it. */
+        SERIES(
+                List.of("engine", "series", "n", "threads"),
+                List.of(
+                        "skipped",
+                        "steps",
+                        "runs",
+                        "median_ms",
+                        "middle_median_ms",
+                        "mean_ms",
+                        "mean_depth",
+                        "max_depth",
+                        "deep_pairs",
+                        "kinetic_energy",
+                        "outside",
+                        "state_hash",
+                        "date",
+                        "status",
+                        "remarks")),
         /** Broad phases by scene and n: processor time of one thread, and work, both a step. */
         BROADPHASE(
                 List.of("scene", "n", "broad_phase"),

@@ -36,6 +36,7 @@ public final class Options {
             "       benchmarks.jar jmh ARGUMENTS        runs JMH itself (jmh -h for its help)",
             "       benchmarks.jar smoke                executes every benchmark once at its smallest size",
             "       benchmarks.jar physics ARGUMENTS    measures World's physics (physics --help for its help)",
+            "       benchmarks.jar series ARGUMENTS     measures World and others on scenes at growing n (series --help)",
             "       benchmarks.jar games [BACKEND N...] measures what features for games cost World",
             "       benchmarks.jar table DIR            prints the table of a results folder",
             "       benchmarks.jar charts DIR           draws the charts of a results folder, or of all in DIR/machines.txt",

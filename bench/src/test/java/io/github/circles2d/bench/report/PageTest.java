@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import io.github.circles2d.bench.series.Series;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -99,7 +100,8 @@ class PageTest {
 
     @Test
     void theProseItselfHoldsNoMeasuredFigure() {
-        String prose = (Page.template() + Page.conclusions() + Page.world()).replaceAll("\\{\\{[^}]*\\}\\}", "");
+        String prose = (Page.template() + Page.conclusions() + Page.world() + Page.series())
+                .replaceAll("\\{\\{[^}]*\\}\\}", "");
         assertThat(Pattern.compile("[0-9][0-9.,]* ?(ms|µs|us|GB|MB|GiB|MiB|KB|%|times)\\b")
                         .matcher(prose)
                         .results()
@@ -200,7 +202,7 @@ class PageTest {
 
     @Test
     void whatIsNotMeasuredOfWorldHasNoSection() throws IOException {
-        assertThat(Page.of(temporary)).doesNotContain("## World");
+        assertThat(Page.of(temporary)).doesNotContain("## World\n", "## World:");
     }
 
     @Test
@@ -375,6 +377,84 @@ class PageTest {
         row.putAll(Map.of("mean_depth", depth, "max_depth", "0.1", "deep_pairs", "0", "kinetic_energy", "0.01"));
         row.putAll(Map.of("allocated_bytes", "1", "peak_rss_mib", "50", "status", "ok"));
         folder.put(Kind.PEERS, row);
+    }
+
+    @Test
+    void theSeriesShowWhatIsMeasuredWhatWasGivenUpAndWhatIsStillMissing() throws IOException {
+        assertThat(Page.of(temporary)).contains("## World beside other engines", "- Not measured on box: world@gpu.\n");
+        folder.put(Kind.MACHINE, Map.of("property", "cores", "value", "4"));
+        folder.put(Kind.MACHINE, Map.of("property", "device gpu", "value", "Some CPU (CPU, 4 compute units)"));
+        series("world-jvm", "4", "1250", Map.of("median_ms", "0.25", "mean_depth", "0.0012", "outside", "0"));
+        series("world-jvm", "4", "10000", Map.of("median_ms", "2.5", "mean_depth", "0.2", "outside", "1003"));
+        series("dyn4j", "1", "10000", Map.of("status", "left out: 200 steps of about 52 ms ..", "mean_ms", "52.3"));
+        series("dyn4j", "1", "100000", Map.of("status", "left out: the time was up"));
+        series("jbox2d", "1", "1250", Map.of("status", "failed: SomeException: broke"));
+        series(
+                "box2d-v3",
+                "4",
+                "1250",
+                Map.of(
+                        "median_ms",
+                        "0.5",
+                        "mean_depth",
+                        "0.01",
+                        "outside",
+                        "0",
+                        "remarks",
+                        "outside Maven: commit abc"));
+        assertThat(Page.of(temporary))
+                .contains("## World beside other engines", "### packed-similar", "### over-full", "### boulder")
+                .contains(
+                        "| world-jvm | 4 | box | 0.25 | 2.5 | not measured | not measured | 0.0012 | 0.2, 1,003 outside | - | - |")
+                .contains("| dyn4j | 1 | box | not measured | about 52 | not measured | not measured | - | - | - | - |")
+                .contains("| jbox2d | 1 | box | failed | not measured |")
+                .contains("- jbox2d on 1 thread, n = 1,250, box: failed: SomeException: broke.\n")
+                .contains(
+                        "- Not measured on box: world@gpu on 4 threads, world-jvm on 1 thread, box2d-v3 on 1 thread, gdx-box2d on 1 thread.\n")
+                .contains("| world@gpu | 4 | box | not measured | not measured | not measured | not measured |")
+                .contains("- **box2d-v3**, outside Maven: commit abc (box).\n")
+                .doesNotContain("series-packed-similar.svg");
+    }
+
+    @Test
+    void aSeriesIsDrawnOnceWorldHasAFigureInIt() throws IOException {
+        folder.put(Kind.MACHINE, Map.of("property", "cores", "value", "4"));
+        series("box2d-v3", "1", "1250", Map.of("median_ms", "0.5"));
+        SeriesCharts.draw(temporary, Page.folders(temporary));
+        assertThat(temporary.resolve("series-packed-similar.svg")).doesNotExist();
+        series("world-jvm", "4", "1250", Map.of("median_ms", "0.25"));
+        series("world-jvm", "1", "1250", Map.of("median_ms", "0.3"));
+        List<ResultsFolder> folders = Page.folders(temporary);
+        SeriesCharts.draw(temporary, folders);
+        assertThat(SeriesCharts.steps(folders, Series.PACKED_SIMILAR).getSeriesMap())
+                .containsOnlyKeys("World, Java, 4 cores", "World, Java, 1 thread", "box2d-v3, 1 thread");
+        assertThat(temporary.resolve("series-packed-similar.svg")).exists();
+        assertThat(temporary.resolve("series-over-full.svg")).doesNotExist();
+    }
+
+    /** The same bits on every machine and back end, in every series that was measured. */
+    @Test
+    void allWorldsOfTheCommittedSeriesEndInOneState() throws IOException {
+        Map<String, String> states = new LinkedHashMap<>();
+        for (ResultsFolder machine : Page.folders(RESULTS)) {
+            for (Map<String, String> row : machine.table(Kind.SERIES).rows("status", "ok")) {
+                if (row.get("engine").startsWith("world")) {
+                    String run = row.get("series") + " " + row.get("n");
+                    states.putIfAbsent(run, row.get("state_hash"));
+                    assertThat(row.get("state_hash"))
+                            .as(run + ", " + row.get("engine") + " of " + machine.name())
+                            .isEqualTo(states.get(run));
+                }
+            }
+        }
+    }
+
+    private void series(String engine, String threads, String n, Map<String, String> more) throws IOException {
+        Map<String, String> row = new LinkedHashMap<>(Map.of("engine", engine, "threads", threads, "n", n));
+        row.put("series", "packed-similar");
+        row.put("status", "ok");
+        row.putAll(more);
+        folder.put(Kind.SERIES, row);
     }
 
     @Test
