@@ -34,16 +34,34 @@ final class BusyMachine {
         }
     }
 
-    /** A second of steps, with some other threads that are busy. */
-    static Round round(World world, float timeStep, int others) throws InterruptedException {
-        List<Thread> busy = new ArrayList<>();
-        try {
-            for (int k = 0; k < others; k++) {
-                Thread thread = new Thread(BusyMachine::spin, "busy-" + k);
+    /** Busy threads, until they are stopped. */
+    static final class Others {
+        private final List<Thread> threads = new ArrayList<>();
+
+        Others(int count) {
+            for (int k = 0; k < count; k++) {
+                Thread thread = new Thread(Others::spin, "busy-" + k);
                 thread.setDaemon(true);
                 thread.start();
-                busy.add(thread);
+                threads.add(thread);
             }
+        }
+
+        private static void spin() {
+            while (!Thread.currentThread().isInterrupted()) {
+                Thread.onSpinWait();
+            }
+        }
+
+        void stop() {
+            threads.forEach(Thread::interrupt);
+        }
+    }
+
+    /** A second of steps, with some other threads that are busy. */
+    static Round round(World world, float timeStep, int others) {
+        Others besides = new Others(others);
+        try {
             double[] millis = new double[1 << 20];
             int steps = 0;
             long start = System.nanoTime();
@@ -58,22 +76,11 @@ final class BusyMachine {
             Arrays.sort(sorted);
             return new Round(sorted);
         } finally {
-            for (Thread thread : busy) {
-                thread.interrupt();
-            }
-            for (Thread thread : busy) {
-                thread.join();
-            }
+            besides.stop();
         }
     }
 
-    private static void spin() {
-        while (!Thread.currentThread().isInterrupted()) {
-            Thread.onSpinWait();
-        }
-    }
-
-    public static void main(String[] arguments) throws InterruptedException {
+    public static void main(String[] arguments) {
         Backend backend = Backend.valueOf(arguments[0]);
         int processors = Runtime.getRuntime().availableProcessors();
         System.out.println("ms per step: mean, median, 95th percentile; by busy threads besides");

@@ -7,42 +7,63 @@ import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.Arrays;
+import java.util.List;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/**
- * Steps on a machine with as many other busy threads as processors. This measures time, so it asks only that steps are not tens
- * of times as long, in the middle one of several rounds: threads that wait in a wrong way make them a hundred times as long.
- */
-@Tag("exhaustive")
+/** Steps on a machine with as many other busy threads as processors. */
 @Timeout(120)
 class BusyMachineTest {
     private static final int ROUNDS = 5;
     private static final double FACTOR = 20;
 
-    @Test
-    void stepsOnTheJvmTakeFewTimesAsLong() throws InterruptedException {
-        check(Backend.JVM);
+    private static final int PROCESSORS = Runtime.getRuntime().availableProcessors();
+    private static final Scene SCENE = Scenes.packed(1250, 1);
+
+    private static World world(Backend backend) {
+        return WorldScenes.world(SCENE, WorldScenes.builder(SCENE).backend(backend));
     }
 
-    @Test
-    void stepsByOpenClOnAProcessorTakeFewTimesAsLong() throws InterruptedException {
-        if (TestDevices.all().stream().anyMatch(device -> device.kind() == Device.Kind.CPU)) {
-            check(Backend.OPENCL_CPU);
+    private static List<Backend> backends() {
+        boolean openCl = TestDevices.all().stream().anyMatch(device -> device.kind() == Device.Kind.CPU);
+        return openCl ? List.of(Backend.JVM, Backend.OPENCL_CPU) : List.of(Backend.JVM);
+    }
+
+    @ParameterizedTest
+    @MethodSource("backends")
+    void stepsBesideBusyThreadsHaveTheSameBits(Backend backend) {
+        BusyMachine.Others others = new BusyMachine.Others(PROCESSORS);
+        try (World expected = world(Backend.JVM);
+                World world = world(backend)) {
+            expected.step(SCENE.timeStep(), 40);
+            for (int step = 0; step < 20; step++) {
+                world.step(SCENE.timeStep());
+                world.positions();
+            }
+            world.step(SCENE.timeStep(), 20);
+            assertThat(world.hash()).isEqualTo(expected.hash());
+        } finally {
+            others.stop();
         }
     }
 
-    private static void check(Backend backend) throws InterruptedException {
-        int processors = Runtime.getRuntime().availableProcessors();
-        Scene scene = Scenes.packed(1250, 1);
+    /**
+     * This measures time, so it asks only that steps are not tens of times as long, in the middle one of several rounds: threads
+     * that wait in a wrong way make them a hundred times as long.
+     */
+    @ParameterizedTest
+    @MethodSource("backends")
+    @Tag("exhaustive")
+    void stepsBesideBusyThreadsTakeFewTimesAsLong(Backend backend) {
         double[] factors = new double[ROUNDS];
-        try (World world = WorldScenes.world(scene, WorldScenes.builder(scene).backend(backend))) {
-            BusyMachine.round(world, scene.timeStep(), 0);
+        try (World world = world(backend)) {
+            BusyMachine.round(world, SCENE.timeStep(), 0);
             for (int round = 0; round < ROUNDS; round++) {
-                double idle = BusyMachine.round(world, scene.timeStep(), 0).mean();
+                double idle = BusyMachine.round(world, SCENE.timeStep(), 0).mean();
                 factors[round] =
-                        BusyMachine.round(world, scene.timeStep(), processors).mean() / idle;
+                        BusyMachine.round(world, SCENE.timeStep(), PROCESSORS).mean() / idle;
             }
         }
         Arrays.sort(factors);
