@@ -72,7 +72,7 @@ public final class Contacts {
     int[] pair = new int[0];
 
     /** By cross contact: twice the number of its heavy circle; and 1 more if the light one has the higher id. */
-    private int[] heavyAndSide = new int[0];
+    int[] heavyAndSide = new int[0];
 
     /** What records contacts, and has to have room for them; null if nothing does. */
     Touches touches;
