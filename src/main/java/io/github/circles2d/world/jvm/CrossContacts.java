@@ -14,7 +14,7 @@ import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
- * Finds the cross contacts: those of circles of different levels. Each circle looks in 3 x 3 cells of every coarser level.
+ * Finds the cross contacts: those of circles of different levels. Each circle looks in every coarser level.
  *
  * <p>One of the two circles is the light one, the other the heavy one ({@link CrossRule}). Cross contacts lie in the order of the
  * slots of their light circles, and those of one light circle in the order of the ids of the heavy ones.

@@ -220,8 +220,13 @@ final class CrossPasses {
     private boolean mayWait(int c, float separation) {
         int a = contacts.pair[ContactRow.a(c)];
         int b = contacts.pair[ContactRow.b(c)];
-        float invMassOfHeavy = contacts.contact[ContactRow.of(c) + INV_MASS_B];
-        return CrossRule.mayWait(invMassOfHeavy, separation, state.circle[a + RADIUS], state.circle[b + RADIUS]);
+        int o = ContactRow.of(c);
+        return CrossRule.mayWait(
+                contacts.contact[o + RESTITUTION],
+                contacts.contact[o + INV_MASS_B],
+                separation,
+                state.circle[a + RADIUS],
+                state.circle[b + RADIUS]);
     }
 
     private boolean hasClaimed(int c) {
