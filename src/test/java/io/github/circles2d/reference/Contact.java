@@ -110,12 +110,12 @@ final class Contact extends Constraint {
     }
 
     /**
-     * Two circles of different levels that meet claim a turn, unless they would be too deep or one is static. In the pass without bias
-     * only one light circle bounces off a heavy one, if it is no heavy one itself whose turn it is.
+     * Two circles of different levels that meet claim a turn, unless they would be too deep, or one is static, or they lose energy
+     * anyway. In the pass without bias only one light circle bounces off a heavy one, if it is no heavy one itself whose turn it is.
      */
     @Override
     boolean waits(boolean biased, float vn) {
-        if (!isCross() || heavy.isStatic()) {
+        if (!isCross() || heavy.isStatic() || restitution <= 0.9f) {
             return false;
         }
         float depth = Numbers.min(0.25f * radii, 4f * Numbers.min(lower.radius, higher.radius));

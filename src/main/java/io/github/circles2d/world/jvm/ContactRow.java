@@ -1,6 +1,10 @@
 package io.github.circles2d.world.jvm;
 
-/** The table of a contact: where its numbers lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. */
+/**
+ * The table of a contact: where its numbers lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. But
+ * the inverse masses of a cross contact are those of the light circle and of the heavy one, and its effective mass counts the heavy one
+ * as lighter.
+ */
 final class ContactRow {
     /** Floats per contact. */
     static final int STRIDE = 14;

@@ -26,8 +26,9 @@ import io.github.circles2d.world.model.Tuning;
  * Stage Contacts: lists the pairs of circles that may meet within the step, in the order of every sum: level, colour, group, lower
  * id, higher id; behind these, the contacts of circles of different levels ({@link CrossContacts}).
  *
- * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of their level. A group touches circles of the 2 x 2 cells that begin there. So groups whose columns and rows have the same
- * parities, which are its colour, share no circle and can be solved in parallel.
+ * <p>The group of a contact is the lesser column and the lesser row of the cells of its two circles, in the grid of their level. A
+ * group touches circles of the 2 x 2 cells that begin there. So groups whose columns and rows have the same parities, which are its
+ * colour, share no circle and can be solved in parallel.
  *
  * <p>In memory, contacts lie in rows of groups, as the circles lie in rows of cells. A row has the groups of even columns first,
  * then those of odd ones, which are two of the four colours. Even rows are the colours 0 and 1, odd rows 2 and 3.
@@ -72,7 +73,7 @@ public final class Contacts {
     int[] pair = new int[0];
 
     /** By cross contact: twice the number of its heavy circle; and 1 more if the light one has the higher id. */
-    private int[] heavyAndSide = new int[0];
+    int[] heavyAndSide = new int[0];
 
     /** What records contacts, and has to have room for them; null if nothing does. */
     Touches touches;

@@ -14,7 +14,7 @@ import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
- * Finds the cross contacts: those of circles of different levels. Each circle looks in 3 x 3 cells of every coarser level.
+ * Finds the cross contacts: those of circles of different levels. Each circle looks in every coarser level.
  *
  * <p>One of the two circles is the light one, the other the heavy one ({@link CrossRule}). Cross contacts lie in the order of the
  * slots of their light circles, and those of one light circle in the order of the ids of the heavy ones.
@@ -32,6 +32,9 @@ final class CrossContacts {
 
     /** The circles that are heavy in some contact. */
     final HeavyCircles heavyCircles;
+
+    /** By level: how far from their centres its circles look at most. */
+    private final float[] reach = new float[GridLevels.COUNT];
 
     /** By slot: the first contact in which it is the light circle; one more element for the end. */
     private int[] lightStart = new int[1];
@@ -67,6 +70,9 @@ final class CrossContacts {
             lightStart = new int[state.capacity() + 1];
             load = new int[state.capacity()];
             number = new int[state.capacity()];
+        }
+        for (int l = 0; l < levels.usedCount; l++) {
+            reach[levels.used[l]] = levels.reach(levels.used[l]);
         }
     }
 
@@ -285,23 +291,47 @@ final class CrossContacts {
         f.most = Math.max(f.most, candidates.countFound(slot, own + fromFiner));
     }
 
+    /** Looks in the cells of a coarser level in which a circle may lie whose speculative distance meets that of this one. */
     private void findInCoarserLevel(FoundCross f, int slot, int level) {
-        int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
-        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
-        for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
-            if (0 < column && column < columns - 1) {
-                int b = rowStart + column;
-                scan(f, slot, bucketStart[b - 1], bucketStart[b + 2]);
+        if (!levels.bounds.isWalled()) {
+            int column = GridLevels.neighbour(levels.column(x, level), -1, columns);
+            int row = GridLevels.neighbour(levels.row(y, level), -1, rows);
+            scan(f, slot, level, column, 3, row, 3);
+            return;
+        }
+        float far = grid.speculativeDistance[slot] + reach[level];
+        int column = levels.columnFrom(x - far, level);
+        int row = levels.rowFrom(y - far, level);
+        scan(
+                f,
+                slot,
+                level,
+                GridLevels.onRing(column, columns),
+                Math.min(levels.columnTo(x - far, x + far, level) - column + 1, columns),
+                GridLevels.onRing(row, rows),
+                Math.min(levels.rowTo(y - far, y + far, level) - row + 1, rows));
+    }
+
+    /** Looks in so many columns and rows of a level, from a first one of each on. */
+    private void scan(FoundCross f, int slot, int level, int firstColumn, int manyColumns, int firstRow, int manyRows) {
+        int[] start = grid.start;
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int behindSeam = firstColumn + manyColumns - columns;
+        int row = firstRow;
+        for (int k = 0; k < manyRows; k++) {
+            int b = levels.rowStart(level, row);
+            if (behindSeam <= 0) {
+                scan(f, slot, start[b + firstColumn], start[b + firstColumn + manyColumns]);
             } else {
-                for (int u = -1; u <= 1; u++) {
-                    int b = rowStart + GridLevels.neighbour(column, u, columns);
-                    scan(f, slot, bucketStart[b], bucketStart[b + 1]);
-                }
+                scan(f, slot, start[b + firstColumn], start[b + columns]);
+                scan(f, slot, start[b], start[b + behindSeam]);
             }
+            row = row + 1 < rows ? row + 1 : 0;
         }
     }
 

@@ -111,19 +111,32 @@ final class CrossPasses {
     /** The biased pass: stops approaches, pushes overlaps out, bounces. */
     void solve(int from, int to, StepConstants k) {
         float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        int[] heavyAndSide = contacts.heavyAndSide;
+        int firstCross = contacts.firstCross;
+        float[] m = state.motion;
         float[] load = state.load;
+        float[] seen = heavyCircles.seen;
+        long[] sums = heavyCircles.sumsOf(worker);
         for (int c = from; c < to; c++) {
             int o = ContactRow.of(c);
+            int code = heavyAndSide[c - firstCross];
+            int light = pair[ContactRow.a(c) + (code & 1)];
+            int heavy = HeavyCircles.row(code >> 1);
+            float side = 1 - 2 * (code & 1);
+            float nx = side * q[o + NORMAL_X];
+            float ny = side * q[o + NORMAL_Y];
             float separation = q[o + SEPARATION];
             float restitution = q[o + RESTITUTION];
             float impulse = q[o + NORMAL_IMPULSE];
             float pushSpeed = k.pushRate * q[o + RADII];
-            float vn = normalVelocity(c);
+            float vn = CircleMath.along(
+                    nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             float bounce = 0f;
             // without restitution it stays so, and none flies: this only spares the reads
             if (restitution > 0f) {
-                int a = contacts.pair[ContactRow.a(c)];
-                int b = contacts.pair[ContactRow.b(c)];
+                int a = pair[ContactRow.a(c)];
+                int b = pair[ContactRow.b(c)];
                 float loaded = load[a + LOADED] + load[b + LOADED];
                 if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && solveFlying(c, vn, k)) {
                     q[o + BOUNCE_SPEED] = 0f;
@@ -151,24 +164,16 @@ final class CrossPasses {
                     k.massScale,
                     k.impulseScale);
             q[o + NORMAL_IMPULSE] = next;
-            apply(c, next - impulse);
+            float applied = next - impulse;
+            float ofLight = q[o + INV_MASS_A] * applied;
+            float ofHeavy = q[o + INV_MASS_B] * applied;
+            m[light + VX] -= nx * ofLight;
+            m[light + VY] -= ny * ofLight;
+            float scale = seen[heavy + VELOCITY_SCALE];
+            int sum = HeavyCircles.sum(code >> 1);
+            sums[sum + GAIN_X] += CrossRule.toFixed(nx * ofHeavy, scale);
+            sums[sum + GAIN_Y] += CrossRule.toFixed(ny * ofHeavy, scale);
         }
-    }
-
-    /** The normal speed of a contact: the light circle as its visits have left it, the heavy one as before the pass. */
-    private float normalVelocity(int c) {
-        float[] q = contacts.contact;
-        float[] m = state.motion;
-        float[] seen = heavyCircles.seen;
-        int o = ContactRow.of(c);
-        int light = contacts.light(c);
-        int heavy = HeavyCircles.row(contacts.heavy(c));
-        float side = contacts.side(c);
-        return CircleMath.along(
-                side * q[o + NORMAL_X],
-                side * q[o + NORMAL_Y],
-                seen[heavy + SEEN_VX] - m[light + VX],
-                seen[heavy + SEEN_VY] - m[light + VY]);
     }
 
     /** Visits a contact of circles that fly free of each other with bias; returns false if it is to be solved as others are. */
@@ -215,8 +220,13 @@ final class CrossPasses {
     private boolean mayWait(int c, float separation) {
         int a = contacts.pair[ContactRow.a(c)];
         int b = contacts.pair[ContactRow.b(c)];
-        float invMassOfHeavy = contacts.contact[ContactRow.of(c) + INV_MASS_B];
-        return CrossRule.mayWait(invMassOfHeavy, separation, state.circle[a + RADIUS], state.circle[b + RADIUS]);
+        int o = ContactRow.of(c);
+        return CrossRule.mayWait(
+                contacts.contact[o + RESTITUTION],
+                contacts.contact[o + INV_MASS_B],
+                separation,
+                state.circle[a + RADIUS],
+                state.circle[b + RADIUS]);
     }
 
     private boolean hasClaimed(int c) {
@@ -286,25 +296,46 @@ final class CrossPasses {
     /** Relaxes the contacts that are listed, and lists those of them that carry; returns their number. */
     private int relaxOpen(int open, StepConstants k) {
         float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        int[] heavyAndSide = contacts.heavyAndSide;
+        int firstCross = contacts.firstCross;
+        float[] m = state.motion;
         float[] load = state.load;
+        float[] seen = heavyCircles.seen;
+        long[] sums = heavyCircles.sumsOf(worker);
         int carrying = 0;
         for (int n = 0; n < open; n++) {
             int c = listed[n];
             int o = ContactRow.of(c);
+            int code = heavyAndSide[c - firstCross];
+            int light = pair[ContactRow.a(c) + (code & 1)];
+            int heavy = HeavyCircles.row(code >> 1);
+            float side = 1 - 2 * (code & 1);
+            float nx = side * q[o + NORMAL_X];
+            float ny = side * q[o + NORMAL_Y];
             float separation = q[o + SEPARATION];
             float bounce = q[o + BOUNCE_SPEED];
             float impulse = q[o + NORMAL_IMPULSE];
-            float vn = normalVelocity(c);
+            float invMassOfLight = q[o + INV_MASS_A];
+            float invMassOfHeavy = q[o + INV_MASS_B];
+            float vn = CircleMath.along(
+                    nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             if (q[o + RESTITUTION] > 0f && impulse == 0f) {
-                float loaded =
-                        load[contacts.pair[ContactRow.a(c)] + LOADED] + load[contacts.pair[ContactRow.b(c)] + LOADED];
+                float loaded = load[pair[ContactRow.a(c)] + LOADED] + load[pair[ContactRow.b(c)] + LOADED];
                 if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && relaxFlying(c, vn)) {
                     continue;
                 }
             }
             float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
             float applied = next - impulse;
-            apply(c, applied);
+            float ofLight = invMassOfLight * applied;
+            float ofHeavy = invMassOfHeavy * applied;
+            m[light + VX] -= nx * ofLight;
+            m[light + VY] -= ny * ofLight;
+            float scale = seen[heavy + VELOCITY_SCALE];
+            int sum = HeavyCircles.sum(code >> 1);
+            sums[sum + GAIN_X] += CrossRule.toFixed(nx * ofHeavy, scale);
+            sums[sum + GAIN_Y] += CrossRule.toFixed(ny * ofHeavy, scale);
             if (bounce > 0f) {
                 next = 0f;
                 if (touches != null) {
@@ -312,7 +343,7 @@ final class CrossPasses {
                 }
             }
             q[o + NORMAL_IMPULSE] = next;
-            float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
+            float after = vn + applied * (invMassOfLight + invMassOfHeavy);
             listed[carrying] = c;
             carrying -= Constraints.carries(next, separation, after, q[o + RESTITUTION_THRESHOLD]);
         }

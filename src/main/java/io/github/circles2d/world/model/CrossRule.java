@@ -62,12 +62,14 @@ public final class CrossRule {
     /**
      * Whether two circles that fly free of each other, and are to bounce, may wait for it. If two light circles bounced off a heavy one
      * in the same pass, each as if it were alone, energy would be won or lost. So those that meet in the biased pass wait, and in
-     * the relaxing pass one of them bounces: the one with the highest id. Nobody waits who would be too deep, or meets a static circle.
+     * the relaxing pass one of them bounces: the one with the highest id. Nobody
+     * waits who would be too deep, who meets a static circle, or who loses energy anyway.
      */
-    public static boolean mayWait(float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
+    public static boolean mayWait(
+            float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
         float depth = CircleMath.least(
                 WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * CircleMath.least(radius, otherRadius));
-        return inverseMassOfHeavy > 0f && separation + depth >= 0f;
+        return restitution > Tuning.NEARLY_ELASTIC && inverseMassOfHeavy > 0f && separation + depth >= 0f;
     }
 
     /** The range of what a heavy circle's velocity gains. */

@@ -232,6 +232,11 @@ public final class GridLevels {
         return 2f * speculativeDistance(greatestRadius) + bounds.magnitude() * 0x1p-20f;
     }
 
+    /** What a circle of a level looks from its centre at most, and what the rounding of coordinates can move two circles apart. */
+    public float reach(int level) {
+        return speculativeDistance(top[level]) + bounds.magnitude() * 0x1p-20f;
+    }
+
     private static float speculativeDistance(float radius) {
         return radius * (1f + Tuning.MARGIN + Tuning.CAP);
     }

@@ -98,13 +98,14 @@ class CrossRuleTest {
     }
 
     @Test
-    void circlesWaitToBounceUnlessOneIsStaticOrTheyWouldBeTooDeep() {
-        assertTrue(CrossRule.mayWait(1f, 0.1f, 1f, 1f));
-        assertFalse(CrossRule.mayWait(0f, 0.1f, 1f, 1f));
-        assertTrue(CrossRule.mayWait(1f, -0.5f, 1f, 1f));
-        assertFalse(CrossRule.mayWait(1f, Math.nextDown(-0.5f), 1f, 1f));
-        assertTrue(CrossRule.mayWait(1f, -4f, 1f, 99f));
-        assertFalse(CrossRule.mayWait(1f, Math.nextDown(-4f), 99f, 1f));
+    void elasticCirclesWaitToBounceUnlessOneIsStaticOrTheyWouldBeTooDeep() {
+        assertTrue(CrossRule.mayWait(1f, 1f, 0.1f, 1f, 1f));
+        assertFalse(CrossRule.mayWait(1f, 0f, 0.1f, 1f, 1f));
+        assertFalse(CrossRule.mayWait(0.9f, 1f, 0.1f, 1f, 1f));
+        assertTrue(CrossRule.mayWait(1f, 1f, -0.5f, 1f, 1f));
+        assertFalse(CrossRule.mayWait(1f, 1f, Math.nextDown(-0.5f), 1f, 1f));
+        assertTrue(CrossRule.mayWait(1f, 1f, -4f, 1f, 99f));
+        assertFalse(CrossRule.mayWait(1f, 1f, Math.nextDown(-4f), 99f, 1f));
     }
 
     @Test
