@@ -267,8 +267,8 @@ INLINE void takeCrosses(const World *shared, Cells cells, bool velocities, bool 
     const World *w = &own;
     for (int slot = cells.from; slot < cells.to; slot++) {
         float2 v = velocities ? w->lightVelocity[slot] : (float2)(0.0f);
-        float inverse = w->traits[slot].x;
-        if (w->crossLoad[slot] > 0 && inverse != 0.0f) {
+        if (w->crossLoad[slot] > 0 && w->traits[slot].x != 0.0f) {
+            float inverse = w->traits[slot].x;
             long4 sum = w->heavySum[slot];
             w->heavySum[slot] = (long4)(0);
             float radius = w->circle[slot].z;
