@@ -188,7 +188,7 @@ void fillWide(const World *w, int wide, const ulong *ids, const ulong *slots, in
 }
 
 // Adds the impulses of a wide contact to the sums of its circles, marks as loaded those where they carry, and counts
-// candidates: in one level, a circle's contacts. Returns whether a circle has too many.
+// candidates: among circles of one level, those are its contacts. Returns whether a circle has too many.
 INLINE bool gatherWide(const World *w, int wide) {
     global const float4 *contact = stateOf(w, wide);
     float4 normalImpulse = contact[3], one = (float4)(1.0f);

@@ -1,5 +1,5 @@
 // uses: world/persistent_cpu/LaneFinding.cl world/persistent_cpu/LaneCross.cl
-// Finds the cross contacts. A circle looks in 3 x 3 cells of each coarser level. If it is of the finest level and the light one of a pair,
+// Finds the cross contacts. A circle looks in 3 x 3 cells of each coarser level, as far as they matter. If it is of the finest level and the light one of a pair,
 // the pair goes to the light circle's group at once. All other pairs are noted with their light circles, which may be those of other
 // work-groups, and are dealt once all work-groups have looked.
 
@@ -14,24 +14,51 @@ void notePair(const World *w, Search *f, uint light, uint heavy) {
     w->key[node] = (ulong) next << 32 | heavy;
 }
 
-// Tests a circle against those of 3 x 3 cells of a coarser level; returns how many it has hit so far.
-INLINE int scanCoarser(const World *w, Search *f, int hits, int slot, int l) {
+// Tests a circle against those of the columns next to one, of some row of a coarser level; returns how many it has hit so far. left, right:
+// whether it may be near any of the column on that side.
+INLINE int scanCoarserRow(const World *w, Search *f, int hits, int slot, int l, int row, int column, bool left, bool right) {
     int columns = w->levels->columnCount[l];
-    int cl = w->levels->columnsLog[l];
-    int column = columnOf(w, l, f->x[slot]);
-    int row = rowOf(w, l, f->y[slot]);
-    bool joined = column > 0 && column < columns - 1;
-    for (int v = -1; v <= 1; v++) {
-        global const int *start = w->bucketStart + w->levels->first[l] + (neighbour(row, v, w->levels->rowCount[l]) << cl);
-        if (joined) {
-            hits = scanSlots(w, f, hits, slot, start[column - 1], start[column + 2]);
-            continue;
-        }
-        for (int u = -1; u <= 1; u++) {
-            int beside = neighbour(column, u, columns);
-            hits = scanSlots(w, f, hits, slot, start[beside], start[beside + 1]);
-        }
+    global const int *start = w->bucketStart + w->levels->first[l] + (row << w->levels->columnsLog[l]);
+    if (column > 0 && column < columns - 1) return scanSlots(w, f, hits, slot, start[column - left], start[column + 1 + right]);
+    for (int u = -1; u <= 1; u++) {
+        int beside = neighbour(column, u, columns);
+        hits = scanSlots(w, f, hits, slot, start[beside], start[beside + 1]);
     }
+    return hits;
+}
+
+// Whether a circle may be near any of the cells before its own, and of those behind it, along an axis: the speculative distance of a
+// coarser circle is half a cell at most. place: the circle's, in cells; own: its speculative distance in cells.
+typedef struct {
+    bool before, behind, isNearer; // behind than before
+} Sides;
+
+INLINE Sides sidesOf(float place, int cell_, float own) {
+    Sides s = {true, true, true};
+#ifndef EDGES
+    float share = place - (float) cell_;
+    float most = (0.501f + own) + 0x1p-20f * place; // some more than half: places are rounded
+    s.before = (share < most) | (share >= 1.0f);    // there are no more cells than an int can count
+    s.behind = 1.0f - share < most;
+    s.isNearer = share >= 0.5f;
+#endif
+    return s;
+}
+
+// Tests a circle against those of 3 x 3 cells of a coarser level, as far as it may be near them.
+INLINE int scanCoarser(const World *w, Search *f, int hits, int slot, int l) {
+    float x = f->x[slot], y = f->y[slot];
+    float inverseEdge = w->levels->inverseEdge[l];
+    float own = f->speculativeDistance[slot] * inverseEdge;
+    int rows = w->levels->rowCount[l];
+    int column = columnOf(w, l, x);
+    int row = rowOf(w, l, y);
+    Sides h = sidesOf((x - w->levels->minX) * inverseEdge, cell(x, w->levels->minX, inverseEdge), own);
+    Sides v = sidesOf((y - w->levels->minY) * inverseEdge, cell(y, w->levels->minY, inverseEdge), own);
+    int nearer = v.isNearer ? 1 : -1;
+    hits = scanCoarserRow(w, f, hits, slot, l, row, column, h.before, h.behind);
+    hits = scanCoarserRow(w, f, hits, slot, l, neighbour(row, nearer, rows), column, h.before, h.behind);
+    if (v.before && v.behind) hits = scanCoarserRow(w, f, hits, slot, l, neighbour(row, -nearer, rows), column, h.before, h.behind);
     return hits;
 }
 

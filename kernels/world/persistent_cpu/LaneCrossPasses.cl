@@ -49,39 +49,29 @@ INLINE void seeVelocities(const World *w, Cross4 *c) {
     c->vn = along4(c->nx, c->ny, firstOf(&relative), secondOf(&relative));
 }
 
-INLINE float4 scaleOf4(float4 range) {
-    int4 exponent = max(as_int4(range) & 0x7f800000, (int4)(47 << 23));
-    return as_float4(((127 + RANGE_LOG + 127) << 23) - exponent);
-}
-
-INLINE float4 bounded4(float4 a, float low, float high) { return greatest4(least4(a, (float4)(high)), (float4)(low)); }
-
-INLINE float4 radiiOf(const World *w, uint4 slots) {
-    return (float4)(w->circle[slots.x].z, w->circle[slots.y].z, w->circle[slots.z].z, w->circle[slots.w].z);
-}
-
-// Adds x and y to two sums of a heavy circle. axis: the first of them.
-INLINE void addToSums(const World *w, uint heavy, int axis, bool shared, float x, float y) {
+// Adds x and y to two sums of a heavy circle, which have a range. axis: the first of them.
+INLINE void addToSums(const World *w, uint heavy, int axis, bool shared, float range, float x, float y) {
     global long *sums = (global long *) (w->heavySum + heavy) + axis;
+    float scale = scaleOf(range);
     if (shared) {
-        addFixed(sums, (long) x);
-        addFixed(sums + 1, (long) y);
+        addFixed(sums, toFixed(x, scale));
+        addFixed(sums + 1, toFixed(y, scale));
     } else {
-        sums[0] += (long) x;
-        sums[1] += (long) y;
+        sums[0] += toFixed(x, scale);
+        sums[1] += toFixed(y, scale);
     }
 }
 
-// Adds x and y to two sums of the heavy circles that are not static, each with its range.
-INLINE void addToHeavy4(const World *w, const Cross4 *c, int axis, float4 range, float4 x, float4 y) {
-    float4 scale = scaleOf4(range);
-    float4 fx = bounded4(x * scale, -0x1p56f, 0x1p56f);
-    float4 fy = bounded4(y * scale, -0x1p56f, 0x1p56f);
-    int4 takes = c->heavyMass != 0.0f;
-    if (takes.x) addToSums(w, c->heavy.x, axis, c->shared.x, fx.x, fy.x);
-    if (takes.y) addToSums(w, c->heavy.y, axis, c->shared.y, fx.y, fy.y);
-    if (takes.z) addToSums(w, c->heavy.z, axis, c->shared.z, fx.z, fy.z);
-    if (takes.w) addToSums(w, c->heavy.w, axis, c->shared.w, fx.w, fy.w);
+// What visits give heavy circles, unless they are static: velocity x, y.
+INLINE void addVelocity(const World *w, uint heavy, float inverseMass, bool shared, float x, float y) {
+    if (inverseMass == 0.0f) return;
+    addToSums(w, heavy, 0, shared, velocityRange(w->circle[heavy].z, w->k.inverseH), x, y);
+}
+
+// Impulse x, y.
+INLINE void addImpulse(const World *w, uint heavy, float inverseMass, bool shared, float x, float y) {
+    if (inverseMass == 0.0f) return;
+    addToSums(w, heavy, 2, shared, impulseRange(w->circle[heavy].z, w->k.inverseH, inverseMass), x, y);
 }
 
 // Adds impulses along the normals to the sums of a wide cross contact's circles, and marks as loaded those where they carry. Nothing else
@@ -93,8 +83,10 @@ INLINE void gatherCross(const World *w, const Cross4 *c, float4 normalImpulse, i
     vstore2(vload2(0, halfOf(w->load, c->light.y, XY)) - (float2)(taken.a.z, taken.a.w), 0, halfOf(w->load, c->light.y, XY));
     vstore2(vload2(0, halfOf(w->load, c->light.z, XY)) - (float2)(taken.b.x, taken.b.y), 0, halfOf(w->load, c->light.z, XY));
     vstore2(vload2(0, halfOf(w->load, c->light.w, XY)) - (float2)(taken.b.z, taken.b.w), 0, halfOf(w->load, c->light.w, XY));
-    float4 radii = radiiOf(w, c->heavy);
-    addToHeavy4(w, c, 2, radii * w->k.inverseH / c->heavyMass, x, y);
+    addImpulse(w, c->heavy.x, c->heavyMass.x, c->shared.x, x.x, y.x);
+    addImpulse(w, c->heavy.y, c->heavyMass.y, c->shared.y, x.y, y.y);
+    addImpulse(w, c->heavy.z, c->heavyMass.z, c->shared.z, x.z, y.z);
+    addImpulse(w, c->heavy.w, c->heavyMass.w, c->shared.w, x.w, y.w);
     if (carrying.x) ((global float *) (w->load + c->light.x))[3] = ((global float *) (w->load + c->heavy.x))[3] = 1.0f;
     if (carrying.y) ((global float *) (w->load + c->light.y))[3] = ((global float *) (w->load + c->heavy.y))[3] = 1.0f;
     if (carrying.z) ((global float *) (w->load + c->light.z))[3] = ((global float *) (w->load + c->heavy.z))[3] = 1.0f;
@@ -126,9 +118,11 @@ void setCrossMasses(const World *shared, int from, int to) {
     const World *w = &own;
     for (int wide = from; wide < to; wide++) {
         uint4 heavy = slotsOf(w, wide, 1);
-        float4 share = (float4)(crossShare(w->crossLoad[heavy.x]), crossShare(w->crossLoad[heavy.y]),
-                                crossShare(w->crossLoad[heavy.z]), crossShare(w->crossLoad[heavy.w]));
-        float4 mass = 1.0f / (magnitude4(massesOf(w, wide)[0]) + share * magnitude4(massesOf(w, wide)[1]));
+        float4 lightMass = magnitude4(massesOf(w, wide)[0]), heavyMass = magnitude4(massesOf(w, wide)[1]);
+        float4 mass = (float4)(crossMass(lightMass.x, heavyMass.x, crossShare(w->crossLoad[heavy.x])),
+                               crossMass(lightMass.y, heavyMass.y, crossShare(w->crossLoad[heavy.y])),
+                               crossMass(lightMass.z, heavyMass.z, crossShare(w->crossLoad[heavy.z])),
+                               crossMass(lightMass.w, heavyMass.w, crossShare(w->crossLoad[heavy.w])));
         global float4 *shape = shapeOf(w, wide);
         shape[0] = choose4(shape[0] > 0.0f, mass, (float4)(0.0f));
     }
@@ -143,18 +137,21 @@ INLINE void applyCross(const World *w, const Cross4 *c, const Visited4 *visited)
     Halves light = halvesMinus(&c->velocity, &taken);
     giveLight(w, c->light, &light);
     if (!someLane(p != 0.0f)) return;
-    addToHeavy4(w, c, 0, radiiOf(w, c->heavy) * w->k.inverseH, velocityChange4(c->nx, c->heavyMass, p),
-                velocityChange4(c->ny, c->heavyMass, p));
+    float4 x = velocityChange4(c->nx, c->heavyMass, p), y = velocityChange4(c->ny, c->heavyMass, p);
+    addVelocity(w, c->heavy.x, c->heavyMass.x, c->shared.x, x.x, y.x);
+    addVelocity(w, c->heavy.y, c->heavyMass.y, c->shared.y, x.y, y.y);
+    addVelocity(w, c->heavy.z, c->heavyMass.z, c->shared.z, x.z, y.z);
+    addVelocity(w, c->heavy.w, c->heavyMass.w, c->shared.w, x.w, y.w);
 }
 
 // Lets lanes that are to bounce off a heavy circle wait for their turn. separation: see waitsForTurn.
-INLINE void waitForTurns(const World *w, const Cross4 *c, float4 separation, bool relaxing, Visited4 *v) {
+INLINE void waitForTurns(const World *w, const Cross4 *c, float4 restitution, float4 separation, bool relaxing, Visited4 *v) {
     int4 bounces = !(v->leaves || v->solved);
     if (!someLane(bounces)) return;
-    if (bounces.x && waitsForTurn(w, c->light.x, c->heavy.x, c->heavyMass.x, separation.x, relaxing)) v->leaves.x = -1;
-    if (bounces.y && waitsForTurn(w, c->light.y, c->heavy.y, c->heavyMass.y, separation.y, relaxing)) v->leaves.y = -1;
-    if (bounces.z && waitsForTurn(w, c->light.z, c->heavy.z, c->heavyMass.z, separation.z, relaxing)) v->leaves.z = -1;
-    if (bounces.w && waitsForTurn(w, c->light.w, c->heavy.w, c->heavyMass.w, separation.w, relaxing)) v->leaves.w = -1;
+    if (bounces.x && waitsForTurn(w, c->light.x, c->heavy.x, restitution.x, c->heavyMass.x, separation.x, relaxing)) v->leaves.x = -1;
+    if (bounces.y && waitsForTurn(w, c->light.y, c->heavy.y, restitution.y, c->heavyMass.y, separation.y, relaxing)) v->leaves.y = -1;
+    if (bounces.z && waitsForTurn(w, c->light.z, c->heavy.z, restitution.z, c->heavyMass.z, separation.z, relaxing)) v->leaves.z = -1;
+    if (bounces.w && waitsForTurn(w, c->light.w, c->heavy.w, restitution.w, c->heavyMass.w, separation.w, relaxing)) v->leaves.w = -1;
 }
 
 // The biased pass over a wide cross contact. driving: whether that of the step is not 0.
@@ -177,7 +174,7 @@ INLINE void solveCross(const World *w, int wide, bool driving) {
     Visited4 visited;
     ready.bounceMass = effectiveMass4(c.lightMass, c.heavyMass);
     visitWide(&ready, c.vn, false, &visited);
-    waitForTurns(w, &c, found.separation + c.vn * w->k.h, false, &visited);
+    waitForTurns(w, &c, found.restitution, found.separation + c.vn * w->k.h, false, &visited);
     massesOf(w, wide)[3] = ready.bounce;
     stateOf(w, wide)[3] = visited.normalImpulse;
     applyCross(w, &c, &visited);
@@ -225,7 +222,7 @@ INLINE void relaxCross(const World *w, int wide, bool last) {
         makeReadyToRelax4(&w->k, &found, masses[3], &ready);
         ready.bounceMass = effectiveMass4(c.lightMass, c.heavyMass);
         visit4(&ready, c.vn, true, &visited);
-        waitForTurns(w, &c, found.separation, true, &visited);
+        waitForTurns(w, &c, found.restitution, found.separation, true, &visited);
     } else {
         ready.flight = (float4)(INFINITY);
         visit4(&ready, c.vn, true, &visited);
@@ -279,8 +276,8 @@ INLINE void takeCrosses(const World *shared, Cells cells, bool velocities, bool 
     const World *w = &own;
     for (int slot = cells.from; slot < cells.to; slot++) {
         float2 v = velocities ? w->lightVelocity[slot] : (float2)(0.0f);
-        float inverse = w->traits[slot].x;
-        if (w->crossLoad[slot] > 0 && inverse != 0.0f) {
+        if (w->crossLoad[slot] > 0 && w->traits[slot].x != 0.0f) {
+            float inverse = w->traits[slot].x;
             long4 sum = w->heavySum[slot];
             w->heavySum[slot] = (long4)(0);
             float radius = w->circle[slot].z;

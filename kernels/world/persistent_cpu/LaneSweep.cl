@@ -9,7 +9,7 @@ float reachOf(float r, float path) { return 1.01f * (r + path); }
 global float *searchReach(const World *w) { return searchSpeculativeDistance(w); }
 
 // Looks at those slots of [from, to) that a circle may touch in the step.
-void meetByLanes(const World *w, const Runner *s, int from, int to) {
+INLINE void meetByLanes(const World *w, const Runner *s, int from, int to) {
     float reach = reachOf(s->r, s->path);
     for (int other = from; other < to; other += 4) {
         float4 dx = ACROSS_X4(w, vload4(0, searchX(w) + other) - s->x);
@@ -21,6 +21,20 @@ void meetByLanes(const World *w, const Runner *s, int from, int to) {
         for (int l = 0; l < 4; l++) {
             if (hits[l] && other + l != s->slot && mayMatter(w, s, other + l)) meet(w, s, other + l);
         }
+    }
+}
+
+// lookAt, row by row: what the paths of the circles in a block have in common spares less than it takes to look at.
+void lookAtByLanes(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1) {
+    int columns = w->levels->columnCount[level];
+    int rows = w->levels->rowCount[level];
+    int column = onRing(c0, columns);
+    int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
+    for (int v = r0; v <= r1; v++) {
+        int row = onRing(v, rows) << w->levels->columnsLog[level];
+        global const int *start = w->bucketStart + w->levels->first[level] + row;
+        meetByLanes(w, s, start[column], start[beyond > 0 ? columns : columns + beyond]);
+        if (beyond > 0) meetByLanes(w, s, start[0], start[beyond]);
     }
 }
 
@@ -37,7 +51,9 @@ void lookForStops(const World *shared, int from, int to) {
 void sweepCircles(World *w, const Crew *crew) {
     w->k.sweeping = w->status[FAST];
     if (!w->k.sweeping) return;
-    EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
+    if (w->status[CARRYING]) {
+        EACH_OF_PART(block, w->levels->first[LEVELS] >> (2 * BLOCK_LOG), crew) summarize(w, block);
+    }
     EACH_OF_PART(slot, w->circles, crew) searchReach(w)[slot] = reachOf(w->circle[slot].z, w->motionClamp[slot].w);
     awaitCrew(w, crew);
     lookForStops(w, partOf(w->circles, crew->group, crew->groups), partOf(w->circles, crew->group + 1, crew->groups));

@@ -24,9 +24,9 @@ float crossMass(float inverseMassOfLight, float inverseMassOfHeavy, float share)
     return 1.0f / (inverseMassOfLight + share * inverseMassOfHeavy);
 }
 
-bool mayWait(float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
+bool mayWait(float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
     float depth = least(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * least(radius, otherRadius));
-    return inverseMassOfHeavy > 0.0f && separation + depth >= 0.0f;
+    return restitution > NEARLY_ELASTIC && inverseMassOfHeavy > 0.0f && separation + depth >= 0.0f;
 }
 
 float velocityRange(float radius, float inverseH) { return radius * inverseH; }

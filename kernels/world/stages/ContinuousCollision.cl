@@ -15,7 +15,6 @@ typedef struct {
     int slot;
     bool isStatic;
     Look look;
-    bool byLanes; // whether it may look at four circles at a time
 } Runner;
 
 // Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
@@ -132,17 +131,7 @@ bool mayMatter(const World *w, const Runner *s, int other) {
     return mayTouch(ACROSS_X(w, c.x - s->x), ACROSS_Y(w, c.y - s->y), s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
 }
 
-#ifdef BY_LANES
-void meetByLanes(const World *w, const Runner *s, int from, int to); // LaneSweep.cl
-#endif
-
 void meetAll(const World *w, const Runner *s, int from, int to) {
-#ifdef BY_LANES
-    if (s->byLanes) {
-        meetByLanes(w, s, from, to);
-        return;
-    }
-#endif
     for (int other = from; other < to; other++) {
         if (other == s->slot) continue;
         if (s->look == STOPS) {
@@ -179,14 +168,19 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     }
 }
 
-void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
+#ifdef BY_LANES
+void lookAtByLanes(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
+#endif
+
+// byLanes: whether it may look at four circles at a time, as far as STOPS need.
+INLINE void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
     bool isStatic = sight.w == 0.0f;
     if (isStatic && look == STOPS) return;
     Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic,
-                look, byLanes};
+                look};
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
@@ -209,7 +203,14 @@ void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
             int c0 = columnFrom(w, level, left);
             int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
-            lookAt(w, &s, level, c0, min(c1, c0 + columns - 1), v, min(end - 1, r1));
+            c1 = min(c1, c0 + columns - 1);
+#ifdef BY_LANES
+            if (byLanes) {
+                lookAtByLanes(w, &s, level, c0, c1, v, min(end - 1, r1));
+                continue;
+            }
+#endif
+            lookAt(w, &s, level, c0, c1, v, min(end - 1, r1));
         }
     }
 }

@@ -95,7 +95,7 @@ kernel void cross_fill(WORLD_PARAMETERS) {
 
 // Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
 // afterwards, as if the heavy circle had taken its part.
-float visitCross(const World *w, const Cross *x, float4 q, float4 n, Ready *ready, bool relaxing, float2 *v, Visited *visited) {
+float visitCross(const World *w, const Cross *x, float restitution, float4 q, float4 n, Ready *ready, bool relaxing, float2 *v, Visited *visited) {
     float wl = x->isLightLower ? q.x : q.y;
     float wh = x->isLightLower ? q.y : q.x;
     float2 heavy = w->motion[x->heavy].zw;
@@ -104,7 +104,7 @@ float visitCross(const World *w, const Cross *x, float4 q, float4 n, Ready *read
     ready->mass = crossMass(wl, wh, crossShare(w->crossLoad[x->heavy]));
     visit(ready, vn, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
-        visited->leaves = waitsForTurn(w, x->light, x->heavy, wh, relaxing ? n.z : n.z + vn * w->k.h, relaxing);
+        visited->leaves = waitsForTurn(w, x->light, x->heavy, restitution, wh, relaxing ? n.z : n.z + vn * w->k.h, relaxing);
     }
     float impulse = visited->impulse;
     if (!visited->leaves) {
@@ -128,7 +128,7 @@ float solveCrossContact(const World *w, int c, int light, float2 *v) {
     Ready ready;
     readyToSolve(w, c, w->pair[c], q, n, &ready);
     Visited visited;
-    visitCross(w, &x, q, n, &ready, false, v, &visited);
+    visitCross(w, &x, w->base[c].w, q, n, &ready, false, v, &visited);
     w->masses[c].w = ready.bounce;
     w->contact[c].w = visited.normalImpulse;
     return visited.leaves || visited.solved ? 0.0f : visited.impulse;
@@ -149,7 +149,7 @@ float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) 
     Ready ready;
     readyToRelax(w, pr, w->base[c], q, w->motion[pr.x], w->motion[pr.y], &n, &ready);
     Visited visited;
-    float vn = visitCross(w, &x, q, n, &ready, true, v, &visited);
+    float vn = visitCross(w, &x, w->base[c].w, q, n, &ready, true, v, &visited);
     float next = visited.normalImpulse;
     w->contact[c] = (float4)(n.x, n.y, n.z, next);
     if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
