@@ -59,6 +59,9 @@ public final class Contacts {
     /** Number of contacts. */
     int count;
 
+    /** Whether contacts have been listed in this step. */
+    private boolean begun;
+
     /** Number of circles when they were listed. */
     private int circles;
 
@@ -90,7 +93,9 @@ public final class Contacts {
         }
     }
 
+    /** Begins a step. */
     void ensure() {
+        begun = false;
         candidates.ensure();
         mixedPairs.ensure();
         if (rowStart.length <= levels.rows) {
@@ -214,6 +219,10 @@ public final class Contacts {
         if (touches != null) {
             touches.ensure((int) sum);
         }
+        if (!begun) {
+            begun = true;
+            impulseCache.begin(count);
+        }
         rowStart[levels.rows] = (int) sum;
         count = (int) sum;
         circles = state.n;
@@ -234,8 +243,13 @@ public final class Contacts {
         int from = rowStart[levels.firstRow[level] + row];
         int to = rowStart[levels.firstRow[level] + row + 1];
         int shift = f.ofLevel[l] - rowStart[levels.firstRow[level] + bands.first(level, worker)];
+        int entry = from;
         for (int c = from; c < to; c++) {
-            fill(c, f.ids[c + shift], f.slots[c + shift], constants);
+            long slots = f.slots[c + shift];
+            fill(c, f.ids[c + shift], slots, constants);
+            int found = impulseCache.fill(c, entry, (int) (slots >>> 32), (int) slots, f.ids[c + shift]);
+            entry = found < 0 ? entry : found + 1;
+            contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
         }
         if (!candidates.thinned()) {
             for (int c = from; c < to; c++) {
@@ -274,7 +288,6 @@ public final class Contacts {
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
             part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }
-        contact[o + NORMAL_IMPULSE] = impulseCache.find(lower, higher, (int) ids) * constants.warmScale;
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */
