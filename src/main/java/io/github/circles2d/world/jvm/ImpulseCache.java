@@ -13,6 +13,9 @@ import java.util.Arrays;
  * found last: a processor guesses that right, and the end of a chain it does not.
  */
 final class ImpulseCache {
+    /** Entries that are looked at before a chain is followed: others come between, or have gone. */
+    private static final int NEAR = 4;
+
     private final State state;
 
     /** By contact: ids of its circles, the lower above the higher. */
@@ -78,8 +81,11 @@ final class ImpulseCache {
     int fill(int c, int guess, int lower, int higher, long pair) {
         ids[c] = pair;
         normalImpulse[c] = 0f;
-        if (guess < filledBefore && idsBefore[guess] == pair) {
-            return state.fresh[lower] | state.fresh[higher] ? -1 : guess;
+        int end = Math.min(guess + NEAR, filledBefore);
+        for (int entry = guess; entry < end; entry++) {
+            if (idsBefore[entry] == pair) {
+                return state.fresh[lower] | state.fresh[higher] ? -1 : entry;
+            }
         }
         return search(lower, higher, pair);
     }
