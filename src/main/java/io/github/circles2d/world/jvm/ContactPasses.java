@@ -92,12 +92,6 @@ final class ContactPasses {
         q[o + SEPARATION] = d - radii;
     }
 
-    void measureRange(int from, int to) {
-        for (int c = from; c < to; c++) {
-            measure(c);
-        }
-    }
-
     private static float normalVelocity(float[] motion, int a, int b, float nx, float ny) {
         return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
     }
