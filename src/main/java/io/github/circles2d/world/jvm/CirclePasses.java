@@ -216,19 +216,12 @@ final class CirclePasses {
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
             float r = circle[s + RADIUS];
-            float x = circle[s + X];
-            float y = circle[s + Y];
+            // nearly all circles: what follows would change nothing
             if (still
                     && w != 0f
                     && dx * dx + dy * dy <= allowance * Math.abs(allowance)
-                    && (x - minX) - r + dx > 0f
-                    && (maxX - x) - r - dx > 0f
-                    && (y - minY) - r + dy > 0f
-                    && (maxY - y) - r - dy > 0f
-                    && x + dx >= minX + r
-                    && x + dx <= maxX - r
-                    && y + dy >= minY + r
-                    && y + dy <= maxY - r
+                    && isClear(circle[s + X], dx, r, minX, maxX)
+                    && isClear(circle[s + Y], dy, r, minY, maxY)
                     && traits[s + WALL_X] == 0f
                     && traits[s + WALL_Y] == 0f
                     && bounce[CircleRow.vector(slot) + X] == 0f
@@ -262,6 +255,14 @@ final class CirclePasses {
                 relaxWall(slot, Y, minY, maxY, k, sub);
             }
         }
+    }
+
+    /** Whether a circle has a gap to both walls of an axis, neither of which cuts its displacement. */
+    private static boolean isClear(float base, float d, float r, float min, float max) {
+        return CircleMath.wallGap(base, d, r, 1f, min, max) > 0f
+                && CircleMath.wallGap(base, d, r, -1f, min, max) > 0f
+                && base + d >= min + r
+                && base + d <= max - r;
     }
 
     /** A displacement that walls have cut as if they were at the end of their way: cut where they are in fact. */
