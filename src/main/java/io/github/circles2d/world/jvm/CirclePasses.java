@@ -199,6 +199,11 @@ final class CirclePasses {
         float minY = k.bounds.minY();
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
+        boolean still = !k.walls.any();
+        if (sub == 0 && from < to) {
+            Arrays.fill(state.firstCached, from, to, -1);
+            Arrays.fill(state.fresh, from, to, false);
+        }
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float w = traits[s + INVERSE_MASS];
@@ -207,6 +212,24 @@ final class CirclePasses {
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
             float allowance = clamp[s + ALLOWANCE];
+            load[s + IMPULSE_X] = 0f;
+            load[s + IMPULSE_Y] = 0f;
+            load[s + LOADED_NEXT] = 0f;
+            float r = circle[s + RADIUS];
+            // nearly all circles: what follows would change nothing
+            if (still
+                    && w != 0f
+                    && dx * dx + dy * dy <= allowance * Math.abs(allowance)
+                    && isClear(circle[s + X], dx, r, minX, maxX)
+                    && isClear(circle[s + Y], dy, r, minY, maxY)
+                    && traits[s + WALL_X] == 0f
+                    && traits[s + WALL_Y] == 0f
+                    && bounce[CircleRow.vector(slot) + X] == 0f
+                    && bounce[CircleRow.vector(slot) + Y] == 0f) {
+                m[s + DX] = dx;
+                m[s + DY] = dy;
+                continue;
+            }
             if (w != 0f && !(dx * dx + dy * dy <= allowance * Math.abs(allowance))) {
                 clampMotion(s, dx, dy);
                 dx = m[s + DX];
@@ -215,13 +238,6 @@ final class CirclePasses {
             float margin = state.margin(s);
             m[s + DX] = CircleMath.within(circle[s + X], dx, minX + margin, maxX - margin);
             m[s + DY] = CircleMath.within(circle[s + Y], dy, minY + margin, maxY - margin);
-            load[s + IMPULSE_X] = 0f;
-            load[s + IMPULSE_Y] = 0f;
-            load[s + LOADED_NEXT] = 0f;
-            if (sub == 0) {
-                state.firstCached[slot] = -1;
-                state.fresh[slot] = false;
-            }
             if (w == 0f) {
                 // circles that lie on a static one must not see it move on when the bounds have stopped it
                 m[s + VX] = m[s + DX] == dx ? m[s + VX] : 0f;
@@ -239,6 +255,14 @@ final class CirclePasses {
                 relaxWall(slot, Y, minY, maxY, k, sub);
             }
         }
+    }
+
+    /** Whether a circle has a gap to both walls of an axis, neither of which cuts its displacement. */
+    private static boolean isClear(float base, float d, float r, float min, float max) {
+        return CircleMath.wallGap(base, d, r, 1f, min, max) > 0f
+                && CircleMath.wallGap(base, d, r, -1f, min, max) > 0f
+                && base + d >= min + r
+                && base + d <= max - r;
     }
 
     /** A displacement that walls have cut as if they were at the end of their way: cut where they are in fact. */

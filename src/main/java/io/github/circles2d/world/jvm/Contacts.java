@@ -63,6 +63,9 @@ public final class Contacts {
     /** Number of the first cross contact. */
     int firstCross;
 
+    /** Whether contacts have been listed in this step. */
+    private boolean begun;
+
     /** Number of circles when they were listed. */
     private int circles;
 
@@ -97,7 +100,9 @@ public final class Contacts {
         }
     }
 
+    /** Begins a step. */
     void ensure() {
+        begun = false;
         candidates.ensure();
         cross.ensure();
         if (rowStart.length <= levels.rows) {
@@ -216,6 +221,10 @@ public final class Contacts {
             }
         }
         ensureContacts(sum + cross.count());
+        if (!begun) {
+            begun = true;
+            impulseCache.begin(count);
+        }
         rowStart[levels.rows] = (int) sum;
         firstCross = (int) sum;
         count = firstCross + cross.count();
@@ -240,8 +249,13 @@ public final class Contacts {
         int from = rowStart[levels.firstRow[level] + row];
         int to = rowStart[levels.firstRow[level] + row + 1];
         int shift = f.ofLevel[l] - rowStart[levels.firstRow[level] + bands.first(level, worker)];
+        int entry = from;
         for (int c = from; c < to; c++) {
-            fill(c, f.ids[c + shift], f.slots[c + shift], constants);
+            long slots = f.slots[c + shift];
+            fill(c, f.ids[c + shift], slots, constants);
+            int found = impulseCache.fill(c, entry, (int) (slots >>> 32), (int) slots, f.ids[c + shift]);
+            entry = found < 0 ? entry : found + 1;
+            contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
         }
         if (!candidates.thinned()) {
             for (int c = from; c < to; c++) {
@@ -252,17 +266,18 @@ public final class Contacts {
 
     /** Fills some cross contacts. */
     void fillCross(int from, int to, StepConstants constants) {
+        int entry = from;
         for (int c = from; c < to; c++) {
             int light = cross.lightSlot(c - firstCross);
             int heavy = cross.heavySlot(c - firstCross);
-            long ids = (long) state.id[light] << 32 | state.id[heavy];
-            long slots = (long) light << 32 | heavy;
             boolean isLightLower = state.id[light] < state.id[heavy];
-            fill(
-                    c,
-                    isLightLower ? ids : Long.rotateLeft(ids, 32),
-                    isLightLower ? slots : Long.rotateLeft(slots, 32),
-                    constants);
+            int lower = isLightLower ? light : heavy;
+            int higher = isLightLower ? heavy : light;
+            long ids = (long) state.id[lower] << 32 | state.id[higher];
+            fill(c, ids, (long) lower << 32 | higher, constants);
+            int found = impulseCache.fill(c, entry, lower, higher, ids);
+            entry = found < 0 ? entry : found + 1;
+            contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
             heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
             int o = ContactRow.of(c);
             float ofLight = state.traits[CircleRow.of(light) + CircleRow.INVERSE_MASS];
@@ -318,7 +333,6 @@ public final class Contacts {
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
             part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
         }
-        contact[o + NORMAL_IMPULSE] = impulseCache.find(lower, higher, (int) ids) * constants.warmScale;
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */

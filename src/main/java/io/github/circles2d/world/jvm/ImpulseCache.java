@@ -8,22 +8,37 @@ import java.util.Arrays;
 
 /**
  * The normal impulses at the end of a step, from which the next step warm-starts. They have the numbers that the contacts had in
- * that step. Each circle of lower id has a chain of them, which begins at {@link State#firstCached}. An entry names the circle of higher
- * id by its id, so slots may change in between.
+ * that step. Each circle of lower id has a chain of those that press, which begins at {@link State#firstCached}. An entry names the
+ * circles by their ids, so slots may change in between.
+ *
+ * <p>From step to step most contacts keep their neighbours in the list. So a search looks first at the entry behind the one that was
+ * found last: a processor guesses that right, and the end of a chain it does not.
  */
 final class ImpulseCache {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
 
+    /** Entries that are looked at before a chain is followed: others come between, or have gone. */
+    private static final int NEAR = 4;
+
     private final State state;
 
-    /** By contact of the step before: id of the circle of higher id. */
-    private int[] higherId = new int[0];
+    /** By contact: ids of its circles, the lower above the higher. */
+    private long[] ids = new long[0];
 
-    /** By contact of the step before: its impulse. */
+    /** By contact of the step before: the same. */
+    private long[] idsBefore = new long[0];
+
+    /** By contact: its impulse; 0 until it is stored. */
     private float[] normalImpulse = new float[0];
 
-    /** By contact of the step before: the next with the same circle of lower id, or -1. */
+    /** By contact of the step before: its impulse, 0 if it did not press. */
+    private float[] impulseBefore = new float[0];
+
+    /** By contact that presses, of the step before until the first is stored: the next with the same circle of lower id, or -1. */
     private int[] next = new int[0];
+
+    /** Contacts of the step before whose entries all say what they ended with. */
+    private int filledBefore;
 
     ImpulseCache(State state) {
         this.state = state;
@@ -32,32 +47,72 @@ final class ImpulseCache {
     /** Makes room for contacts. The length of the array that grows last tells whether there is room. */
     void ensure(int contacts) {
         if (next.length < contacts) {
-            higherId = Arrays.copyOf(higherId, contacts);
+            ids = Arrays.copyOf(ids, contacts);
+            idsBefore = Arrays.copyOf(idsBefore, contacts);
             normalImpulse = Arrays.copyOf(normalImpulse, contacts);
+            impulseBefore = Arrays.copyOf(impulseBefore, contacts);
             next = Arrays.copyOf(next, contacts);
         }
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 12L * higherId.length;
+        return 28L * next.length;
     }
 
-    /** The impulse of a pair of slots, of which the higher id is known; 0 if there is none. */
-    float find(int lower, int higher, int id) {
+    /**
+     * Begins a step: what has been stored is of the step before.
+     *
+     * @param filled how many contacts were filled in it
+     */
+    void begin(int filled) {
+        long[] i = ids;
+        ids = idsBefore;
+        idsBefore = i;
+        float[] impulse = normalImpulse;
+        normalImpulse = impulseBefore;
+        impulseBefore = impulse;
+        filledBefore = filled;
+    }
+
+    /**
+     * Fills the entry of a contact of this step, and finds that of the step before.
+     *
+     * @param guess the entry that it may be
+     * @param pair ids of the circles, the lower above the higher
+     * @return an entry, or -1
+     */
+    int fill(int c, int guess, int lower, int higher, long pair) {
+        ids[c] = pair;
+        normalImpulse[c] = 0f;
+        int end = Math.min(guess + NEAR, filledBefore);
+        for (int entry = guess; entry < end; entry++) {
+            if (idsBefore[entry] == pair) {
+                return state.fresh[lower] | state.fresh[higher] ? -1 : entry;
+            }
+        }
+        return search(lower, higher, pair);
+    }
+
+    private int search(int lower, int higher, long pair) {
         if (!state.fresh[higher]) {
             for (int c = state.firstCached[lower]; c >= 0; c = next[c]) {
-                if (higherId[c] == id) {
-                    return normalImpulse[c];
+                if (idsBefore[c] == pair) {
+                    return c;
                 }
             }
         }
-        return 0f;
+        return -1;
+    }
+
+    /** The impulse of an entry of the step before; 0 of -1. */
+    float impulse(int entry) {
+        return entry < 0 ? 0f : impulseBefore[entry];
     }
 
     /** Stores the impulse of contact c. No two contacts with a circle in common at once. */
     void store(int c, int lower, int id, float impulse) {
-        higherId[c] = id;
+        ids[c] = (long) state.id[lower] << 32 | id;
         normalImpulse[c] = impulse;
         next[c] = state.firstCached[lower];
         state.firstCached[lower] = c;
@@ -65,14 +120,14 @@ final class ImpulseCache {
 
     /** As {@link #store}, where other workers may store impulses of the same circle. No result depends on the order of a chain. */
     void storeShared(int c, int lower, int id, float impulse) {
-        higherId[c] = id;
+        ids[c] = (long) state.id[lower] << 32 | id;
         normalImpulse[c] = impulse;
         next[c] = (int) INTS.getAndSet(state.firstCached, lower, c);
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */
     private boolean isFound(int c) {
-        int hi = state.slotOf[higherId[c]];
+        int hi = state.slotOf[(int) ids[c]];
         return hi >= 0 && !state.fresh[hi];
     }
 
@@ -80,7 +135,7 @@ final class ImpulseCache {
     void save(int slot, SavedState into) {
         for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
-                into.addImpulse(state.id[slot], higherId[c], normalImpulse[c]);
+                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c]);
             }
         }
     }
@@ -97,7 +152,7 @@ final class ImpulseCache {
         long sum = 0;
         for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
-                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), higherId[c]);
+                long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), (int) ids[c]);
                 sum += StateHash.absorb(h, normalImpulse[c]);
             }
         }
