@@ -111,10 +111,13 @@ void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
     w->firstCached[pr.x] = c;
 }
 
+// Whether a circle is loaded, in the relaxing pass: of its load no more than that, since others write the rest.
+float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[2]; }
+
 // Measures a contact again, and makes it ready for the relaxing pass. b, q, n: its base, masses and contact; mi, mj: motion of its circles.
 void readyToRelax(const World *w, uint2 pr, float4 b, float4 q, float4 mi, float4 mj, float4 *n, Ready *ready) {
     measureContact(b, mi, mj, n);
-    Found found = foundContact(w, b, q, *n, w->load[pr.x].z + w->load[pr.y].z);
+    Found found = foundContact(w, b, q, *n, loadedOf(w, pr.x) + loadedOf(w, pr.y));
     makeReadyToRelax(&w->k, &found, q.w, ready);
 }
 

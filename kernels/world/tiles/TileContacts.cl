@@ -29,7 +29,7 @@ int levelOfBucket(const World *w, int bucket) {
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
         w->status[TILE_NUMBERS] = 0;
-        // Cross contacts lie before the copies: those in base are half as large.
+        // Cross contacts lie before the copies, which are half as large in base.
         w->status[TILE_COPIES] = (2 * (contactsListed(w) - likeContacts(w)) + LINE_COPIES - 1) & ~(LINE_COPIES - 1);
     }
     ulong2 own = listedOf(w)[listed];

@@ -4,7 +4,7 @@
 // on. What is a circle's own business lies in between, so it has launches of its own, by slots, as in Solver.cl, and with the same
 // arrays: motion, load, wallBounce. Those of TileCircles.cl are not used.
 
-// A circle behind its contacts: its motion, and the sums of impulses that it has been given. impulses: whether there may be any.
+// A circle behind its contacts: its motion, and its load. impulses: whether it has been given any for the sub-step to come.
 void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];

@@ -280,8 +280,8 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
     }
 }
 
-// Starts the tile's own circles, where there is one level, and keeps at hand what is to be known of all for their contacts. together: how many a work-item
-// takes at a time.
+// Starts the tile's own circles, where there is one level, and keeps at hand what is to be known of all for their contacts. together:
+// how many a work-item takes at a time.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + RECORD_SLOTS;
     int left = hasOneLevel(w) ? 0 : NOT_OWN;

@@ -91,14 +91,12 @@ final class OclgrindWorlds {
                 kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 30 : 60, 2)));
                 break;
             case "levels of tiles":
-                kernels.addAll(steps(Plans.TILES, Scenes.mixed(small ? 20 : 40, 1), 1 / 60f, 2, small ? 2 : 4));
-                kernels.addAll(events(Plans.TILES, Scenes.mixed(small ? 20 : 40, 2)));
+                kernels.addAll(steps(Plans.TILES, Scenes.mixed(20, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.TILES, Scenes.mixed(20, 2)));
                 break;
             case "levels of PERSISTENT_GPU":
-                kernels.addAll(
-                        small
-                                ? steps(Plans.PERSISTENT_GPU, Scenes.mixed(30, 1), 1 / 60f, 2, 2)
-                                : events(Plans.PERSISTENT_GPU, Scenes.mixed(30, 2)));
+                kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.mixed(20, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.mixed(20, 2)));
                 break;
             case "wide":
                 // As few as have two blocks of buckets to sum up; eight tiles.
