@@ -36,7 +36,7 @@ INLINE float4 magnitude4(float4 x) { return as_float4(as_int4(x) & ~SIGN); }
 bool isLightHigher(const World *w, int wide, int lane) { return ((global const int *) massesOf(w, wide))[lane] < 0; }
 
 // Fills a wide cross contact. slots: with LIGHT_IS_HIGHER; owner: the work-group. Marks heavy circles of other work-groups as shared.
-void fillCross(const World *w, int wide, const ulong *ids, const ulong *slots, int used, int owner) {
+void fillWideCross(const World *w, int wide, const ulong *ids, const ulong *slots, int used, int owner) {
     ulong plain[4];
     int higher[4];
     for (int l = 0; l < 4; l++) {

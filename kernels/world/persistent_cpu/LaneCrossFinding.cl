@@ -1,7 +1,7 @@
 // uses: world/persistent_cpu/LaneFinding.cl world/persistent_cpu/LaneCross.cl
-// Finds the cross contacts. A circle looks in 3 x 3 cells of each coarser level, as far as they matter. If it is of the finest level and the light one of a pair,
-// the pair goes to the light circle's group at once. All other pairs are noted with their light circles, which may be those of other
-// work-groups, and are dealt once all work-groups have looked.
+// Finds the cross contacts. A circle looks in 3 x 3 cells of each coarser level, as far as they matter. If it is of the finest level and
+// the light one of a pair, the pair goes to the light circle's group at once. All other pairs are noted with their light circles, which
+// may be those of other work-groups, and are dealt once all work-groups have looked.
 
 // A pair in a list of those of its light circle: the next node, the slot of the heavy circle. Nodes lie where keys of contacts would, from
 // the end of a work-group's region on, and need no more room than the contacts that they become.

@@ -155,7 +155,7 @@ INLINE void waitForTurns(const World *w, const Cross4 *c, float4 restitution, fl
 }
 
 // The biased pass over a wide cross contact. driving: whether that of the step is not 0.
-INLINE void solveCross(const World *w, int wide, bool driving) {
+INLINE void solveWideCross(const World *w, int wide, bool driving) {
     Cross4 c = crossAt(w, wide);
     seeVelocities(w, &c);
     Halves ui = takeHalves(w->load, c.light, XY);
@@ -184,7 +184,7 @@ INLINE void solveCross(const World *w, int wide, bool driving) {
 }
 
 // Measures a wide cross contact again; see measureWide.
-INLINE void measureCross(const World *w, int wide) {
+INLINE void measureWideCross(const World *w, int wide) {
     uint4 i = slotsOf(w, wide, 0);
     uint4 j = slotsOf(w, wide, 1);
     global const float4 *base = baseOf(w, wide);
@@ -209,7 +209,7 @@ INLINE void storeImpulseOfCross(const World *w, int place, uint light, uint heav
 }
 
 // The relaxing pass over a wide cross contact that has been measured again; sums up for what follows.
-INLINE void relaxCross(const World *w, int wide, bool last) {
+INLINE void relaxWideCross(const World *w, int wide, bool last) {
     Cross4 c = crossAt(w, wide);
     seeVelocities(w, &c);
     global const float4 *masses = massesOf(w, wide);
@@ -247,21 +247,21 @@ INLINE void relaxCross(const World *w, int wide, bool last) {
     if (someLane(carrying)) gatherCross(w, &c, choose4(carrying, next, (float4)(0.0f)), carrying);
 }
 
-void solveCrosses(const World *shared, int from, int to) {
+void solveWideCrosses(const World *shared, int from, int to) {
     World w = *shared;
     if (w.k.driving) {
-        for (int wide = from; wide < to; wide++) solveCross(&w, wide, true);
+        for (int wide = from; wide < to; wide++) solveWideCross(&w, wide, true);
     } else {
-        for (int wide = from; wide < to; wide++) solveCross(&w, wide, false);
+        for (int wide = from; wide < to; wide++) solveWideCross(&w, wide, false);
     }
 }
 
-void relaxCrosses(const World *shared, int start, int end, bool last) {
+void relaxWideCrosses(const World *shared, int start, int end, bool last) {
     World w = *shared;
     for (int from = start; from < end; from += MEASURED_AHEAD) {
         int to = min(end, from + MEASURED_AHEAD);
-        for (int wide = from; wide < to; wide++) measureCross(&w, wide);
-        for (int wide = from; wide < to; wide++) relaxCross(&w, wide, last);
+        for (int wide = from; wide < to; wide++) measureWideCross(&w, wide);
+        for (int wide = from; wide < to; wide++) relaxWideCross(&w, wide, last);
     }
 }
 
@@ -271,7 +271,7 @@ void beginCross(const World *w, Cells cells) {
 }
 
 // Ends a pass for circles: they take what it has given them, velocities and, for the sub-step to come, impulses.
-INLINE void takeCrosses(const World *shared, Cells cells, bool velocities, bool impulses) {
+INLINE void takeFromCross(const World *shared, Cells cells, bool velocities, bool impulses) {
     World own = *shared;
     const World *w = &own;
     for (int slot = cells.from; slot < cells.to; slot++) {

@@ -122,7 +122,7 @@ INLINE void dealAs(const World *w, Search *f, bool cross) {
             if (lanes == 4 || (g == open - 1 && left < 4)) {
                 if (f->wide < f->endWide) {
                     if (cross) {
-                        fillCross(w, f->wide, ids, slots, lanes, f->owner);
+                        fillWideCross(w, f->wide, ids, slots, lanes, f->owner);
                     } else {
                         fillWide(w, f->wide, ids, slots, lanes);
                     }

@@ -1,6 +1,7 @@
 // uses: world/stages/Grid.cl
 // uses: world/persistent_cpu/Together.cl world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneFinding.cl
-// Stage Grid by a few work-groups that meet: what Grid.cl does to a bucket or a circle, each work-group for its part of all; and the bands of rows into which the circles are divided from there on.
+// Stage Grid by a few work-groups that meet: what Grid.cl does to a bucket or a circle, each work-group for its part of all; and the
+// bands of rows into which the circles are divided from there on.
 
 #define LAG 4 // rows that a sub-step is behind the one before it in a sweep (Lanes.cl)
 

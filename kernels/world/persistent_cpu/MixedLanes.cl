@@ -112,22 +112,22 @@ INLINE void visitLike(const World *w, const Crew *crew, const Part *part, int nu
 
 void solveMixed(World *w, const Crew *crew, const Part *part, int mostWaiting) {
     setCrossMasses(w, part->crossFrom, part->crossTo);
-    EACH_LEVEL(w, l) takeCrosses(w, part->cells[l], false, true);
+    EACH_LEVEL(w, l) takeFromCross(w, part->cells[l], false, true);
     for (int subStep = 0; subStep < w->k.subSteps; subStep++) {
         bool last = subStep == w->k.subSteps - 1;
         w->subStep = subStep;
         EACH_LEVEL(w, l) integrateVelocitiesOf(w, part->cells[l]);
         visitLike(w, crew, part, 2 * subStep + 1, false, last);
-        solveCrosses(w, part->crossFrom, part->crossTo);
+        solveWideCrosses(w, part->crossFrom, part->crossTo);
         awaitCrew(w, crew);
         EACH_LEVEL(w, l) {
-            takeCrosses(w, part->cells[l], true, false);
+            takeFromCross(w, part->cells[l], true, false);
             integratePositionsOf(w, part->cells[l], subStep == 0);
         }
         visitLike(w, crew, part, 2 * subStep + 2, true, last);
-        relaxCrosses(w, part->crossFrom, part->crossTo, last);
+        relaxWideCrosses(w, part->crossFrom, part->crossTo, last);
         awaitCrew(w, crew);
-        EACH_LEVEL(w, l) takeCrosses(w, part->cells[l], true, !last);
+        EACH_LEVEL(w, l) takeFromCross(w, part->cells[l], true, !last);
     }
     EACH_LEVEL(w, l) finish(w, part->cells[l]);
     if (waitedOf(crew) > mostWaiting) w->status[HINDERED] = 1; // before the barrier, so that all see it or none
