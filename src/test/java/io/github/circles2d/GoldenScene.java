@@ -59,7 +59,10 @@ record GoldenScene(String name, Scene scene, GoldenChange change, Edge edgeX, Ed
                         HardScenes.paddles(20, 30, Scenes.SEED),
                         GoldenChange::paddles,
                         Edge.WRAP,
-                        Edge.OPEN));
+                        Edge.OPEN),
+                new GoldenScene("mixed-10", Scenes.mixed(100_000, 10, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("mixed-100", Scenes.mixed(10_000, 100, Scenes.SEED), GoldenChange.NONE),
+                new GoldenScene("boulder", Scenes.boulder(10_000, Scenes.SEED), GoldenChange.NONE));
     }
 
     /** A run of the scene in a world that was built by {@link #builder} and has no circles. */

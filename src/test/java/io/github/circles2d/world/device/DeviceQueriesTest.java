@@ -480,8 +480,7 @@ class DeviceQueriesTest {
             float[] queries = queries(QueryShape.DISC_CAST);
             device.searches().one(null, QueryShape.DISC_CAST, queries, QUERIES, new long[QUERIES], null);
             step();
-            assertThat(device.figures().candidatePairs())
-                    .isEqualTo(host.figures().candidatePairs());
+            assertThat(device.figures().contacts()).isEqualTo(host.figures().contacts());
             assertThat(device.hash()).isEqualTo(host.hash());
         }
         assertThat(DeviceSearches.answered(device)).isEqualTo(5);

@@ -163,14 +163,30 @@ final class Twins implements AutoCloseable {
         return events;
     }
 
+    /** Pipelines may look for pairs of unlike radii each in its own way, so the pairs that they test are compared if radii are alike. */
     void assertSameFigures() {
         Figures expected = simulations[0].figures();
+        boolean radiiAreAlike = radiiAreAlike();
         for (Simulation simulation : simulations) {
             Figures figures = simulation.figures();
             assertThat(figures.contacts()).isEqualTo(expected.contacts());
             assertThat(figures.greatestContacts()).isEqualTo(expected.greatestContacts());
-            assertThat(figures.candidatePairs()).isEqualTo(expected.candidatePairs());
+            if (radiiAreAlike) {
+                assertThat(figures.candidatePairs()).isEqualTo(expected.candidatePairs());
+            }
         }
+    }
+
+    private boolean radiiAreAlike() {
+        float[] circles = new float[4 * simulations[0].circles().size()];
+        simulations[0].readings().read(circles);
+        float least = Float.MAX_VALUE;
+        float greatest = 0f;
+        for (int k = 2; k < circles.length; k += 4) {
+            least = Math.min(least, circles[k]);
+            greatest = Math.max(greatest, circles[k]);
+        }
+        return greatest < 2f * least;
     }
 
     void assertSameReadings() {
