@@ -29,6 +29,7 @@ import org.opentest4j.TestAbortedException;
  *
  * <p>Oclgrind 21.10 does not notice that a buffer is released: if a larger one gets its number, what a kernel writes behind the
  * old end counts as not initialised. If the test reports that of a whole array, look first whether that array was replaced.
+ * It may also report what the host has written to a part of a buffer (DeviceBuffer.slice).
  *
  * <p>Where Oclgrind is not installed the test fails if a device is required, unless {@code -Dcircles2d.oclgrind=absent} says
  * that it is known to be absent. {@code -Dcircles2d.oclgrind=FILE} names its driver where it is not in the usual place.

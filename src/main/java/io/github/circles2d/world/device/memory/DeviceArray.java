@@ -3,7 +3,7 @@ package io.github.circles2d.world.device.memory;
 /**
  * The arrays of a World on a device. The rows give the kernels their argument list, the struct World and its initialiser
  * ({@link WorldTables}), and give {@link DeviceArrays} the sizes. Arrays with the same index lie in one block, one behind the other: a
- * launch costs some drivers time for each buffer among the arguments.
+ * launch costs some drivers time for each buffer among the arguments. Arrays that the host writes in each step have a block of their own.
  */
 public enum DeviceArray {
     CONSTANTS("StepConstants", "constants", Index.STRUCT, "World has a copy, k"),
@@ -26,7 +26,7 @@ public enum DeviceArray {
             Index.HOME_SLOT,
             "first entry in impulseCache as the lower id; NONE; FRESH: its id's entries are not its own"),
     SLOT_OF("int", "slotOf", Index.ID, "slot at home, or NONE"),
-    FIELDS(FieldsStruct.NAME, "fields", Index.ID, "the fields that only calls change"),
+    FIELDS(FieldsStruct.NAME, "fields", Index.FIELDS_BY_ID, "the fields that only calls change"),
     KIND_MOTION(
             "float4",
             "kindMotion",
@@ -37,7 +37,7 @@ public enum DeviceArray {
 
     // Stage Grid.
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
-    RANK("int", "rank", Index.SLOT, "by slot at home; later, where crowds are thinned, candidates by working slot"),
+    RANK("int", "rank", Index.RANK, "by slot at home; later, where crowds are thinned, candidates by working slot"),
     ORDER("int2", "order", Index.SLOT, "id and slot at home, bucket by bucket"),
     BUCKET_START("int", "bucketStart", Index.BUCKET, "first working slot"),
     BUCKET_OF("int", "bucketOf", Index.SLOT, "bucket of the working slot"),
@@ -95,7 +95,7 @@ public enum DeviceArray {
     TALLY(
             "int",
             "tally",
-            Index.BUCKET,
+            Index.TALLY,
             "counts by bucket, later by group; all 0 when a step begins, and when a scan has used them"),
     KEY("ulong", "key", Index.CONTACT, "lower id, higher id"),
     PAIR("uint2", "pair", Index.CONTACT, "working slots, in the same order"),
@@ -161,9 +161,12 @@ public enum DeviceArray {
         STATUS("once", false, null, null),
         TABLE("once", false, null, null),
         HOME_SLOT("by slot at home", true, "homeBlock", DeviceCount.SLOT_STRIDE),
-        ID("by id", true, "idBlock", DeviceCount.ID_STRIDE),
+        ID("by id", true, "idBlock", null),
+        FIELDS_BY_ID("by id", true, "fieldsBlock", null),
         SLOT("by slot", false, "slotBlock", DeviceCount.SLOT_STRIDE),
+        RANK("by slot", false, "rankBlock", null),
         BUCKET("by bucket", false, "bucketBlock", DeviceCount.BUCKET_STRIDE),
+        TALLY("by bucket", false, "tallyBlock", null),
         SCAN_BLOCK("by block of a scan", false, "scanBlock", null),
         CELL_BLOCK("by block of cells", false, "cellBlock", null),
         CONTACT("by contact", false, "contactBlock", DeviceCount.CONTACT_STRIDE),

@@ -25,6 +25,7 @@ public final class DeviceArrays {
 
     private static final int LEAST_CAPACITY = 64;
     private static final int LEAST_BUCKETS = 16;
+    private static final int LEAST_TILES = 32;
     private static final int CONTACTS_PER_CIRCLE = 4;
 
     private final Session session;
@@ -58,10 +59,10 @@ public final class DeviceArrays {
         get(DeviceArray.RESPONSES).write(0, IntBuffer.wrap(new int[PairTable.WORDS]));
         int circles = Math.max(capacity, LEAST_CAPACITY);
         ensureSlots(circles, 0);
-        ensureIds(circles);
         ensureBuckets(LEAST_BUCKETS);
-        ensureTiles(1);
+        ensureTiles(tiled ? LEAST_TILES : 1);
         ensureContacts(CONTACTS_PER_CIRCLE * circles);
+        ensureIds(circles);
     }
 
     private void allocateOnce(DeviceArray array, int words) {
@@ -96,7 +97,7 @@ public final class DeviceArrays {
         if (slots > slotCapacity) {
             int capacity = grown(slotCapacity, slots);
             grow(kept, index -> switch (index) {
-                case HOME_SLOT, SLOT, TILED_SLOT -> capacity + SPARE_SLOTS;
+                case HOME_SLOT, SLOT, RANK, TILED_SLOT -> capacity + SPARE_SLOTS;
                 default -> AS_IT_IS;
             });
             slotCapacity = capacity;
@@ -107,7 +108,7 @@ public final class DeviceArrays {
     public void ensureIds(int ids) {
         if (ids > idCapacity) {
             int capacity = grown(idCapacity, ids);
-            grow(idCapacity, index -> index == Index.ID ? capacity : AS_IT_IS);
+            grow(idCapacity, index -> index == Index.ID || index == Index.FIELDS_BY_ID ? capacity : AS_IT_IS);
             int[] none = new int[Math.min(capacity - idCapacity, 1 << 18)];
             Arrays.fill(none, CachedImpulse.NONE);
             for (int from = idCapacity; from < capacity; from += none.length) {
@@ -126,7 +127,7 @@ public final class DeviceArrays {
             // One more element for the end; both scans share the block sums.
             int elements = Scan.padded(capacity + 1);
             grow(0, index -> switch (index) {
-                case BUCKET -> elements;
+                case BUCKET, TALLY -> elements;
                 case SCAN_BLOCK -> Scan.blocks(capacity + 1);
                 case CELL_BLOCK -> cellBlocks(capacity);
                 default -> AS_IT_IS;

@@ -6,7 +6,6 @@ enum DeviceCount {
     CIRCLES("circles", "circles: working slots"),
     CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold"),
     SLOT_STRIDE("slotStride", "elements from one array of a block to the next"),
-    ID_STRIDE("idStride", "elements from one array of a block to the next"),
     BUCKET_STRIDE("bucketStride", "elements from one array of a block to the next"),
     CONTACT_STRIDE("contactStride", "elements from one array of a block to the next");
 
