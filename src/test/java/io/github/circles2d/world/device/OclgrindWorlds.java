@@ -30,7 +30,8 @@ import java.util.TreeSet;
 /**
  * Makes steps of a small world in a JVM whose OpenCL driver is Oclgrind, which reports to standard error; prints the kernels
  * that have run. Oclgrind interprets each work-item, also those past a kernel's count, so small work-groups are quick.
- * Arguments: the world, and its size, {@code small} or {@code large}.
+ * Arguments: the world, and its size, {@code small} or {@code large}; worlds of several levels by tiles are always small, or they would take
+ * minutes.
  */
 final class OclgrindWorlds {
     /** Work-items of a work-group in a world of size small, if its kernel leaves that open. */
@@ -55,7 +56,8 @@ final class OclgrindWorlds {
         if (!device.platform().contains("Oclgrind")) {
             throw new IllegalStateException("not Oclgrind but " + device);
         }
-        Set<String> kernels = new OclgrindWorlds(device, args[1].equals("small")).run(args[0]);
+        Set<String> kernels =
+                new OclgrindWorlds(device, args[1].equals("small") || args[0].startsWith("levels")).run(args[0]);
         System.out.println("kernels " + String.join(" ", kernels));
         System.out.println("done");
     }
