@@ -42,7 +42,7 @@
  *       {@link io.github.circles2d.world.events.ContactEvents}.
  * </ol>
  *
- * <p>Groups of one level and colour share no circle, so they may run at the same time. Within a group contacts run one after the
+ * <p>Groups of one colour share no circle, so they may run at the same time. Within a group contacts run one after the
  * other, in order. No circle can tell more than that: a group may run as soon as all groups before it that touch one of its
  * circles have run.
  *
