@@ -114,6 +114,7 @@ INLINE void listCircles(World *w, const Crew *crew, bool mixed) {
         w->status[FAST] = 0;
         w->status[CARRYING] = 0;
         w->status[LONGEST_PATH] = 0;
+        w->status[REACHES] = 0;
         w->status[CONTACTS] = 0;
         w->status[PLACES] = 0;
         w->status[MOST_PLACES] = 0;

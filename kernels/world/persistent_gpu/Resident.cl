@@ -109,14 +109,17 @@ void listAll(World *w, local Local *l) {
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
     if (w->k.sweeping) {
-        EACH(block, buckets >> (2 * BLOCK_LOG)) summarize(w, block);
+        EACH(slot, w->circles) noteReach(w, slot, looksForStops(w, slot));
+        EACH(block, blocksOfCells(w)) summarize(w, block);
         deviceBarrier(arrivals);
-        // A loop, so that what looks ahead is there once: three times would be a third of the kernel.
+        EACH(slot, w->circles) lookForStops(w, slot);
+        deviceBarrier(arrivals);
+        // A loop, so that what looks for them is there once.
         int looks = w->status[CARRYING] ? CARRIERS : STOPS;
 #pragma unroll 1
-        for (int look = STOPS; look <= looks; look++) {
+        for (int look = CARRY_TIMES; look <= looks; look++) {
             EACH(slot, w->circles) {
-                if (looksAhead(w, slot)) lookAhead(w, slot, (Look) look);
+                if (looksAhead(w, slot)) lookForCarriers(w, slot, (Look) look);
             }
             deviceBarrier(arrivals);
         }

@@ -1,4 +1,5 @@
-// uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl world/stages/PairFilter.cl
+// uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl
+// uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
@@ -9,13 +10,21 @@
 // a circle along; which static circle that is.
 typedef enum { STOPS, CARRY_TIMES, CARRIERS } Look;
 
-// What a fast circle looks ahead with. least: by how much it must move against another to matter.
+// What a circle looks ahead with. least: by how much it must move against another to matter.
 typedef struct {
     float x, y, r, px, py, path, speculativeDistance, least;
     int slot;
     bool isStatic;
-    Look look;
 } Runner;
+
+Runner runnerOf(const World *w, int slot) {
+    float4 c = w->circle[slot];
+    float4 plan = w->motionClamp[slot];
+    float4 sight = w->sight[slot];
+    bool isStatic = sight.w == 0.0f;
+    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic};
+    return s;
+}
 
 // Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
 void noteLongestPath(const World *w, const Piece *piece) {
@@ -53,19 +62,40 @@ void summarize(const World *w, int block) {
     if (w->status[CARRYING]) noteLongestPath(w, &piece);
 }
 
-// Index space: a block a work-item. Cost: its circles.
-kernel void continuousCollision_summarize(WORLD_PARAMETERS) {
-    World w = WORLD;
-    int block = (int) get_global_id(0);
-    if (block < levels->first[LEVELS] >> (2 * BLOCK_LOG) && !refused(&w)) summarize(&w, block);
-}
+// There are fewer blocks than circles.
+int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOCK_LOG); }
 
 // Whether a circle looks ahead: whether it is fast.
 bool looksAhead(const World *w, int slot) { return w->near[slot].x < NOT_FAST; }
 
+bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].w != 0.0f; }
+
+// Notes how far the circles reach, and summarizes the blocks. Index space: a working slot a work-item.
+kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
+    World w = WORLD;
+    int i = (int) get_global_id(0);
+    if (i >= circles || refused(&w)) return;
+    noteReach(&w, i, looksForStops(&w, i));
+    if (i < blocksOfCells(&w)) summarize(&w, i);
+}
+
+// What several work-items change of a circle at once, as bits.
+volatile global int *contactTimeOf(const World *w, int slot) { return (volatile global int *) (w->near + slot); }
+
+volatile global int *restraintOf(const World *w, int slot) { return contactTimeOf(w, slot) + 1; }
+
 void restrain(const World *w, int slot, float most, bool stands) {
-    float allowance = least(most, fabs(w->near[slot].y));
-    w->near[slot].y = stands ? -allowance : allowance;
+    volatile global int *allowance = restraintOf(w, slot);
+    int seen = *allowance;
+    for (;;) {
+        float before = as_float(seen);
+        float least_ = least(most, fabs(before));
+        int next = as_int(stands || before < 0.0f ? -least_ : least_);
+        if (next == seen) return;
+        int found = atomic_cmpxchg(allowance, seen, next);
+        if (found == seen) return;
+        seen = found;
+    }
 }
 
 // Floats from 0 on sort like their bits.
@@ -83,7 +113,7 @@ void meet(const World *w, const Runner *s, int other) {
     float dx = ACROSS_X(w, c.x - s->x);
     float dy = ACROSS_Y(w, c.y - s->y);
     if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
-        restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, w->near[s->slot].y < 0.0f);
+        restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
     float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
@@ -93,9 +123,8 @@ void meet(const World *w, const Runner *s, int other) {
     }
     float slack = stands ? MARGIN : HOLD;
     if (isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
-        w->near[s->slot].x = least(t, w->near[s->slot].x);
-        float most = holdAllowance(s->r, s->path, c.z, stands);
-        restrain(w, s->slot, most, stands || w->near[s->slot].y < 0.0f);
+        atomic_min(contactTimeOf(w, s->slot), as_int(t));
+        restrain(w, s->slot, holdAllowance(s->r, s->path, c.z, stands), stands);
     } else if (stands) {
         if (plan.w == 0.0f) shorten(w, s->slot, t);
     } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
@@ -104,17 +133,52 @@ void meet(const World *w, const Runner *s, int other) {
     }
 }
 
-// As meet, for a pair of which one is static and moves. Its faster circle finds it, or both do.
-void meetCarrier(const World *w, const Runner *s, int other) {
+bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
+    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.x, s->py - plan.y, s->r + other.z);
+}
+
+// A fast circle and another whose reaches meet: most do not touch by their paths.
+void meetIfNear(const World *w, const Runner *s, int other) {
+    float4 c = w->circle[other];
+    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.w == INFINITY) meet(w, s, other);
+}
+
+// The same of two of which the other one reaches far, either way round.
+void meetBoth(const World *w, const Runner *s, bool looks, int other) {
+    float4 c = w->circle[other];
+    bool touches = mayTouchBy(w, s, c, w->motionClamp[other]);
+    if (looks && (touches || c.w == INFINITY)) meet(w, s, other);
+    if (touches || s->isStatic) {
+        Runner o = runnerOf(w, other);
+        meet(w, &o, s->slot);
+    }
+}
+
+// Meets those of the slots [from, to) that a fast circle may touch in the step.
+void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
+    for (int other = from; other < to; other++) {
+        float4 o = w->reach[other];
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetIfNear(w, s, other);
+    }
+}
+
+// As meet, for a pair of which one is static and moves, for the first time to find out when it takes the other along, and for the
+// second to note which one is first. Its faster circle finds it, or both do.
+void meetCarrier(const World *w, const Runner *s, int other, bool note) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
     bool isStatic = inverseMass(c.w) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, isStatic ? 0.0f : 1.0f)) return;
-    bool note = s->look == CARRIERS;
     if (s->isStatic) {
         if (plan.w <= s->path + CAP * c.z) meetCarried(w, s->slot, other, note);
     } else if (isStatic && plan.w > 0.0f && isLonger(s->px - plan.x, s->py - plan.y, s->least)) {
         meetCarried(w, other, s->slot, note);
+    }
+}
+
+void meetCarriers(const World *w, const Runner *s, int from, int to, bool note) {
+    for (int other = from; other < to; other++) {
+        if (other != s->slot) meetCarrier(w, s, other, note);
     }
 }
 
@@ -124,26 +188,8 @@ int inBlock(int column, int side, int most) {
     return min(min(blockEnd, side) - column, most + 1);
 }
 
-// Whether a pair needs a closer look, which few do.
-bool mayMatter(const World *w, const Runner *s, int other) {
-    float4 c = w->circle[other];
-    float4 plan = w->motionClamp[other];
-    return mayTouch(ACROSS_X(w, c.x - s->x), ACROSS_Y(w, c.y - s->y), s->px - plan.x, s->py - plan.y, s->r + c.z) | (c.w == INFINITY);
-}
-
-void meetAll(const World *w, const Runner *s, int from, int to) {
-    for (int other = from; other < to; other++) {
-        if (other == s->slot) continue;
-        if (s->look == STOPS) {
-            if (mayMatter(w, s, other)) meet(w, s, other);
-        } else {
-            meetCarrier(w, s, other);
-        }
-    }
-}
-
 // Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block.
-void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1) {
+void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, Look look) {
     int cl = w->levels->columnsLog[level];
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
@@ -159,7 +205,11 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
             if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
                 for (int r = row; r < row + rowsOfBlock; r++) {
                     global const int *start = w->bucketStart + first + (r << cl) + column;
-                    meetAll(w, s, start[0], start[columnsOfBlock]);
+                    if (look == STOPS) {
+                        meetNear(w, s, reach, start[0], start[columnsOfBlock]);
+                    } else {
+                        meetCarriers(w, s, start[0], start[columnsOfBlock], look == CARRIERS);
+                    }
                 }
             }
             u += columnsOfBlock;
@@ -168,23 +218,104 @@ void lookAt(const World *w, const Runner *s, int level, int c0, int c1, int r0, 
     }
 }
 
+// The same for stops, row by row: where there are several levels, few circles of a block move alike.
+void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1) {
+    int columns = w->levels->columnCount[level];
+    int rows = w->levels->rowCount[level];
+    int column = onRing(c0, columns);
+    int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
+    for (int v = r0; v <= r1; v++) {
+        int row = onRing(v, rows) << w->levels->columnsLog[level];
+        global const int *start = w->bucketStart + w->levels->first[level] + row;
+        meetNear(w, s, reach, start[column], start[beyond > 0 ? columns : columns + beyond]);
+        if (beyond > 0) meetNear(w, s, reach, start[0], start[beyond]);
+    }
+}
+
 #ifdef BY_LANES
-void lookAtByLanes(const World *w, const Runner *s, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
+void lookAtRowsByLanes(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
 #endif
 
-// byLanes: whether it may look at four circles at a time, as far as STOPS need.
-INLINE void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
-    float4 c = w->circle[slot];
-    float4 plan = w->motionClamp[slot];
-    float4 sight = w->sight[slot];
-    bool isStatic = sight.w == 0.0f;
-    if (isStatic && look == STOPS) return;
-    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic,
-                look};
+// Looks at the circles around the path of a fast one, in the levels in which it does not reach far. byLanes: four circles at a time.
+INLINE void lookAround(const World *w, const Runner *s, float reach, bool byLanes) {
+#pragma unroll 1
+    for (int l = w->levels->usedCount - 1; l >= 0; l--) {
+        int level = w->levels->used[l];
+        if (reach > farIn(w, level)) break;
+        float margin = sightMargin(s->r, s->path, w->levels->top[level]);
+        float left = least(s->x, s->x + s->px) - margin;
+        float below = least(s->y, s->y + s->py) - margin;
+        int c0 = columnFrom(w, level, left);
+        int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
+        int r0 = rowFrom(w, level, below);
+        int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
+        c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
+        r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
+#ifdef BY_LANES
+        if (byLanes) {
+            lookAtRowsByLanes(w, s, reach, level, c0, c1, r0, r1);
+            continue;
+        }
+#endif
+        if (hasOneLevel(w)) {
+            lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
+        } else {
+            lookAtRows(w, s, reach, level, c0, c1, r0, r1);
+        }
+    }
+}
+
+// Meets those circles in a bucket of reaches whose reaches meet that of one.
+void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int bucket) {
+    for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
+        float4 o = w->reach[other];
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetBoth(w, s, looks, other);
+    }
+}
+
+// Looks for those that reach far in a circle's level, and no less far than it.
+void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
+    int top = topExponent(w->levels->rmax);
+    int buckets = reachBuckets(w->circles);
+    // One that reaches far itself looks for all of them.
+    float far = looks && reach > farIn(w, w->levels->used[0]) ? 0.0f : farIn(w, levelOf(w, s->r));
+#pragma unroll 1
+    for (int j = reachClassOf(reach, top); j >= 0; j--) {
+        if ((w->status[REACHES] >> j & 1) == 0 || !(topReach(j, top) > far)) continue;
+        float around = 1.001f * (reach + topReach(j, top)); // no rounding hides a circle at the edge
+#pragma unroll 1
+        for (int image = 0; image < IMAGES; image++) {
+            ReachCells cells = reachCellsAround(w, image, s->x, s->y, around, inverseReachEdge(j, top));
+#pragma unroll 1
+            for (int row = cells.row; row < cells.endRow; row++) {
+                for (int column = cells.column; column < cells.endColumn; column++) {
+                    meetInBucket(w, s, reach, looks, reachBucket(column, row, j, buckets));
+                }
+            }
+        }
+    }
+}
+
+// Finds the pairs in which fast circles stop. A fast circle looks for others itself, or they look for it if it reaches far.
+INLINE void lookForStopsBy(const World *w, int slot, bool byLanes) {
+    bool looks = looksForStops(w, slot);
+    bool some = w->status[REACHES] != 0;
+    if (!looks && !some) return;
+    Runner s = runnerOf(w, slot);
+    float reach = w->reach[slot].z;
+    if (looks) lookAround(w, &s, reach, byLanes);
+    if (some) lookForReaching(w, &s, reach, looks);
+}
+
+void lookForStops(const World *w, int slot) { lookForStopsBy(w, slot, false); }
+
+// A fast circle looks for those that it may take along, or that may take it along.
+void lookForCarriers(const World *w, int slot, Look look) {
+    Runner s = runnerOf(w, slot);
     for (int l = 0; l < w->levels->usedCount; l++) {
         int level = w->levels->used[l];
         float top = w->levels->top[level];
-        float path = isStatic ? carriedPath(s.path, as_float(w->status[LONGEST_PATH]), top) : s.path;
+        float path = s.isStatic ? carriedPath(s.path, as_float(w->status[LONGEST_PATH]), top) : s.path;
         float margin = sightMargin(s.r, path, top);
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
@@ -194,7 +325,7 @@ INLINE void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
         int r0 = rowFrom(w, level, below);
         int r1 = rowTo(w, level, below, greatest(s.y, s.y + s.py) + margin);
         // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
-        bool byPieces = isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
+        bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
             int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
@@ -204,45 +335,36 @@ INLINE void lookAheadBy(const World *w, int slot, Look look, bool byLanes) {
             int c0 = columnFrom(w, level, left);
             int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
             c1 = min(c1, c0 + columns - 1);
-#ifdef BY_LANES
-            if (byLanes) {
-                lookAtByLanes(w, &s, level, c0, c1, v, min(end - 1, r1));
-                continue;
-            }
-#endif
-            lookAt(w, &s, level, c0, c1, v, min(end - 1, r1));
+            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), look);
         }
     }
 }
 
-void lookAhead(const World *w, int slot, Look look) { lookAheadBy(w, slot, look, false); }
-
-// Fast circles look for others that they would touch, no faster than themselves. Index space: a working slot a work-item.
-// Cost: the cells around its path, for a fast circle.
+// Index space: a working slot a work-item. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w) && looksAhead(&w, slot)) lookAhead(&w, slot, STOPS);
+    if (slot < circles && !refused(&w)) lookForStops(&w, slot);
 }
 
 // Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.
-void lookForCarriers(const World *w, Look look) {
+void lookForAllCarriers(const World *w, Look look) {
     if (!w->status[CARRYING] || refused(w)) return;
     for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
-        if (looksAhead(w, slot)) lookAhead(w, slot, look);
+        if (looksAhead(w, slot)) lookForCarriers(w, slot, look);
     }
 }
 
 // Where static circles move, finds out when they take others along. Index space: any number of work-items. Cost: the same.
 kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
     World w = WORLD;
-    lookForCarriers(&w, CARRY_TIMES);
+    lookForAllCarriers(&w, CARRY_TIMES);
 }
 
 // Then finds out which of them takes whom along. Index space and cost: as before it.
 kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
     World w = WORLD;
-    lookForCarriers(&w, CARRIERS);
+    lookForAllCarriers(&w, CARRIERS);
 }
 
 // Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far

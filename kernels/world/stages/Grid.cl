@@ -11,6 +11,7 @@ void startStep(const World *w) {
     if (w->k.thinning) w->status[CROWDED] = 0;
     w->status[CARRYING] = 0;
     w->status[LONGEST_PATH] = 0;
+    w->status[REACHES] = 0;
     w->status[TILE_PEAK] = 0;
     w->status[FOUND] = 0;
 #ifdef RECORDING
@@ -139,6 +140,7 @@ bool gatherCircle(const World *w, int i) {
         w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
         w->carryTime[slot] = as_int(NOT_CARRIED);
         w->carrier[slot] = NOBODY;
+        w->lastReached[slot] = (int2)(NONE);
         if (isStatic && path > 0.0f) w->status[CARRYING] = 1;
     }
     return fast;

@@ -18,9 +18,8 @@ typedef struct {
     ushort progress[TILE_CIRCLES];     // by circle: see below
     int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
     uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
-    int ownPlace[TILE_ROUNDS + 1];     // by round: the place in the record of its next own contact
-    int otherPlace[TILE_ROUNDS + 1];   // and of its next other one
-    int ownNumber[TILE_ROUNDS + 1];    // by round: what makes of the place of an own contact its number
+    uint place[TILE_ROUNDS + 1];       // by round: the places in the record of its next own contact (lower half), and next other one
+    short ownNumber[TILE_ROUNDS + 1];  // by round: what makes of the place of an own contact its number
     int firstNumber; // of the tile's own contacts
     int firstCopy;
     int contacts;
@@ -29,12 +28,12 @@ typedef struct {
     int idle;     // 1 where the step had been refused when the work-group looked
 } Arrangement;
 
-// A circle's progress: the first round in which it is free, its contacts so far, of which there are no more than rounds, and
-// whether one carries.
-#define FREE_ROUND 0x7f
-#define MET_ONE 0x80
-#define MET_SHIFT 7
-#define HAS_CARRIED 0x4000
+// A circle's progress: the first round in which it is free, its contacts so far, and whether one carries.
+#define FREE_ROUND 0xff
+#define MET_SHIFT 8
+#define MET_ONE (1 << MET_SHIFT)
+#define MOST_MET 0x7f
+#define HAS_CARRIED 0x8000
 
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
@@ -127,7 +126,8 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
     a->load[lo] = loadLo - impulse;
     a->load[hi] = loadHi + impulse;
     int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
-    if (round >= TILE_ROUNDS) {
+    int most = max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT;
+    if (round >= TILE_ROUNDS || most >= MOST_MET) {
         a->overfull = 1;
         return;
     }
@@ -136,7 +136,7 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
     progressHi = ((progressHi & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
     a->progress[lo] = (ushort) progressLo;
     a->progress[hi] = (ushort) progressHi;
-    if ((max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT) > CROWD) a->crowded = 1;
+    if (most >= CROWD) a->crowded = 1;
     a->of.met[k] = meeting(column, row, inGroup, round);
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
@@ -211,9 +211,8 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
         int start = contactsOfRound(sums);
         int own = sums & 0xffff;
         int count = a->roundCount[round];
-        a->ownPlace[round] = start;
-        a->otherPlace[round] = start + (count & 0xffff);
-        a->ownNumber[round] = own - start;
+        a->place[round] = (uint) (start | (start + (count & 0xffff)) << 16);
+        a->ownNumber[round] = (short) (own - start);
         for (int first = 0; first < contactsOfRound(count); first += size) record[RECORD_STARTS + part++] = start + first;
         if (count > 0) continue;
         record[RECORD_STARTS + part] = start;
@@ -255,7 +254,8 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             int lo = circleOfLink(r, a, column, row, link[n]);
             int hi = circleOfLink(r, a, column, row, link[n] >> 16);
             bool own = owns(r, column, row);
-            int place = atomic_inc(own ? &a->ownPlace[round] : &a->otherPlace[round]);
+            uint places = atomic_add(&a->place[round], own ? 1u : 1u << 16);
+            int place = (int) (own ? places & 0xffff : places >> 16);
             if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
             placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
         }

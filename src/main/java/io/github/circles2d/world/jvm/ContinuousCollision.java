@@ -2,7 +2,6 @@ package io.github.circles2d.world.jvm;
 
 import static io.github.circles2d.world.model.CircleRow.ALLOWANCE;
 import static io.github.circles2d.world.model.CircleRow.LIMIT;
-import static io.github.circles2d.world.model.CircleRow.MASS;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
@@ -34,8 +33,11 @@ import java.lang.invoke.VarHandle;
  * <p>The motion clamp then holds every circle: a collision may lead it away from its path by a part of its radius. At a static
  * circle it may not go on along its path at all, or it would squeeze through narrow gaps.
  *
- * <p>The faster circle of a pair finds it, in the cells around its path. Only pairs count that move against each other by more than
- * speculative distances cover, so a circle skips blocks of cells whose circles all move much like itself. A circle that is stopped
+ * <p>A fast circle looks for others in the cells around its path. In a level in which it would have to look at many cells, the circles
+ * look for it instead ({@link ReachGrid}). Only pairs count that move against each other by more than speculative distances cover. A
+ * circle may be stopped by several others at the same time: what they make of it is a minimum, which needs no order.
+ *
+ * <p>A static circle that moves, and what it may take along, skip blocks of cells whose circles all move alike. A circle that is stopped
  * loses time, at most one step, and with it what gravity would give it in that time: so its energy stays.
  */
 public final class ContinuousCollision {
@@ -51,32 +53,21 @@ public final class ContinuousCollision {
     private static final int HIGH_Y = 3;
     private static final int RANGE_STRIDE = 4;
 
-    /** What a fast circle looks for on its path. */
-    private enum Look {
-        /** Circles at which it stops, or that stop at it. */
-        STOPS,
-
-        /** When a static circle that moves takes a circle along. */
-        CARRY_TIMES,
-
-        /** Which static circle that is. */
-        CARRIERS
-    }
-
     private final State state;
     private final Grid grid;
     private final GridLevels levels;
     private final Team team;
     private final Carrying carrying;
+    private final ReachGrid reaches;
 
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
     private int[] timeOfImpact = new int[0];
 
-    /** By slot: the contact time, which is the share of its path that a circle can go before it touches one that it is close to. */
-    private float[] near = new float[0];
+    /** By slot, as bits: the contact time, which is the share of its path that a circle can go before it touches one that it is close to. */
+    private int[] near = new int[0];
 
-    /** By slot: how far such a one lets it leave its path; negative if it stands at a static one, and may not go on. */
-    private float[] allowance = new float[0];
+    /** By slot, as bits: how far such a one lets it leave its path; negative if it stands at a static one, and may not go on. */
+    private int[] allowance = new int[0];
 
     /** By block: least and greatest path x, least and greatest path y of its circles. */
     private float[] range = new float[0];
@@ -87,14 +78,16 @@ public final class ContinuousCollision {
         this.levels = levels;
         this.team = team;
         carrying = new Carrying(state, grid);
+        reaches = new ReachGrid(state, grid, levels, team);
     }
 
     void ensure() {
         carrying.ensure();
+        reaches.ensure();
         if (timeOfImpact.length < state.capacity()) {
             timeOfImpact = new int[state.capacity()];
-            near = new float[state.capacity()];
-            allowance = new float[state.capacity()];
+            near = new int[state.capacity()];
+            allowance = new int[state.capacity()];
         }
         int blocks = levels.buckets() >> (2 * BLOCK_LOG);
         if (range.length < RANGE_STRIDE * blocks) {
@@ -104,7 +97,7 @@ public final class ContinuousCollision {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes();
+        return 12L * timeOfImpact.length + 4L * range.length + carrying.bytes() + reaches.bytes();
     }
 
     void sweep(int worker, StepConstants constants) {
@@ -114,20 +107,15 @@ public final class ContinuousCollision {
             setFreeClamps(from, to);
             return;
         }
+        reaches.clear(worker);
         start(from, to, constants);
-        for (int l = 0; l < levels.usedCount; l++) {
-            int level = levels.used[l];
-            int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
-            summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
-        }
         team.sync(worker);
-        lookAhead(from, to, Look.STOPS);
+        reaches.add(from, to);
+        team.sync(worker);
+        lookForStops(worker, from, to);
         team.sync(worker);
         if (grid.anyMovingStatic()) {
-            lookAhead(from, to, Look.CARRY_TIMES);
-            team.sync(worker);
-            lookAhead(from, to, Look.CARRIERS);
-            team.sync(worker);
+            lookForCarriers(worker, from, to);
         }
         setMotionClamps(from, to, constants);
         team.sync(worker);
@@ -163,8 +151,8 @@ public final class ContinuousCollision {
     private void start(int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             timeOfImpact[slot] = Float.floatToRawIntBits(timeOfWalls(slot, k));
-            near[slot] = 1f;
-            allowance[slot] = Float.POSITIVE_INFINITY;
+            near[slot] = Float.floatToRawIntBits(1f);
+            allowance[slot] = Float.floatToRawIntBits(Float.POSITIVE_INFINITY);
             carrying.start(slot);
         }
     }
@@ -200,16 +188,119 @@ public final class ContinuousCollision {
         }
     }
 
-    private void lookAhead(int from, int to, Look look) {
+    /** Finds the pairs in which a fast circle stops. It looks for others itself, or they look for it if it reaches far. */
+    private void lookForStops(int worker, int from, int to) {
         for (int slot = from; slot < to; slot++) {
-            if (looksAhead(slot) && !(look == Look.STOPS && state.isStatic(slot))) {
-                lookAhead(slot, look);
+            boolean looks = looksForStops(slot);
+            if (looks) {
+                lookForStops(slot);
+            }
+            int count = reaches.find(worker, slot, looks);
+            int[] hits = reaches.hits(worker);
+            for (int k = 0; k < count; k++) {
+                if (hits[k] != slot) {
+                    meetBoth(slot, looks, hits[k]);
+                }
             }
         }
     }
 
-    /** Looks at the circles around the path of a fast one. */
-    private void lookAhead(int slot, Look look) {
+    /** Two circles whose reaches meet, of which the other reaches far. Most do not touch by their paths. */
+    private void meetBoth(int slot, boolean looks, int other) {
+        int touches = mayTouch(slot, other);
+        if (looks && (touches != 0 || state.isStatic(other))) {
+            meet(slot, other);
+        }
+        if (touches != 0 || state.isStatic(slot)) {
+            meet(other, slot);
+        }
+    }
+
+    /** Looks at the circles around the path of a fast one, in the levels in which it does not reach far. */
+    private void lookForStops(int slot) {
+        int s = CircleRow.of(slot);
+        float x = state.circle[s + X];
+        float y = state.circle[s + Y];
+        float px = state.plan[CircleRow.vector(slot) + X];
+        float py = state.plan[CircleRow.vector(slot) + Y];
+        float reach = reaches.reaches()[slot];
+        for (int l = levels.usedCount - 1; l >= 0; l--) {
+            int level = levels.used[l];
+            if (reach > reaches.farIn(level)) {
+                break;
+            }
+            float margin = CircleMath.sightMargin(state.circle[s + RADIUS], grid.path[slot], levels.top[level]);
+            int columns = levels.columnCount[level];
+            int rows = levels.rowCount[level];
+            float left = CircleMath.least(x, x + px) - margin;
+            float low = CircleMath.least(y, y + py) - margin;
+            int c0 = levels.columnFrom(left, level);
+            int c1 = levels.columnTo(left, CircleMath.greatest(x, x + px) + margin, level);
+            int r0 = levels.rowFrom(low, level);
+            int r1 = levels.rowTo(low, CircleMath.greatest(y, y + py) + margin, level);
+            int column = GridLevels.onRing(c0, columns);
+            int end = column + Math.min(c1 - c0 + 1, columns);
+            int row = GridLevels.onRing(r0, rows);
+            for (int v = Math.min(r1 - r0 + 1, rows); v > 0; v--) {
+                int b = levels.rowStart(level, row);
+                meetNear(slot, grid.start[b + column], grid.start[b + Math.min(end, columns)]);
+                if (end > columns) {
+                    meetNear(slot, grid.start[b], grid.start[b + end - columns]);
+                }
+                row = row + 1 < rows ? row + 1 : 0;
+            }
+        }
+    }
+
+    private void meetNear(int slot, int from, int to) {
+        float[] circle = state.circle;
+        float[] reach = reaches.reaches();
+        float own = reach[slot];
+        float x = circle[CircleRow.of(slot) + X];
+        float y = circle[CircleRow.of(slot) + Y];
+        for (int other = from; other < to; other++) {
+            float dx = circle[CircleRow.of(other) + X] - x;
+            float dy = circle[CircleRow.of(other) + Y] - y;
+            if (state.wraps) {
+                dx = CircleMath.shortWay(dx, state.periodX);
+                dy = CircleMath.shortWay(dy, state.periodY);
+            }
+            if (PairRule.isNear(dx, dy, own, reach[other]) != 0
+                    && other != slot
+                    && (mayTouch(slot, other) != 0 || state.isStatic(other))) {
+                meet(slot, other);
+            }
+        }
+    }
+
+    private boolean looksForStops(int slot) {
+        return looksAhead(slot) && !state.isStatic(slot);
+    }
+
+    private void lookForCarriers(int worker, int from, int to) {
+        for (int l = 0; l < levels.usedCount; l++) {
+            int level = levels.used[l];
+            int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
+            summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
+        }
+        team.sync(worker);
+        lookForCarriers(from, to, false);
+        team.sync(worker);
+        lookForCarriers(from, to, true);
+        team.sync(worker);
+    }
+
+    /** note: whether to note which static circle takes one along; first it must be known when. */
+    private void lookForCarriers(int from, int to, boolean note) {
+        for (int slot = from; slot < to; slot++) {
+            if (looksAhead(slot)) {
+                lookAhead(slot, note);
+            }
+        }
+    }
+
+    /** A fast circle looks for those that it may take along, or that may take it along. */
+    private void lookAhead(int slot, boolean note) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
@@ -241,12 +332,12 @@ public final class ContinuousCollision {
                 float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
                 int c0 = levels.columnFrom(left, level);
                 int c1 = levels.columnTo(left, right, level);
-                lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), look);
+                lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), note);
             }
         }
     }
 
-    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, Look look) {
+    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, boolean note) {
         int w = levels.columnsLog[level];
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
@@ -272,7 +363,7 @@ public final class ContinuousCollision {
                                 least)) {
                     for (int r = row; r < row + rowsOfBlock; r++) {
                         int first = levels.rowStart(level, r) + column;
-                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, look);
+                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, note);
                     }
                 }
                 u += columnsOfBlock;
@@ -287,41 +378,30 @@ public final class ContinuousCollision {
         return Math.min(Math.min(blockEnd, side) - column, most + 1);
     }
 
-    private void meetAll(int slot, int from, int to, float least, Look look) {
+    private void meetAll(int slot, int from, int to, float least, boolean note) {
         for (int other = from; other < to; other++) {
-            if (other == slot) {
-                continue;
-            }
-            if (look != Look.STOPS) {
-                meetCarrier(slot, other, least, look == Look.CARRIERS);
-            } else if (mayMatter(slot, other) != 0) {
-                meet(slot, other, least);
+            if (other != slot) {
+                meetCarrier(slot, other, least, note);
             }
         }
     }
 
-    /** Whether a pair needs a closer look, which few do: all bits, or none. */
-    private int mayMatter(int slot, int other) {
-        float[] circle = state.circle;
-        float[] plan = state.plan;
-        int s = CircleRow.of(slot);
-        int o = CircleRow.of(other);
-        float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
-        float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
-        float dx = state.differenceX(slot, other);
-        float dy = state.differenceY(slot, other);
-        int touches = PairRule.mayTouch(dx, dy, ux, uy, circle[s + RADIUS] + circle[o + RADIUS]);
-        return touches | PairRule.isStatic(circle[o + MASS]);
+    /** Whether two circles may touch in the step: -1, or 0, as for most. */
+    private int mayTouch(int slot, int other) {
+        float ux = state.plan[CircleRow.vector(slot) + X] - state.plan[CircleRow.vector(other) + X];
+        float uy = state.plan[CircleRow.vector(slot) + Y] - state.plan[CircleRow.vector(other) + Y];
+        float radii = state.circle[CircleRow.of(slot) + RADIUS] + state.circle[CircleRow.of(other) + RADIUS];
+        return PairRule.mayTouch(state.differenceX(slot, other), state.differenceY(slot, other), ux, uy, radii);
     }
 
-    private void meet(int slot, int other, float least) {
+    private void meet(int slot, int other) {
         float[] circle = state.circle;
         float[] plan = state.plan;
         int s = CircleRow.of(slot);
         int o = CircleRow.of(other);
         float ux = plan[CircleRow.vector(slot) + X] - plan[CircleRow.vector(other) + X];
         float uy = plan[CircleRow.vector(slot) + Y] - plan[CircleRow.vector(other) + Y];
-        if (!CircleMath.isLonger(ux, uy, least) || !PairFilter.mayMeet(state, slot, other)) {
+        if (!CircleMath.isLonger(ux, uy, leastPath(slot)) || !PairFilter.mayMeet(state, slot, other)) {
             return;
         }
         float r = circle[s + RADIUS];
@@ -333,7 +413,7 @@ public final class ContinuousCollision {
         float dx = state.differenceX(slot, other);
         float dy = state.differenceY(slot, other);
         if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
-            restrain(slot, Tuning.CLAMP_ALLOWANCE * r, allowance[slot] < 0f);
+            restrain(slot, Tuning.CLAMP_ALLOWANCE * r, false);
         }
         // first what most pairs fail
         float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
@@ -382,25 +462,40 @@ public final class ContinuousCollision {
 
     /** The share of its path that a circle goes if no static one takes it along. */
     private float freeShare(int slot) {
-        return CircleMath.least(Float.intBitsToFloat(timeOfImpact[slot]), near[slot]);
+        return CircleMath.least(Float.intBitsToFloat(timeOfImpact[slot]), Float.intBitsToFloat(near[slot]));
     }
 
     /** Ends the path of a circle where it touches one that it has a contact with, and says how far it may leave it. */
     private void hold(int slot, float t, float most, boolean stands) {
-        near[slot] = CircleMath.least(t, near[slot]);
-        restrain(slot, most, stands || allowance[slot] < 0f);
+        lower(near, slot, t);
+        restrain(slot, most, stands);
     }
 
     private void restrain(int slot, float most, boolean stands) {
-        float least = CircleMath.least(most, Math.abs(allowance[slot]));
-        allowance[slot] = stands ? -least : least;
+        int seen = (int) INTS.getVolatile(allowance, slot);
+        int next = restrained(seen, most, stands);
+        while (next != seen && !INTS.compareAndSet(allowance, slot, seen, next)) {
+            seen = (int) INTS.getVolatile(allowance, slot);
+            next = restrained(seen, most, stands);
+        }
+    }
+
+    private static int restrained(int bits, float most, boolean stands) {
+        float allowance = Float.intBitsToFloat(bits);
+        float least = CircleMath.least(most, Math.abs(allowance));
+        return Float.floatToRawIntBits(stands || allowance < 0f ? -least : least);
     }
 
     private void shorten(int slot, float t) {
+        lower(timeOfImpact, slot, t);
+    }
+
+    /** Lowers a share of a path: as bits, since these sort like the float itself. */
+    private static void lower(int[] shares, int slot, float t) {
         int bits = Float.floatToRawIntBits(t);
-        int seen = timeOfImpact[slot];
-        while (bits < seen && !INTS.compareAndSet(timeOfImpact, slot, seen, bits)) {
-            seen = (int) INTS.getVolatile(timeOfImpact, slot);
+        int seen = shares[slot];
+        while (bits < seen && !INTS.compareAndSet(shares, slot, seen, bits)) {
+            seen = (int) INTS.getVolatile(shares, slot);
         }
     }
 
@@ -426,8 +521,8 @@ public final class ContinuousCollision {
             float py = plan[CircleRow.vector(slot) + Y];
             float free = Float.intBitsToFloat(timeOfImpact[slot]);
             float r = state.circle[s + RADIUS];
-            float limit = near[slot];
-            float allowed = limit < 1f ? allowance[slot] : Tuning.CLAMP_ALLOWANCE * r;
+            float limit = Float.intBitsToFloat(near[slot]);
+            float allowed = limit < 1f ? Float.intBitsToFloat(allowance[slot]) : Tuning.CLAMP_ALLOWANCE * r;
             float own = CircleMath.least(CircleMath.least(free, limit), carrying.time(slot));
             boolean carried = carrying.isCarried(slot);
             boolean stops = free < limit || carrying.time(slot) < 1f;

@@ -12,7 +12,7 @@ public final class TileRecord {
     public static final int CONTACTS = 3328;
 
     /** Rounds that there is room for. */
-    public static final int ROUNDS = 96;
+    public static final int ROUNDS = 224;
 
     /** Work-items of a work-group: at least as many as a colour has groups around a tile. */
     public static final int GROUP = 128;

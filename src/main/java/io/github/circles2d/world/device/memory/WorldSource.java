@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Reach;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.Tuning;
 import java.util.Collection;
@@ -51,6 +52,10 @@ public final class WorldSource {
                 .define("NEARLY_ELASTIC", Tuning.NEARLY_ELASTIC)
                 .define("BOUNCE_DEPTH", Tuning.BOUNCE_DEPTH)
                 .define("LINGER", Tuning.LINGER)
+                .define("REACH_SLACK", Reach.SLACK)
+                .define("REACH_STATIC_SLACK", Reach.STATIC_SLACK)
+                .define("GREATEST_REACH", Reach.GREATEST)
+                .define("REACH_EDGE_LOG", Reach.EDGE_LOG)
                 .define("CROWD", Tuning.CROWD)
                 .define("RANGE_LOG", CrossRule.RANGE_LOG)
                 .define("LOAD_UNITS", CrossRule.LOAD_UNITS)

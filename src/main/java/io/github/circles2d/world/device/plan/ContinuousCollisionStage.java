@@ -1,9 +1,7 @@
 package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
-import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
-import io.github.circles2d.world.model.GridLevels;
 
 /**
  * Continuous collision on a device; {@code kernels/world/stages/ContinuousCollision.cl}. {@code world.jvm.ContinuousCollision} does the
@@ -13,22 +11,22 @@ final class ContinuousCollisionStage {
     /** Work-items of a kernel that has nothing to do in most steps. */
     private static final int MOST_CARRY_ITEMS = 1 << 15;
 
-    private final Kernel summarize;
+    private final Kernel prepare;
     private final Kernel look;
     private final Kernel carryTimes;
     private final Kernel carriers;
     private final Kernel clamp;
 
     ContinuousCollisionStage(StageKernels kernels) {
-        summarize = kernels.staged("continuousCollision_summarize");
+        prepare = kernels.staged("continuousCollision_prepare");
         look = kernels.staged("continuousCollision_look");
         carryTimes = kernels.staged("continuousCollision_carryTimes");
         carriers = kernels.staged("continuousCollision_carriers");
         clamp = kernels.staged("continuousCollision_clamp");
     }
 
-    void sweep(GridLevels levels, int circles) {
-        summarize.run(DeviceArrays.cellBlocks(levels.buckets()));
+    void sweep(int circles) {
+        prepare.run(circles);
         look.run(circles);
         carryTimes.run(Math.min(circles, MOST_CARRY_ITEMS));
         carriers.run(Math.min(circles, MOST_CARRY_ITEMS));

@@ -1,0 +1,77 @@
+// uses: world/shared/Reach.cl world/shared/PairRule.cl world/stages/World.cl
+// The fast circles that reach far, by their reach. The Java class world.jvm.ReachGrid explains it. Stage Grid empties the buckets.
+
+// A circle reaches far in a level if it does so over more than so many of its cells. It changes the time alone; by lanes, to look at many
+// cells is cheap.
+#ifdef BY_LANES
+#define FAR_CELLS 12.0f
+#else
+#define FAR_CELLS 3.0f
+#endif
+
+// By bucket, the slot that came last, or NONE.
+volatile global int *lastReached(const World *w) { return (volatile global int *) w->lastReached; }
+
+// The reach from which on circles of a level look for a circle, and it does not look for them.
+float farIn(const World *w, int level) { return FAR_CELLS / w->levels->inverseEdge[level]; }
+
+// Puts a circle into its bucket.
+void addReach(const World *w, int slot, float4 c, float reach) {
+    int top = topExponent(w->levels->rmax);
+    int k = reachClassOf(reach, top);
+    float inverseEdge = inverseReachEdge(k, top);
+    int bucket = reachBucket(reachCell(c.x, w->levels->minX, inverseEdge), reachCell(c.y, w->levels->minY, inverseEdge), k,
+                             reachBuckets(w->circles));
+    // A store of every circle to one place would take longer than all the rest.
+    if ((w->status[REACHES] >> k & 1) == 0) atomic_or(&w->status[REACHES], 1 << k);
+    w->reachedBefore[slot] = atomic_xchg(&lastReached(w)[bucket], slot);
+}
+
+// Notes how far a circle reaches, and puts it into its bucket if it is fast and reaches far. looks: whether it is fast, and not static.
+float noteReach(const World *w, int slot, bool looks) {
+    float4 c = w->circle[slot];
+    float reach = reachOf(c.z, w->motionClamp[slot].w, w->sight[slot].w == 0.0f);
+    w->reach[slot] = (float4)(c.x, c.y, reach, 0.0f);
+    if (looks && reach > farIn(w, w->levels->used[0])) addReach(w, slot, c, reach);
+    return reach;
+}
+
+// Cells of a class.
+typedef struct {
+    int column, row, endColumn, endRow;
+} ReachCells;
+
+ReachCells reachCellsIn(const World *w, float left, float right, float low, float high, float inverseEdge) {
+    ReachCells cells;
+    cells.column = reachCell(left, w->levels->minX, inverseEdge);
+    cells.row = reachCell(low, w->levels->minY, inverseEdge);
+    cells.endColumn = reachCell(right, w->levels->minX, inverseEdge) + 1;
+    cells.endRow = reachCell(high, w->levels->minY, inverseEdge) + 1;
+    return cells;
+}
+
+#ifdef EDGES
+#define IMAGES 9
+
+// What coordinates may be off by, along an axis that wraps.
+float roundingAlong(float min_, float period) { return period < INFINITY ? 0x1p-20f * (fabs(min_) + period) : 0.0f; }
+
+// The cells that a circle looks at, around each image of its place: along an axis that wraps there is one on each side.
+ReachCells reachCellsAround(const World *w, int image, float x, float y, float far, float inverseEdge) {
+    constant Levels *l = w->levels;
+    const StepConstants *k = &w->k;
+    int u = (image + 1) % 3 - 1;
+    int v = image / 3 == 2 ? -1 : image / 3;
+    float farX = far + roundingAlong(l->minX, l->periodX);
+    float farY = far + roundingAlong(l->minY, l->periodY);
+    float atX = u == 0 ? x : x + (float) u * l->periodX;
+    float atY = v == 0 ? y : y + (float) v * l->periodY;
+    bool isOutside = (u != 0 && (atX + farX < k->minX || atX - farX > k->maxX)) ||
+                     (v != 0 && (atY + farY < k->minY || atY - farY > k->maxY));
+    ReachCells none = {0, 0, 0, 0};
+    return isOutside ? none : reachCellsIn(w, atX - farX, atX + farX, atY - farY, atY + farY, inverseEdge);
+}
+#else
+#define IMAGES 1
+#define reachCellsAround(w, image, x, y, far, inverseEdge) reachCellsIn(w, (x) - (far), (x) + (far), (y) - (far), (y) + (far), inverseEdge)
+#endif
