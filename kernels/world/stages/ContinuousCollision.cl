@@ -86,7 +86,7 @@ volatile global int *restraintOf(const World *w, int slot) { return contactTimeO
 
 void restrain(const World *w, int slot, float most, bool stands) {
     volatile global int *allowance = restraintOf(w, slot);
-    int seen = *allowance;
+    int seen = atomic_or(allowance, 0);
     for (;;) {
         float before = as_float(seen);
         float least_ = least(most, fabs(before));
@@ -298,11 +298,11 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
 
 // Finds the pairs in which fast circles stop. A fast circle looks for others itself, or they look for it if it reaches far.
 INLINE void lookForStopsBy(const World *w, int slot, bool byLanes) {
-    bool looks = looksForStops(w, slot);
+    float reach = w->reach[slot].z;
+    bool looks = w->reach[slot].w != 0.0f; // others may be changing what looksForStops reads
     bool some = w->status[REACHES] != 0;
     if (!looks && !some) return;
     Runner s = runnerOf(w, slot);
-    float reach = w->reach[slot].z;
     if (looks) lookAround(w, &s, reach, byLanes);
     if (some) lookForReaching(w, &s, reach, looks);
 }

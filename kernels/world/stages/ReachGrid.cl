@@ -31,7 +31,7 @@ void addReach(const World *w, int slot, float4 c, float reach) {
 float noteReach(const World *w, int slot, bool looks) {
     float4 c = w->circle[slot];
     float reach = reachOf(c.z, w->motionClamp[slot].w, w->sight[slot].w == 0.0f);
-    w->reach[slot] = (float4)(c.x, c.y, reach, 0.0f);
+    w->reach[slot] = (float4)(c.x, c.y, reach, looks ? 1.0f : 0.0f);
     if (looks && reach > farIn(w, w->levels->used[0])) addReach(w, slot, c, reach);
     return reach;
 }

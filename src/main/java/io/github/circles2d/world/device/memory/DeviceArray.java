@@ -75,7 +75,7 @@ public enum DeviceArray {
                     + " then, negative at a static one"),
     CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
     CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
-    REACH("float4", "reach", Index.SLOT, "x, y of the base, reach, 0"),
+    REACH("float4", "reach", Index.SLOT, "x, y of the base, reach, 1 where it is fast and not static"),
     LAST_REACHED(
             "int2", "lastReached", Index.SLOT, "two buckets each: the slot that came last, or NONE; see ReachGrid.cl"),
     REACHED_BEFORE("int", "reachedBefore", Index.SLOT, "the slot that came before it to its bucket, or NONE"),
