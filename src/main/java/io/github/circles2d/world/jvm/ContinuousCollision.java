@@ -290,7 +290,11 @@ public final class ContinuousCollision {
         team.sync(worker);
     }
 
-    /** note: whether to note which static circle takes one along; first it must be known when. */
+    /**
+     * Looks for carriers: the first time for when circles are taken along.
+     *
+     * @param note the second time, true: to note which static circle does so
+     */
     private void lookForCarriers(int from, int to, boolean note) {
         for (int slot = from; slot < to; slot++) {
             if (looksAhead(slot)) {

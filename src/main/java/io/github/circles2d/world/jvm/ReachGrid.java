@@ -142,6 +142,7 @@ final class ReachGrid {
      * Finds those circles that reach far in the level of one, and no less far than it, and whose reach meets its own. Some may be of
      * other classes, and some may come twice.
      *
+     * @param looks whether the one is fast, and not static
      * @return how many {@link #hits} there are
      */
     int find(int worker, int slot, boolean looks) {
