@@ -35,14 +35,4 @@ public final class PairRule {
         float c = (dx * dx + dy * dy) - sum * sum;
         return Branchless.isNegative(CircleMath.greatest(c, 0f) - 2.5f * b);
     }
-
-    /**
-     * Whether a circle is static, by its mass.
-     *
-     * @param mass greater than 0
-     * @return -1 if it is infinite, else 0
-     */
-    public static int isStatic(float mass) {
-        return Branchless.isPositive(mass - Float.MAX_VALUE);
-    }
 }
