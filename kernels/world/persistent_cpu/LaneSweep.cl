@@ -1,6 +1,9 @@
 // uses: world/stages/ContinuousCollision.cl world/persistent_cpu/LaneGrid.cl
 // Stage ContinuousCollision by a few work-groups that meet. Fast circles look at four others at a time.
 
+// Work-groups take so many slots in turn. Fast circles lie side by side, among the small ones, so equal parts would take unlike times.
+#define PIECE 64
+
 // Where reaches are noted, in place of speculative distances, until all have looked.
 global float *searchReach(const World *w) { return searchSpeculativeDistance(w); }
 
@@ -49,7 +52,9 @@ void sweepCircles(World *w, const Crew *crew) {
         EACH_OF_PART(block, blocksOfCells(w), crew) summarize(w, block);
     }
     awaitCrew(w, crew);
-    lookForStopsOf(w, partOf(w->circles, crew->group, crew->groups), partOf(w->circles, crew->group + 1, crew->groups));
+    for (int from = PIECE * crew->group; from < w->circles; from += PIECE * crew->groups) {
+        lookForStopsOf(w, from, min(from + PIECE, w->circles));
+    }
     awaitCrew(w, crew);
     for (int look = CARRY_TIMES; carrying && look <= CARRIERS; look++) {
         EACH_OF_PART(slot, w->circles, crew) {

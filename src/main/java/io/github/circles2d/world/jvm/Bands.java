@@ -2,6 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
+import java.util.Arrays;
 
 /**
  * Which rows of cells each worker takes: of each level, a band from an even row to an even row. All bands have about the same
@@ -15,6 +16,9 @@ final class Bands {
     /** By level and worker: the first row of its band; one more element a level for the end. */
     private final int[] edges;
 
+    /** By worker: how much more than their share those before it have of the levels divided so far. */
+    private final long[] surplus;
+
     private int narrowest;
 
     Bands(Grid grid, GridLevels levels, Team team) {
@@ -22,6 +26,7 @@ final class Bands {
         this.levels = levels;
         this.team = team;
         edges = new int[GridLevels.COUNT * (team.most() + 1)];
+        surplus = new long[team.most() + 1];
     }
 
     /**
@@ -32,7 +37,9 @@ final class Bands {
      */
     void divide(int[] contactsBefore, int least) {
         narrowest = Integer.MAX_VALUE;
-        for (int l = 0; l < levels.usedCount; l++) {
+        Arrays.fill(surplus, 0L);
+        // Fine levels come last: they have the most rows to make up for what coarse ones could not share evenly.
+        for (int l = levels.usedCount - 1; l >= 0; l--) {
             divide(levels.used[l], contactsBefore, least);
         }
     }
@@ -45,11 +52,11 @@ final class Bands {
         long all = weight(level, rows, contactsBefore) - begin;
         edges[edge] = 0;
         for (int worker = 1; worker <= team.size(); worker++, edge++) {
-            int row = worker == team.size()
-                    ? rows
-                    : firstEvenRow(level, begin + all * worker / team.size(), contactsBefore);
+            long share = begin + all * worker / team.size();
+            int row = worker == team.size() ? rows : firstEvenRow(level, share - surplus[worker], contactsBefore);
             row = Math.min(Math.max(row, edges[edge] + width), rows - width * (team.size() - worker));
             edges[edge + 1] = row;
+            surplus[worker] += weight(level, row, contactsBefore) - share;
             narrowest = Math.min(narrowest, row - edges[edge]);
         }
     }

@@ -101,23 +101,29 @@ public final class ContinuousCollision {
     }
 
     void sweep(int worker, StepConstants constants) {
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
         if (!grid.anyFast()) {
-            setFreeClamps(from, to);
+            setFreeClamps(team.part(state.n, worker), team.part(state.n, worker + 1));
             return;
         }
         reaches.clear(worker);
-        start(from, to, constants);
+        for (int round = 0; round < team.rounds(); round++) {
+            start(team.from(state.n, worker, round), team.to(state.n, worker, round), constants);
+        }
         team.sync(worker);
-        reaches.add(from, to);
+        for (int round = 0; round < team.rounds(); round++) {
+            reaches.add(team.from(state.n, worker, round), team.to(state.n, worker, round));
+        }
         team.sync(worker);
-        lookForStops(worker, from, to);
+        for (int round = 0; round < team.rounds(); round++) {
+            lookForStops(worker, team.from(state.n, worker, round), team.to(state.n, worker, round));
+        }
         team.sync(worker);
         if (grid.anyMovingStatic()) {
-            lookForCarriers(worker, from, to);
+            lookForCarriers(worker);
         }
-        setMotionClamps(from, to, constants);
+        for (int round = 0; round < team.rounds(); round++) {
+            setMotionClamps(team.from(state.n, worker, round), team.to(state.n, worker, round), constants);
+        }
         team.sync(worker);
     }
 
@@ -277,16 +283,16 @@ public final class ContinuousCollision {
         return looksAhead(slot) && !state.isStatic(slot);
     }
 
-    private void lookForCarriers(int worker, int from, int to) {
+    private void lookForCarriers(int worker) {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             int rows = 1 << (levels.rowsLog[level] - BLOCK_LOG);
             summarize(level, team.part(rows, worker), team.part(rows, worker + 1));
         }
         team.sync(worker);
-        lookForCarriers(from, to, false);
+        lookForCarriers(worker, false);
         team.sync(worker);
-        lookForCarriers(from, to, true);
+        lookForCarriers(worker, true);
         team.sync(worker);
     }
 
@@ -295,10 +301,13 @@ public final class ContinuousCollision {
      *
      * @param note the second time, true: to note which static circle does so
      */
-    private void lookForCarriers(int from, int to, boolean note) {
-        for (int slot = from; slot < to; slot++) {
-            if (looksAhead(slot)) {
-                lookAhead(slot, note);
+    private void lookForCarriers(int worker, boolean note) {
+        for (int round = 0; round < team.rounds(); round++) {
+            int to = team.to(state.n, worker, round);
+            for (int slot = team.from(state.n, worker, round); slot < to; slot++) {
+                if (looksAhead(slot)) {
+                    lookAhead(slot, note);
+                }
             }
         }
     }

@@ -51,6 +51,9 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
+    /** By piece: its first contact; one more element for the end. */
+    private int[] first = new int[0];
+
     CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
         this.state = state;
         this.grid = grid;
@@ -70,6 +73,9 @@ final class CrossContacts {
             lightStart = new int[state.capacity() + 1];
             load = new int[state.capacity()];
             number = new int[state.capacity()];
+        }
+        if (first.length <= team.pieces()) {
+            first = new int[team.pieces() + 1];
         }
         for (int l = 0; l < levels.usedCount; l++) {
             reach[levels.used[l]] = levels.reach(levels.used[l]);
@@ -113,9 +119,13 @@ final class CrossContacts {
         return CrossRule.share(load[heavySlot(contact)]);
     }
 
-    /** First contact that a worker takes; of the number of workers: the end. A light circle's contacts have one worker. */
-    int first(int worker) {
-        int least = team.part(count(), worker);
+    /** First contact of a piece ({@link Team#pieces}); behind the last, the end. A light circle's contacts are in one. */
+    int first(int piece) {
+        return first[piece];
+    }
+
+    private int findFirst(int piece) {
+        int least = team.start(count(), piece);
         int low = 0;
         int high = state.n;
         while (low < high) {
@@ -145,8 +155,11 @@ final class CrossContacts {
         Arrays.fill(lightStart, from, to, 0);
         Arrays.fill(load, from, to, 0);
         team.sync(worker);
-        for (int slot = from; slot < to && !f.overflowed; slot++) {
-            find(f, slot);
+        for (int round = 0; round < team.rounds(); round++) {
+            int end = team.to(state.n, worker, round);
+            for (int slot = team.from(state.n, worker, round); slot < end && !f.overflowed; slot++) {
+                find(f, slot);
+            }
         }
         team.sync(worker);
         if (overflowed()) {
@@ -161,6 +174,9 @@ final class CrossContacts {
         sums.sumUp(worker, lightStart, state.n);
         if (worker == 0) {
             heavyCircles.ensure(heavyCirclesBefore(team.size()));
+            for (int k = 0; k <= team.pieces(); k++) {
+                first[k] = findFirst(k);
+            }
         }
         for (int k = 0; k < f.count; k++) {
             int c = lightStart[f.light[k]] + f.rank[k];

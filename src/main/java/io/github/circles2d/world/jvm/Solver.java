@@ -109,17 +109,19 @@ public final class Solver {
     }
 
     private void prepareCross(int worker, StepConstants k) {
-        heavyCircles.prepare(firstHeavy(worker), firstHeavy(worker + 1), k);
+        heavyCircles.prepare(worker, k);
         team.sync(worker);
-        int from = firstCross(worker);
-        int to = firstCross(worker + 1);
-        contacts.fillCross(from, to, k);
-        crossPasses[worker].prepare(from, to);
-        if (touches != null) {
-            touches.clear(from, to);
+        for (int round = 0; round < team.rounds(); round++) {
+            int from = firstCross(team.piece(worker, round));
+            int to = firstCross(team.piece(worker, round) + 1);
+            contacts.fillCross(from, to, k);
+            crossPasses[worker].prepare(from, to);
+            if (touches != null) {
+                touches.clear(from, to);
+            }
         }
         team.sync(worker);
-        heavyCircles.takeImpulses(firstHeavy(worker), firstHeavy(worker + 1), k);
+        heavyCircles.takeImpulses(worker, k);
         team.sync(worker);
     }
 
@@ -227,25 +229,29 @@ public final class Solver {
     // --------------------------------------------
 
     private void solveInPasses(int worker, StepConstants k) {
-        int from = team.part(state.n, worker);
-        int to = team.part(state.n, worker + 1);
         boolean crosses = levels.usedCount > 1;
         for (int sub = 0; sub < k.subSteps; sub++) {
             boolean last = sub == k.subSteps - 1;
-            mover.integrateVelocities(from, to, k, sub);
+            for (int round = 0; round < team.rounds(); round++) {
+                mover.integrateVelocities(team.from(state.n, worker, round), team.to(state.n, worker, round), k, sub);
+            }
             team.sync(worker);
             solveAll(worker, k);
             if (crosses) {
                 solveCross(worker, k);
             }
-            mover.integratePositions(from, to, k, sub);
+            for (int round = 0; round < team.rounds(); round++) {
+                mover.integratePositions(team.from(state.n, worker, round), team.to(state.n, worker, round), k, sub);
+            }
             team.sync(worker);
             relaxAll(worker, sub, k);
             if (crosses) {
                 relaxCross(worker, k, last);
             }
         }
-        mover.finalizePositions(from, to, k);
+        for (int round = 0; round < team.rounds(); round++) {
+            mover.finalizePositions(team.from(state.n, worker, round), team.to(state.n, worker, round), k);
+        }
         team.sync(worker);
     }
 
@@ -295,42 +301,42 @@ public final class Solver {
     // ---- cross contacts
     // ----------------------------------------------------------------------------------------------
 
-    private int firstCross(int worker) {
-        return contacts.firstCross + contacts.cross().first(worker);
-    }
-
-    private int firstHeavy(int worker) {
-        return team.part(heavyCircles.count, worker);
+    private int firstCross(int piece) {
+        return contacts.firstCross + contacts.cross().first(piece);
     }
 
     private void solveCross(int worker, StepConstants k) {
-        heavyCircles.look(firstHeavy(worker), firstHeavy(worker + 1));
+        heavyCircles.look(worker);
         team.sync(worker);
-        int from = firstCross(worker);
-        int to = firstCross(worker + 1);
-        crossPasses[worker].solve(from, to, k);
-        if (touches != null) {
-            touches.afterSolve(from, to, k);
+        for (int round = 0; round < team.rounds(); round++) {
+            int from = firstCross(team.piece(worker, round));
+            int to = firstCross(team.piece(worker, round) + 1);
+            crossPasses[worker].solve(from, to, k);
+            if (touches != null) {
+                touches.afterSolve(from, to, k);
+            }
         }
         team.sync(worker);
-        heavyCircles.takeGains(firstHeavy(worker), firstHeavy(worker + 1), k);
+        heavyCircles.takeGains(worker, k);
         team.sync(worker);
     }
 
     private void relaxCross(int worker, StepConstants k, boolean last) {
-        heavyCircles.look(firstHeavy(worker), firstHeavy(worker + 1));
+        heavyCircles.look(worker);
         team.sync(worker);
-        int from = firstCross(worker);
-        int to = firstCross(worker + 1);
-        crossPasses[worker].relax(from, to, k, last);
-        if (touches != null) {
-            touches.afterRelax(worker, from, to, k, last);
+        for (int round = 0; round < team.rounds(); round++) {
+            int from = firstCross(team.piece(worker, round));
+            int to = firstCross(team.piece(worker, round) + 1);
+            crossPasses[worker].relax(from, to, k, last);
+            if (touches != null) {
+                touches.afterRelax(worker, from, to, k, last);
+            }
         }
         team.sync(worker);
-        heavyCircles.takeGains(firstHeavy(worker), firstHeavy(worker + 1), k);
-        heavyCircles.forgetClaims(firstHeavy(worker), firstHeavy(worker + 1));
+        heavyCircles.takeGains(worker, k);
+        heavyCircles.forgetClaims(worker);
         if (!last) {
-            heavyCircles.takeImpulses(firstHeavy(worker), firstHeavy(worker + 1), k);
+            heavyCircles.takeImpulses(worker, k);
         }
         team.sync(worker);
     }

@@ -6,8 +6,8 @@ import java.lang.ref.Cleaner;
  * The threads of a step. All of them run the same method on their shares of the work, and wait for each other at
  * {@link #sync}; the caller's thread is worker 0. Between two runs the others sleep. Nothing here is allocated in a run.
  *
- * <p>Shares are ranges of items, so the number of workers alone decides which worker does what. The results of the stages do not
- * depend even on that number.
+ * <p>Shares are ranges of items, or pieces dealt out in turn, so the number of workers alone decides which worker does what. The
+ * results of the stages do not depend even on that number.
  *
  * <p>The threads know only the {@link Crew}, not this object. So the garbage collector can find a team that nobody refers to any
  * more, and its threads end.
@@ -22,6 +22,9 @@ public final class Team implements AutoCloseable {
          */
         public void run(int worker);
     }
+
+    /** Rounds in which items are dealt out. More would share them more evenly, but short loops cost more. */
+    private static final int ROUNDS = 8;
 
     private final int most;
     private final Crew crew;
@@ -55,6 +58,39 @@ public final class Team implements AutoCloseable {
     /** Where the share of a worker begins, of n equal items; the share of the last ends at part(n, size). */
     public int part(int n, int worker) {
         return (int) ((long) n * worker / size);
+    }
+
+    /**
+     * Rounds in which items are dealt out of which some take much longer than others, and such lie side by side. In each round every
+     * worker gets a piece, and in every other one in the opposite order.
+     */
+    public int rounds() {
+        return size == 1 ? 1 : ROUNDS;
+    }
+
+    /** Pieces of all rounds. */
+    public int pieces() {
+        return rounds() * size;
+    }
+
+    /** The number of the piece that a worker gets in a round. */
+    public int piece(int worker, int round) {
+        return round * size + ((round & 1) == 0 ? worker : size - 1 - worker);
+    }
+
+    /** Where a piece begins, of n items; the last ends at start(n, pieces). */
+    public int start(int n, int piece) {
+        return (int) ((long) n * piece / pieces());
+    }
+
+    /** Where the piece of a worker in a round begins, of n items. */
+    public int from(int n, int worker, int round) {
+        return start(n, piece(worker, round));
+    }
+
+    /** Where the piece of a worker in a round ends, of n items. */
+    public int to(int n, int worker, int round) {
+        return start(n, piece(worker, round) + 1);
     }
 
     /**
