@@ -62,6 +62,45 @@ class TeamTest {
     }
 
     @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3, 7})
+    void everyItemIsDealtOutOnce(int workers) {
+        try (Team team = new Team(workers)) {
+            team.run(workers, worker -> {});
+            for (int n : new int[] {0, 1, 5, 100, 1001}) {
+                int[] dealt = new int[n];
+                for (int worker = 0; worker < workers; worker++) {
+                    for (int round = 0; round < team.rounds(); round++) {
+                        for (int k = team.from(n, worker, round); k < team.to(n, worker, round); k++) {
+                            dealt[k]++;
+                        }
+                    }
+                }
+                assertThat(dealt).containsOnly(n == 0 ? new int[0] : new int[] {1});
+            }
+            assertThat(team.start(Integer.MAX_VALUE, team.pieces())).isEqualTo(Integer.MAX_VALUE);
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 16})
+    void workersGetEqualWorkWhereItGrowsFromItemToItem(int workers) {
+        int n = 10_000;
+        long fair = (long) n * (n - 1) / 2 / workers;
+        try (Team team = new Team(workers)) {
+            team.run(workers, worker -> {});
+            for (int worker = 0; worker < workers; worker++) {
+                long work = 0;
+                for (int round = 0; round < team.rounds(); round++) {
+                    for (int k = team.from(n, worker, round); k < team.to(n, worker, round); k++) {
+                        work += k;
+                    }
+                }
+                assertThat(work).isBetween(fair * 99 / 100, fair * 101 / 100);
+            }
+        }
+    }
+
+    @ParameterizedTest
     @ValueSource(ints = {0, 1, 3})
     void whatAWorkerThrowsReachesTheCallerAndTheOthersStop(int failing) {
         IllegalStateException thrown = new IllegalStateException("worker " + failing);
