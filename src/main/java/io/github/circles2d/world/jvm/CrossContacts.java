@@ -51,9 +51,6 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
-    /** By piece: its first contact; one more element for the end. */
-    private int[] first = new int[0];
-
     CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
         this.state = state;
         this.grid = grid;
@@ -73,9 +70,6 @@ final class CrossContacts {
             lightStart = new int[state.capacity() + 1];
             load = new int[state.capacity()];
             number = new int[state.capacity()];
-        }
-        if (first.length <= team.pieces()) {
-            first = new int[team.pieces() + 1];
         }
         for (int l = 0; l < levels.usedCount; l++) {
             reach[levels.used[l]] = levels.reach(levels.used[l]);
@@ -119,24 +113,9 @@ final class CrossContacts {
         return CrossRule.share(load[heavySlot(contact)]);
     }
 
-    /** First contact of a piece ({@link Team#pieces}); behind the last, the end. A light circle's contacts are in one. */
-    int first(int piece) {
-        return first[piece];
-    }
-
-    private int findFirst(int piece) {
-        int least = team.start(count(), piece);
-        int low = 0;
-        int high = state.n;
-        while (low < high) {
-            int middle = (low + high) >>> 1;
-            if (lightStart[middle] < least) {
-                low = middle + 1;
-            } else {
-                high = middle;
-            }
-        }
-        return lightStart[low];
+    /** The first contact in which a slot, or one behind it, is the light circle. */
+    int firstOf(int slot) {
+        return lightStart[slot];
     }
 
     /**
@@ -174,9 +153,6 @@ final class CrossContacts {
         sums.sumUp(worker, lightStart, state.n);
         if (worker == 0) {
             heavyCircles.ensure(heavyCirclesBefore(team.size()));
-            for (int k = 0; k <= team.pieces(); k++) {
-                first[k] = findFirst(k);
-            }
         }
         for (int k = 0; k < f.count; k++) {
             int c = lightStart[f.light[k]] + f.rank[k];

@@ -103,22 +103,28 @@ final class HeavyCircles {
         slot[number] = itsSlot;
     }
 
+    /** The number of the first heavy circle from a slot on. */
+    int firstFrom(int leastSlot) {
+        int place = Arrays.binarySearch(slot, 0, count, leastSlot);
+        return place < 0 ? -1 - place : place;
+    }
+
     /** The sums of a worker. */
     long[] sumsOf(int worker) {
         return sums[worker];
     }
 
     /** Finds the scales of the sums. */
-    void prepare(int worker, StepConstants k) {
-        for (int round = 0; round < team.rounds(); round++) {
-            for (int n = team.from(count, worker, round); n < team.to(count, worker, round); n++) {
-                int s = CircleRow.of(slot[n]);
-                seen[row(n) + VELOCITY_SCALE] = CrossRule.scaleOf(velocityRange(s, k));
-                seen[row(n) + IMPULSE_SCALE] = CrossRule.scaleOf(impulseRange(s, k));
-            }
+    void prepare(int from, int to, StepConstants k) {
+        for (int n = from; n < to; n++) {
+            int s = CircleRow.of(slot[n]);
+            seen[row(n) + VELOCITY_SCALE] = CrossRule.scaleOf(velocityRange(s, k));
+            seen[row(n) + IMPULSE_SCALE] = CrossRule.scaleOf(impulseRange(s, k));
         }
-        Arrays.fill(sums[worker], 0, sum(count), 0L);
-        forgetClaims(worker);
+        for (int w = 0; w < team.size(); w++) {
+            Arrays.fill(sums[w], sum(from), sum(to), 0L);
+        }
+        forgetClaims(from, to);
     }
 
     /** Claims the next bounce off a heavy circle for a light one. */
@@ -138,8 +144,8 @@ final class HeavyCircles {
         return number >= 0 && claim[number] != 0;
     }
 
-    void forgetClaims(int worker) {
-        Arrays.fill(claim, team.part(count, worker), team.part(count, worker + 1), 0);
+    void forgetClaims(int from, int to) {
+        Arrays.fill(claim, from, to, 0);
     }
 
     private float velocityRange(int s, StepConstants k) {
@@ -151,10 +157,9 @@ final class HeavyCircles {
     }
 
     /** Notes the velocities that light circles are to see. */
-    void look(int worker) {
+    void look(int from, int to) {
         float[] m = state.motion;
-        int to = team.part(count, worker + 1);
-        for (int n = team.part(count, worker); n < to; n++) {
+        for (int n = from; n < to; n++) {
             int s = CircleRow.of(slot[n]);
             seen[row(n) + SEEN_VX] = m[s + VX];
             seen[row(n) + SEEN_VY] = m[s + VY];
@@ -162,13 +167,7 @@ final class HeavyCircles {
     }
 
     /** Adds what a pass has given to the velocities. */
-    void takeGains(int worker, StepConstants k) {
-        for (int round = 0; round < team.rounds(); round++) {
-            takeGains(team.from(count, worker, round), team.to(count, worker, round), k);
-        }
-    }
-
-    private void takeGains(int from, int to, StepConstants k) {
+    void takeGains(int from, int to, StepConstants k) {
         for (int n = from; n < to; n++) {
             int s = CircleRow.of(slot[n]);
             long x = take(n, GAIN_X);
@@ -182,13 +181,7 @@ final class HeavyCircles {
     }
 
     /** Adds the impulses of a pass to those that the circles begin their next sub-step with. */
-    void takeImpulses(int worker, StepConstants k) {
-        for (int round = 0; round < team.rounds(); round++) {
-            takeImpulses(team.from(count, worker, round), team.to(count, worker, round), k);
-        }
-    }
-
-    private void takeImpulses(int from, int to, StepConstants k) {
+    void takeImpulses(int from, int to, StepConstants k) {
         for (int n = from; n < to; n++) {
             int s = CircleRow.of(slot[n]);
             long x = take(n, SUM_IMPULSE_X);

@@ -40,6 +40,9 @@ public final class Solver {
     /** By worker, as {@link #passes}. */
     private final CrossPasses[] crossPasses;
 
+    /** By worker: what it has where contacts are solved pass after pass. */
+    private final Share[] shares;
+
     private final HeavyCircles heavyCircles;
     private final Bands bands;
 
@@ -55,9 +58,11 @@ public final class Solver {
         mover = new CirclePasses(state);
         passes = new ContactPasses[team.most()];
         crossPasses = new CrossPasses[team.most()];
+        shares = new Share[team.most()];
         for (int worker = 0; worker < passes.length; worker++) {
             passes[worker] = new ContactPasses(state, contacts);
             crossPasses[worker] = new CrossPasses(state, contacts, passes[worker], worker);
+            shares[worker] = new Share(grid, levels, contacts.cross());
         }
         heavyCircles = contacts.cross().heavyCircles;
         bands = new Bands(grid, levels, team);
@@ -104,16 +109,22 @@ public final class Solver {
         }
         team.sync(worker);
         if (levels.usedCount > 1) {
+            shares[worker].take(bands, worker);
             prepareCross(worker, k);
+        } else {
+            shares[worker].take(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
     }
 
     private void prepareCross(int worker, StepConstants k) {
-        heavyCircles.prepare(worker, k);
+        Share share = shares[worker];
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.prepare(share.fromHeavy[l], share.toHeavy[l], k);
+        }
         team.sync(worker);
-        for (int round = 0; round < team.rounds(); round++) {
-            int from = firstCross(team.piece(worker, round));
-            int to = firstCross(team.piece(worker, round) + 1);
+        for (int l = 0; l < share.count; l++) {
+            int from = firstCross(share, l);
+            int to = endCross(share, l);
             contacts.fillCross(from, to, k);
             crossPasses[worker].prepare(from, to);
             if (touches != null) {
@@ -121,7 +132,7 @@ public final class Solver {
             }
         }
         team.sync(worker);
-        heavyCircles.takeImpulses(worker, k);
+        takeImpulses(share, k);
         team.sync(worker);
     }
 
@@ -229,19 +240,20 @@ public final class Solver {
     // --------------------------------------------
 
     private void solveInPasses(int worker, StepConstants k) {
+        Share share = shares[worker];
         boolean crosses = levels.usedCount > 1;
         for (int sub = 0; sub < k.subSteps; sub++) {
             boolean last = sub == k.subSteps - 1;
-            for (int round = 0; round < team.rounds(); round++) {
-                mover.integrateVelocities(team.from(state.n, worker, round), team.to(state.n, worker, round), k, sub);
+            for (int l = 0; l < share.count; l++) {
+                mover.integrateVelocities(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
             solveAll(worker, k);
             if (crosses) {
                 solveCross(worker, k);
             }
-            for (int round = 0; round < team.rounds(); round++) {
-                mover.integratePositions(team.from(state.n, worker, round), team.to(state.n, worker, round), k, sub);
+            for (int l = 0; l < share.count; l++) {
+                mover.integratePositions(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
             relaxAll(worker, sub, k);
@@ -249,8 +261,8 @@ public final class Solver {
                 relaxCross(worker, k, last);
             }
         }
-        for (int round = 0; round < team.rounds(); round++) {
-            mover.finalizePositions(team.from(state.n, worker, round), team.to(state.n, worker, round), k);
+        for (int l = 0; l < share.count; l++) {
+            mover.finalizePositions(share.fromSlot[l], share.toSlot[l], k);
         }
         team.sync(worker);
     }
@@ -301,44 +313,66 @@ public final class Solver {
     // ---- cross contacts
     // ----------------------------------------------------------------------------------------------
 
-    private int firstCross(int piece) {
-        return contacts.firstCross + contacts.cross().first(piece);
+    private int firstCross(Share share, int l) {
+        return contacts.firstCross + share.fromCross[l];
+    }
+
+    private int endCross(Share share, int l) {
+        return contacts.firstCross + share.toCross[l];
     }
 
     private void solveCross(int worker, StepConstants k) {
-        heavyCircles.look(worker);
+        Share share = shares[worker];
+        look(share);
         team.sync(worker);
-        for (int round = 0; round < team.rounds(); round++) {
-            int from = firstCross(team.piece(worker, round));
-            int to = firstCross(team.piece(worker, round) + 1);
-            crossPasses[worker].solve(from, to, k);
+        for (int l = 0; l < share.count; l++) {
+            crossPasses[worker].solve(firstCross(share, l), endCross(share, l), k);
             if (touches != null) {
-                touches.afterSolve(from, to, k);
+                touches.afterSolve(firstCross(share, l), endCross(share, l), k);
             }
         }
         team.sync(worker);
-        heavyCircles.takeGains(worker, k);
+        takeGains(share, k);
         team.sync(worker);
     }
 
     private void relaxCross(int worker, StepConstants k, boolean last) {
-        heavyCircles.look(worker);
+        Share share = shares[worker];
+        look(share);
         team.sync(worker);
-        for (int round = 0; round < team.rounds(); round++) {
-            int from = firstCross(team.piece(worker, round));
-            int to = firstCross(team.piece(worker, round) + 1);
-            crossPasses[worker].relax(from, to, k, last);
+        for (int l = 0; l < share.count; l++) {
+            crossPasses[worker].relax(firstCross(share, l), endCross(share, l), k, last);
             if (touches != null) {
-                touches.afterRelax(worker, from, to, k, last);
+                touches.afterRelax(worker, firstCross(share, l), endCross(share, l), k, last);
             }
         }
         team.sync(worker);
-        heavyCircles.takeGains(worker, k);
-        heavyCircles.forgetClaims(worker);
+        takeGains(share, k);
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.forgetClaims(share.fromHeavy[l], share.toHeavy[l]);
+        }
         if (!last) {
-            heavyCircles.takeImpulses(worker, k);
+            takeImpulses(share, k);
         }
         team.sync(worker);
+    }
+
+    private void look(Share share) {
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.look(share.fromHeavy[l], share.toHeavy[l]);
+        }
+    }
+
+    private void takeGains(Share share, StepConstants k) {
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.takeGains(share.fromHeavy[l], share.toHeavy[l], k);
+        }
+    }
+
+    private void takeImpulses(Share share, StepConstants k) {
+        for (int l = 0; l < share.count; l++) {
+            heavyCircles.takeImpulses(share.fromHeavy[l], share.toHeavy[l], k);
+        }
     }
 
     // ---- rows of contacts

@@ -1,0 +1,52 @@
+package io.github.circles2d.world.jvm;
+
+import io.github.circles2d.world.model.GridLevels;
+
+/**
+ * What a worker has in stage Solver where contacts are solved pass after pass: of each level, the circles in its band of rows, the cross
+ * contacts in which they are the light ones, and those of them that are heavy. Levels differ in what their circles cost, so each worker
+ * has a part of every level; and the rows of its own circles are the rows that it solves, so they stay in the cache of its processor.
+ */
+final class Share {
+    private final Grid grid;
+    private final GridLevels levels;
+    private final CrossContacts cross;
+
+    /** Number of ranges: one a level. */
+    int count;
+
+    // by range: slots, cross contacts and numbers of heavy circles, from the first one to before the last
+    final int[] fromSlot = new int[GridLevels.COUNT];
+    final int[] toSlot = new int[GridLevels.COUNT];
+    final int[] fromCross = new int[GridLevels.COUNT];
+    final int[] toCross = new int[GridLevels.COUNT];
+    final int[] fromHeavy = new int[GridLevels.COUNT];
+    final int[] toHeavy = new int[GridLevels.COUNT];
+
+    Share(Grid grid, GridLevels levels, CrossContacts cross) {
+        this.grid = grid;
+        this.levels = levels;
+        this.cross = cross;
+    }
+
+    /** Takes some slots, where there is one level: it may have fewer rows than there are workers. */
+    void take(int from, int to) {
+        count = 1;
+        fromSlot[0] = from;
+        toSlot[0] = to;
+    }
+
+    /** Takes the bands of a worker in all levels. */
+    void take(Bands bands, int worker) {
+        count = levels.usedCount;
+        for (int l = 0; l < count; l++) {
+            int level = levels.used[l];
+            fromSlot[l] = grid.start[levels.rowStart(level, bands.first(level, worker))];
+            toSlot[l] = grid.start[levels.rowStart(level, bands.first(level, worker + 1))];
+            fromCross[l] = cross.firstOf(fromSlot[l]);
+            toCross[l] = cross.firstOf(toSlot[l]);
+            fromHeavy[l] = cross.heavyCircles.firstFrom(fromSlot[l]);
+            toHeavy[l] = cross.heavyCircles.firstFrom(toSlot[l]);
+        }
+    }
+}
