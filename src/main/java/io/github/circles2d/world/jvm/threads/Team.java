@@ -68,21 +68,6 @@ public final class Team implements AutoCloseable {
         return size == 1 ? 1 : ROUNDS;
     }
 
-    /** Pieces of all rounds. */
-    public int pieces() {
-        return rounds() * size;
-    }
-
-    /** The number of the piece that a worker gets in a round. */
-    public int piece(int worker, int round) {
-        return round * size + ((round & 1) == 0 ? worker : size - 1 - worker);
-    }
-
-    /** Where a piece begins, of n items; the last ends at start(n, pieces). */
-    public int start(int n, int piece) {
-        return (int) ((long) n * piece / pieces());
-    }
-
     /** Where the piece of a worker in a round begins, of n items. */
     public int from(int n, int worker, int round) {
         return start(n, piece(worker, round));
@@ -91,6 +76,14 @@ public final class Team implements AutoCloseable {
     /** Where the piece of a worker in a round ends, of n items. */
     public int to(int n, int worker, int round) {
         return start(n, piece(worker, round) + 1);
+    }
+
+    private int piece(int worker, int round) {
+        return round * size + ((round & 1) == 0 ? worker : size - 1 - worker);
+    }
+
+    private int start(int n, int piece) {
+        return (int) ((long) n * piece / (rounds() * size));
     }
 
     /**

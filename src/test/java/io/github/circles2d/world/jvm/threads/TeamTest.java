@@ -77,7 +77,9 @@ class TeamTest {
                 }
                 assertThat(dealt).containsOnly(n == 0 ? new int[0] : new int[] {1});
             }
-            assertThat(team.start(Integer.MAX_VALUE, team.pieces())).isEqualTo(Integer.MAX_VALUE);
+            assertThat(team.from(Integer.MAX_VALUE, 0, 0)).isZero();
+            assertThat(team.to(Integer.MAX_VALUE, team.rounds() > 1 ? 0 : workers - 1, team.rounds() - 1))
+                    .isEqualTo(Integer.MAX_VALUE);
         }
     }
 
