@@ -5,8 +5,9 @@ import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
 
 /**
- * Which rows of cells each worker takes: of each level, a band from an even row to an even row. All bands have about the same
- * weight. The weight of a row is the number of its circles and, if they are known, of its contacts.
+ * Which rows of cells each worker takes: of each level, a band from an even row to an even row. The bands of a worker, of all levels
+ * together, weigh about as much as those of any other. The weight of a row is the number of its circles and, if they are known, of its
+ * contacts and of the cross contacts in which its circles are the light ones.
  */
 final class Bands {
     private final Grid grid;
@@ -16,7 +17,7 @@ final class Bands {
     /** By level and worker: the first row of its band; one more element a level for the end. */
     private final int[] edges;
 
-    /** By worker: how much more than their share those before it have of the levels divided so far. */
+    /** By worker: by how much the workers before it have more than their share of the levels divided so far. */
     private final long[] surplus;
 
     private int narrowest;
@@ -33,41 +34,43 @@ final class Bands {
      * Divides the rows of all levels; one worker does it for all.
      *
      * @param contactsBefore by row of all levels: contacts before it; null where they are not known
+     * @param cross the cross contacts; null where they are not known, or there is one level
      * @param least even number of rows that a band has at least, where there are so many; else some have none
      */
-    void divide(int[] contactsBefore, int least) {
+    void divide(int[] contactsBefore, CrossContacts cross, int least) {
         narrowest = Integer.MAX_VALUE;
         Arrays.fill(surplus, 0L);
         // Fine levels come last: they have the most rows to make up for what coarse ones could not share evenly.
         for (int l = levels.usedCount - 1; l >= 0; l--) {
-            divide(levels.used[l], contactsBefore, least);
+            divide(levels.used[l], contactsBefore, cross, least);
         }
     }
 
-    private void divide(int level, int[] contactsBefore, int least) {
+    private void divide(int level, int[] contactsBefore, CrossContacts cross, int least) {
         int rows = levels.rowCount[level];
         int width = least * team.size() <= rows ? least : 0;
         int edge = level * (team.most() + 1);
-        long begin = weight(level, 0, contactsBefore);
-        long all = weight(level, rows, contactsBefore) - begin;
+        long begin = weight(level, 0, contactsBefore, cross);
+        long all = weight(level, rows, contactsBefore, cross) - begin;
         edges[edge] = 0;
         for (int worker = 1; worker <= team.size(); worker++, edge++) {
             long share = begin + all * worker / team.size();
-            int row = worker == team.size() ? rows : firstEvenRow(level, share - surplus[worker], contactsBefore);
+            int row =
+                    worker == team.size() ? rows : firstEvenRow(level, share - surplus[worker], contactsBefore, cross);
             row = Math.min(Math.max(row, edges[edge] + width), rows - width * (team.size() - worker));
             edges[edge + 1] = row;
-            surplus[worker] += weight(level, row, contactsBefore) - share;
+            surplus[worker] += weight(level, row, contactsBefore, cross) - share;
             narrowest = Math.min(narrowest, row - edges[edge]);
         }
     }
 
     /** The first even row with at least so much weight before it. */
-    private int firstEvenRow(int level, long weight, int[] contactsBefore) {
+    private int firstEvenRow(int level, long weight, int[] contactsBefore, CrossContacts cross) {
         int low = 0;
         int high = levels.rowCount[level] >> 1;
         while (low < high) {
             int middle = (low + high) >>> 1;
-            if (weight(level, 2 * middle, contactsBefore) < weight) {
+            if (weight(level, 2 * middle, contactsBefore, cross) < weight) {
                 low = middle + 1;
             } else {
                 high = middle;
@@ -76,9 +79,11 @@ final class Bands {
         return 2 * low;
     }
 
-    private long weight(int level, int row, int[] contactsBefore) {
-        long circles = grid.start[levels.rowStart(level, row)];
-        return contactsBefore == null ? circles : circles + contactsBefore[levels.firstRow[level] + row];
+    /** What all rows weigh that come before one, those of finer levels too. */
+    private long weight(int level, int row, int[] contactsBefore, CrossContacts cross) {
+        int slot = grid.start[levels.rowStart(level, row)];
+        long contacts = contactsBefore == null ? 0 : contactsBefore[levels.firstRow[level] + row];
+        return slot + contacts + (cross == null ? 0 : cross.firstOf(slot));
     }
 
     /** First row of a worker's band; of the number of workers: the end of the last band. */

@@ -151,7 +151,7 @@ public final class Contacts {
 
     private void find(int worker, boolean all) {
         if (worker == 0) {
-            bands.divide(null, 0);
+            bands.divide(null, null, 0);
         }
         team.sync(worker);
         cross.find(worker, all ? Integer.MAX_VALUE : room(team.part(state.n, worker + 1) - team.part(state.n, worker)));

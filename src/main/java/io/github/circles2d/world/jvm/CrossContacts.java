@@ -113,7 +113,7 @@ final class CrossContacts {
         return CrossRule.share(load[heavySlot(contact)]);
     }
 
-    /** The first contact in which a slot, or one behind it, is the light circle. */
+    /** The first contact whose light circle lies in a slot or behind it. */
     int firstOf(int slot) {
         return lightStart[slot];
     }

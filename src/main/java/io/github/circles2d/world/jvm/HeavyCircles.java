@@ -103,7 +103,7 @@ final class HeavyCircles {
         slot[number] = itsSlot;
     }
 
-    /** The number of the first heavy circle from a slot on. */
+    /** The number of the first heavy circle in a slot or behind it; how many there are, if there is none. */
     int firstFrom(int leastSlot) {
         int place = Arrays.binarySearch(slot, 0, count, leastSlot);
         return place < 0 ? -1 - place : place;

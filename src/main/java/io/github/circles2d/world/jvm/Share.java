@@ -15,7 +15,7 @@ final class Share {
     /** Number of ranges: one a level. */
     int count;
 
-    // by range: slots, cross contacts and numbers of heavy circles, from the first one to before the last
+    // by range: slots, cross contacts and numbers of heavy circles, the first one and one behind the last
     final int[] fromSlot = new int[GridLevels.COUNT];
     final int[] toSlot = new int[GridLevels.COUNT];
     final int[] fromCross = new int[GridLevels.COUNT];
@@ -30,14 +30,14 @@ final class Share {
     }
 
     /** Takes some slots, where there is one level: it may have fewer rows than there are workers. */
-    void take(int from, int to) {
+    void takeSlots(int from, int to) {
         count = 1;
         fromSlot[0] = from;
         toSlot[0] = to;
     }
 
     /** Takes the bands of a worker in all levels. */
-    void take(Bands bands, int worker) {
+    void takeBands(Bands bands, int worker) {
         count = levels.usedCount;
         for (int l = 0; l < count; l++) {
             int level = levels.used[l];

@@ -83,7 +83,8 @@ public final class Solver {
     /** Fills the contacts, and measures them for the first sub-step. */
     void prepare(int worker, StepConstants k) {
         if (worker == 0) {
-            bands.divide(contacts.rowStart, 2 * LAG);
+            boolean sweeps = levels.usedCount == 1;
+            bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);
         }
         mover.clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
         if (mover.touches != null) {
@@ -109,10 +110,10 @@ public final class Solver {
         }
         team.sync(worker);
         if (levels.usedCount > 1) {
-            shares[worker].take(bands, worker);
+            shares[worker].takeBands(bands, worker);
             prepareCross(worker, k);
         } else {
-            shares[worker].take(team.part(state.n, worker), team.part(state.n, worker + 1));
+            shares[worker].takeSlots(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
     }
 

@@ -6,7 +6,7 @@ import java.lang.ref.Cleaner;
  * The threads of a step. All of them run the same method on their shares of the work, and wait for each other at
  * {@link #sync}; the caller's thread is worker 0. Between two runs the others sleep. Nothing here is allocated in a run.
  *
- * <p>Shares are ranges of items, or pieces dealt out in turn, so the number of workers alone decides which worker does what. The
+ * <p>Shares are ranges of items, one or several, so the number of workers alone decides which worker does what. The
  * results of the stages do not depend even on that number.
  *
  * <p>The threads know only the {@link Crew}, not this object. So the garbage collector can find a team that nobody refers to any
@@ -61,8 +61,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Rounds in which items are dealt out of which some take much longer than others, and such lie side by side. In each round every
-     * worker gets a piece, and in every other one in the opposite order.
+     * Number of rounds in which items are dealt out, for items that differ in what they take while neighbours are alike. In each round
+     * every worker gets a piece, and in every other round in the opposite order. One worker has one round.
      */
     public int rounds() {
         return size == 1 ? 1 : ROUNDS;
