@@ -22,6 +22,7 @@ class JvmPipelineTest {
                 Scenes.gas(1250, Scenes.SEED),
                 Scenes.pyramid(),
                 Scenes.mixed(2000, Scenes.SEED),
+                Scenes.mixed(2000, 100, Scenes.SEED),
                 Scenes.noCollide(),
                 Scenes.billiards(40),
                 Scenes.onePoint(1000, Scenes.SEED));
