@@ -19,6 +19,9 @@ import io.github.circles2d.world.model.StepConstants;
  * over its band of rows and takes all passes of one or more sub-steps along, each some rows behind the one before. The rows are
  * then still in the processor's cache, and workers wait for each other twice per sweep. At the edges of its band a sweep lacks rows of
  * the next band; a second sweep completes them, from the edge outwards.
+ *
+ * <p>If there are more levels, their cross contacts come between the passes. So all workers make pass after pass, each on its
+ * {@link Share} of all levels.
  */
 public final class Solver {
     /** Rows that a sub-step is behind the one before it in a sweep, and by which it does less at each edge of a band. */
