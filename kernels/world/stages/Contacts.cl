@@ -424,7 +424,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
     int groups = likeGroups(&w) >> 2;
-    if (g >= groups || outOfRoom(&w) || tooFast(&w)) return;
+    if (g >= groups || refused(&w)) return;
     int group = colour * groups + g;
     int from = w.groupStart[group];
     int to = w.groupStart[group + 1];
