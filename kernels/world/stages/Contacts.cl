@@ -42,7 +42,7 @@ int recordCross(const World *w, int finer, int coarser) {
     bool isLight = isFinerLight(finerMass, coarserMass);
     int heavy = isLight ? coarser : finer;
     atomic_add(&w->crossLoad[heavy], isLight ? loadOfHeavy(finerMass, coarserMass) : loadOfHeavy(coarserMass, finerMass));
-    if (atomic_inc(&w->coarser[finer]) >= CROWD && !w->k.thinning) w->status[CROWDED] = 1;
+    if (atomic_inc(&w->coarser[finer]) >= CROWD) refuseCrowd(w);
     return crossGroupOf(w, isLight ? finer : coarser);
 }
 
@@ -424,7 +424,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     World w = WORLD;
     int g = (int) get_global_id(0);
     int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
+    if (g >= groups || outOfRoom(&w) || tooFast(&w)) return;
     int group = colour * groups + g;
     int from = w.groupStart[group];
     int to = w.groupStart[group + 1];

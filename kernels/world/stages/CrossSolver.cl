@@ -88,7 +88,7 @@ void fillCrossOf(const World *w, int slot) {
 kernel void cross_fill(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
+    if (slot >= circles || outOfRoom(&w) || tooFast(&w)) return;
     w = crossWorld(w);
     fillCrossOf(&w, slot);
 }
