@@ -1,78 +1,40 @@
-// uses: world/shared/PairRule.cl*4 world/stages/PairFilter.cl
-// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneContacts.cl world/persistent_cpu/LaneCross.cl
+// uses: world/persistent_cpu/LaneMover.cl world/persistent_cpu/LaneCrowds.cl world/persistent_cpu/LaneCross.cl
 // uses: world/persistent_cpu/LaneTouches.cl
 // Finds the contacts of a row of groups and lays them out as wide contacts. A group finds the pairs whose lesser column and
 // lesser row are its own in its 2 x 2 cells, so each pair is found once, and by the work-group that will solve it. Groups of
 // the same parity of columns share no circle: their contacts, each group's in order, are dealt to wide contacts in turn. The
 // more groups are dealt together, the fewer lanes stay empty.
 
-#define HITS 512            // pairs of one group; what is more crowded goes the way of crowds
-#define DEALT_TOGETHER 64   // groups
-#define GATHERED (2 * HITS) // pairs of these
-
-// What a work-group looks for contacts with.
-typedef struct {
-    global const float *x, *y, *speculativeDistance; // by working slot
-    ulong hit[HITS + 4];               // of the group: slot above slot
-    ulong ids[GATHERED], slots[GATHERED]; // of groups that are dealt together, by group and in order; lower id's first
-    int gathered;
-    int start[DEALT_TOGETHER + 1];
-    int groups;
-    int wide, endWide; // where the next wide contact goes, and where there is no more room
-    int owner;         // the work-group; see LaneCross.cl
-    int nodes;         // see LaneCross.cl
-    int contacts;
-    bool crowded;
-#ifdef RECORDING
-    int met; // see TOUCHES_MET
-#endif
-} Search;
-
-// Where circles are noted for the search, component by component: arrays that stage Grid is done with.
-global float *searchX(const World *w) { return (global float *) w->bucketBefore; }
-global float *searchY(const World *w) { return (global float *) w->rank; }
-global float *searchSpeculativeDistance(const World *w) { return (global float *) w->bucketOf; }
-
-// Tests a circle against slots [from, to), four at a time, also where there are none: that costs less than to guess wrong
-// whether there are. Returns how many pairs of the group there are then.
-INLINE int scanSlots(const World *w, Search *f, int hits, int slot, int from, int to) {
-    if (hits + (to - from) > HITS) {
-        f->crowded = true;
-        return hits;
+// Orders pairs by their ids, where they are too many for gatherHits to do it (Shell sort).
+void sortPairs(ulong *ids, ulong *slots, int count) {
+    for (int gap = count / 2; gap > 0; gap = gap > 2 ? gap * 5 / 11 : gap - 1) {
+        for (int k = gap; k < count; k++) {
+            ulong id = ids[k];
+            ulong slot = slots[k];
+            int p = k;
+            for (; p >= gap && ids[p - gap] > id; p -= gap) {
+                ids[p] = ids[p - gap];
+                slots[p] = slots[p - gap];
+            }
+            ids[p] = id;
+            slots[p] = slot;
+        }
     }
-    float x = f->x[slot];
-    float y = f->y[slot];
-    float speculativeDistance = f->speculativeDistance[slot];
-    ulong high = (ulong) slot << 32;
-    int other = from;
-    do {
-        float4 dx = ACROSS_X4(w, vload4(0, f->x + other) - x);
-        float4 dy = ACROSS_Y4(w, vload4(0, f->y + other) - y);
-        float4 limit = speculativeDistance + vload4(0, f->speculativeDistance + other);
-        int4 hit = isNear4(dx, dy, limit) & ((int4)(0, 1, 2, 3) < (int4)(to - other));
-        // Whether a pair is near is as good as random: no branch.
-        f->hit[hits] = high | other;
-        hits -= hit.x;
-        f->hit[hits] = high | (other + 1);
-        hits -= hit.y;
-        f->hit[hits] = high | (other + 2);
-        hits -= hit.z;
-        f->hit[hits] = high | (other + 3);
-        hits -= hit.w;
-        other += 4;
-    } while (other < to);
-    return hits;
 }
 
-// Puts the pairs that were hit among those gathered, in order of their ids. filtering: see mayMeetIf; cross: whether they are cross
-// contacts of one light circle, which looked; see LIGHT_IS_HIGHER.
-INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering, bool cross) {
+#define SORTED_AS_THEY_COME 32 // pairs of a group
+
+// Puts the pairs that were hit among those gathered, in order of their ids. choosing: whether some may not meet for their kinds, or are
+// left out in a crowd; cross: whether they are cross contacts of one light circle, which looked; see LIGHT_IS_HIGHER.
+INLINE void gatherHits(const World *w, Search *f, int hits, bool choosing, bool cross) {
+    bool asTheyCome = hits <= SORTED_AS_THEY_COME;
     int from = f->gathered;
     int count = from;
     for (int k = 0; k < hits; k++) {
         int slot = (int) (f->hit[k] >> 32);
         int other = (int) f->hit[k];
-        if (!mayMeetIf(w, filtering, slot, w->traits[slot].x, other, w->traits[other].x)) continue;
+        if (!mayMeetIf(w, choosing && w->k.filtering, slot, w->traits[slot].x, other, w->traits[other].x)) continue;
+        if (choosing && !keepsPairByLanes(w, slot, other)) continue;
         int id = w->id[slot];
         int otherId = w->id[other];
         // Exchanged where the other has the lower id; no branch, which would be taken as if by chance.
@@ -81,7 +43,7 @@ INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering, bool
         ulong slots = (ulong) (slot ^ exchange) << 32 | (uint) (other ^ exchange);
         if (cross && otherId < id) slots |= LIGHT_IS_HIGHER;
         // Exchanged with every pair that comes after it. No branch: where it comes to stand is as good as random.
-        for (int p = from; p < count; p++) {
+        for (int p = from; p < count && asTheyCome; p++) {
             ulong nextIds = f->ids[p];
             ulong nextSlots = f->slots[p];
             bool before = ids < nextIds;
@@ -93,6 +55,7 @@ INLINE void gatherHits(const World *w, Search *f, int hits, bool filtering, bool
         f->ids[count] = ids;
         f->slots[count++] = slots;
     }
+    if (!asTheyCome) sortPairs(f->ids + from, f->slots + from, count - from);
     f->gathered = count;
     if (count > from) f->start[++f->groups] = count;
 }
@@ -185,7 +148,7 @@ void findRow(const World *shared, Search *f, int l, int row) {
     for (int odd = 0; odd < 2; odd++) {
         for (int column = odd; column < columns && !f->crowded; column += 2) {
             int hits = findGroup(w, f, l, row, column);
-            if (w->k.filtering) {
+            if (w->k.filtering || w->k.thinning) {
                 gatherHits(w, f, hits, true, false);
             } else {
                 gatherHits(w, f, hits, false, false);

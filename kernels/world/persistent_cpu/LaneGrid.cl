@@ -111,6 +111,7 @@ void noteForSearch(const World *w, int slot, float x, float y, float speculative
 INLINE void listCircles(World *w, const Crew *crew, bool mixed) {
     w->k.sweeping = 1; // until it is known
     if (crew->group == 0) {
+        if (w->k.thinning) w->status[CROWDED] = 0;
         w->status[FAST] = 0;
         w->status[CARRYING] = 0;
         w->status[LONGEST_PATH] = 0;

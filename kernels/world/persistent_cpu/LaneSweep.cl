@@ -46,7 +46,12 @@ void lookForStopsOf(const World *shared, int from, int to) {
 void sweepCircles(World *w, const Crew *crew) {
     w->k.sweeping = w->status[FAST];
     if (!w->k.sweeping) return;
-    EACH_OF_PART(slot, w->circles, crew) searchReach(w)[slot] = noteReach(w, slot, looksForStops(w, slot));
+    int classes = 0;
+    EACH_OF_PART(slot, w->circles, crew) {
+        classes |= noteReach(w, slot, looksForStops(w, slot));
+        searchReach(w)[slot] = w->reach[slot].z;
+    }
+    noteClasses(w, classes);
     bool carrying = w->status[CARRYING] != 0;
     if (carrying) {
         EACH_OF_PART(block, blocksOfCells(w), crew) summarize(w, block);

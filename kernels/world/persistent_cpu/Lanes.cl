@@ -32,6 +32,10 @@ void endSearch(const World *w, const Crew *crew, const Search *f) {
     int region = regionOf(w, crew);
     int first = crew->group * region;
     if (f->crowded) w->status[CROWDED] = 1;
+    if (f->crowded && w->k.thinning) {
+        w->status[TOO_CLOSE] = 1;
+        w->status[OUT_OF_ROOM] = 1;
+    }
     if (f->wide > f->endWide) w->status[OUT_OF_ROOM] = 1;
     atomic_add(&w->status[CONTACTS], f->contacts);
 #ifdef RECORDING
@@ -53,6 +57,10 @@ void askForRoom(const World *w, const Crew *crew) {
 bool listContacts(const World *w, const Crew *crew, const Band *band) {
     Search f;
     beginSearch(w, crew, &f);
+    if (w->k.thinning) {
+        countCandidates(w, &f, cellsOfBand(w, onlyLevel(w), *band), 0);
+        awaitCrew(w, crew);
+    }
     for (int row = band->from; row <= band->to; row += 2) {
         for (int r = 0; r < 2 && row < band->to; r++) findRow(w, &f, onlyLevel(w), row + r);
         if (row == band->to) {

@@ -44,7 +44,7 @@ void findLike(const World *w, Search *f, const Part *part) {
 }
 
 // Notes where there is a crowd: circles count what they have found in coarser levels, too.
-void countCandidates(const World *w, Cells cells) {
+void noteCrowds(const World *w, Cells cells) {
     for (int slot = cells.from; slot < cells.to; slot++) {
         if (w->load[slot].z + (float) w->coarser[slot] > (float) CROWD) w->status[CROWDED] = 1;
     }
@@ -55,6 +55,10 @@ bool listMixed(const World *w, const Crew *crew, Part *part) {
     Search f;
     beginSearch(w, crew, &f);
     int used = w->levels->usedCount;
+    if (w->k.thinning) {
+        for (int l = 0; l < used; l++) countCandidates(w, &f, part->cells[l], l);
+        awaitCrew(w, crew);
+    }
     findLike(w, &f, part);
     int first = f.wide;
     for (int l = 0; l + 1 < used; l++) findCross(w, &f, part->cells[l], l + 1);
@@ -72,7 +76,7 @@ bool listMixed(const World *w, const Crew *crew, Part *part) {
     endSearch(w, crew, &f);
     awaitCrew(w, crew);
     prepareCross(w, part->crossFrom, part->crossTo);
-    EACH_LEVEL(w, l) countCandidates(w, part->cells[l]);
+    EACH_LEVEL(w, l) noteCrowds(w, part->cells[l]);
     awaitCrew(w, crew);
     askForRoom(w, crew);
     return !outOfRoom(w) && !tooCrowded(w);

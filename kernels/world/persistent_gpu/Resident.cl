@@ -80,6 +80,7 @@ void scanAll(const World *w, global const int *counts, global int *starts, int c
 // Local memory, as the stages use it one after another.
 typedef union {
     int cells[2 * RESIDENT_GROUP];
+    int classes; // see noteClasses
     Findings findings;
     Arrangement arrangement;
     Tile tile;
@@ -109,7 +110,13 @@ void listAll(World *w, local Local *l) {
     deviceBarrier(arrivals);
     w->k.sweeping = w->status[FAST];
     if (w->k.sweeping) {
-        EACH(slot, w->circles) noteReach(w, slot, looksForStops(w, slot));
+        if (get_local_id(0) == 0) l->classes = 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        int classes = 0;
+        EACH(slot, w->circles) classes |= noteReach(w, slot, looksForStops(w, slot));
+        if (classes != 0) atomic_or(&l->classes, classes);
+        barrier(CLK_LOCAL_MEM_FENCE);
+        if (get_local_id(0) == 0) noteClasses(w, l->classes);
         EACH(block, blocksOfCells(w)) summarize(w, block);
         deviceBarrier(arrivals);
         EACH(slot, w->circles) lookForStops(w, slot);

@@ -19,10 +19,10 @@ typedef struct {
     int first; // the number of the first of them among all
 } Findings;
 
-// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does, in a world of
-// one level, where a group has more contacts: tiles take none with more, of crowds neither.
+// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does where a group has more
+// like contacts: tiles take none with more, of crowds neither.
 #define LONGEST_ROW 1024
-#define LONGEST_GROUP 512
+#define LONGEST_GROUP 1023
 
 int levelOfSlot(const World *w, int slot) {
     return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
@@ -58,7 +58,7 @@ void recordContactAt(const World *w, int k, int slot, int other, int level, int 
     bool isLike = oneLevel || w->bucketOf[slot] >= levels->first[level];
     int group = isLike ? groupOf(w, level, ox, oy) : recordCross(w, slot, other);
     int rank = atomic_inc(&w->tally[group]);
-    if (rank >= LONGEST_GROUP && oneLevel) refuseCrowd(w);
+    if (rank >= LONGEST_GROUP && isLike) refuseCrowd(w);
     if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
 }
 

@@ -73,10 +73,17 @@ bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->
 // Notes how far the circles reach, and summarizes the blocks. Index space: a working slot a work-item.
 kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
     World w = WORLD;
+    local int classes;
     int i = (int) get_global_id(0);
-    if (i >= circles || refused(&w)) return;
-    noteReach(&w, i, looksForStops(&w, i));
-    if (i < blocksOfCells(&w)) summarize(&w, i);
+    if (get_local_id(0) == 0) classes = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (i < circles && !refused(&w)) {
+        int own = noteReach(&w, i, looksForStops(&w, i));
+        if (own != 0) atomic_or(&classes, own);
+        if (i < blocksOfCells(&w)) summarize(&w, i);
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (get_local_id(0) == 0) noteClasses(&w, classes);
 }
 
 // What several work-items change of a circle at once, as bits.

@@ -15,25 +15,29 @@ volatile global int *lastReached(const World *w) { return (volatile global int *
 // The reach from which on circles of a level look for a circle, and it does not look for them.
 float farIn(const World *w, int level) { return FAR_CELLS / w->levels->inverseEdge[level]; }
 
-// Puts a circle into its bucket.
-void addReach(const World *w, int slot, float4 c, float reach) {
+// Puts a circle into its bucket. Returns the bit of its class.
+int addReach(const World *w, int slot, float4 c, float reach) {
     int top = topExponent(w->levels->rmax);
     int k = reachClassOf(reach, top);
     float inverseEdge = inverseReachEdge(k, top);
     int bucket = reachBucket(reachCell(c.x, w->levels->minX, inverseEdge), reachCell(c.y, w->levels->minY, inverseEdge), k,
                              reachBuckets(w->circles));
-    // A store of every circle to one place would take longer than all the rest.
-    if ((w->status[REACHES] >> k & 1) == 0) atomic_or(&w->status[REACHES], 1 << k);
     w->reachedBefore[slot] = atomic_xchg(&lastReached(w)[bucket], slot);
+    return 1 << k;
 }
 
 // Notes how far a circle reaches, and puts it into its bucket if it is fast and reaches far. looks: whether it is fast, and not static.
-float noteReach(const World *w, int slot, bool looks) {
+// Returns the bit of its class then, else 0: for noteClasses, which takes those of many circles together.
+int noteReach(const World *w, int slot, bool looks) {
     float4 c = w->circle[slot];
     float reach = reachOf(c.z, w->motionClamp[slot].w, w->sight[slot].w == 0.0f);
     w->reach[slot] = (float4)(c.x, c.y, reach, looks ? 1.0f : 0.0f);
-    if (looks && reach > farIn(w, w->levels->used[0])) addReach(w, slot, c, reach);
-    return reach;
+    return looks && reach > farIn(w, w->levels->used[0]) ? addReach(w, slot, c, reach) : 0;
+}
+
+// Notes the classes that have circles.
+void noteClasses(const World *w, int classes) {
+    if (classes != 0) atomic_or(&w->status[REACHES], classes);
 }
 
 // Cells of a class.

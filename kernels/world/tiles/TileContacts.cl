@@ -51,8 +51,9 @@ void linkContact(const World *w, int listed) {
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
-        // Only where crowds are thinned out: others have been refused when they were counted.
-        refuseTile(w, NO_TILE);
+        // Only where crowds are thinned out: others have been refused when they were counted. Those who arrange tiles refuse it:
+        // here others ask whether it has been.
+        atomic_max(&w->status[TILE_PEAK], NO_TILE);
         return;
     }
     int c = from;

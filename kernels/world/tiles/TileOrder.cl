@@ -5,8 +5,12 @@
 // What is known of a region while its contacts are put in order.
 typedef struct {
     union {
-        uint met[TILE_CONTACTS]; // contacts as they are met: see meeting
-        struct {                 // when all have been placed
+        struct {
+            uint contact[TILE_CONTACTS];       // contacts as they are met: see meeting
+            uint place[TILE_ROUNDS + 1];       // by round: the places in the record of its next own contact (lower half), and next other one
+            uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
+        } met;
+        struct { // when all have been placed
             float radius[TILE_CIRCLES], inverseMass[TILE_CIRCLES], restitution[TILE_CIRCLES];
             int slot[TILE_CIRCLES];
         } circle;
@@ -17,8 +21,6 @@ typedef struct {
     float2 load[TILE_CIRCLES];        // by circle: sums of impulses, in order; when all have been placed, its base
     ushort progress[TILE_CIRCLES];     // by circle: see below
     int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
-    uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
-    uint place[TILE_ROUNDS + 1];       // by round: the places in the record of its next own contact (lower half), and next other one
     short ownNumber[TILE_ROUNDS + 1];  // by round: what makes of the place of an own contact its number
     int firstNumber; // of the tile's own contacts
     int firstCopy;
@@ -28,12 +30,22 @@ typedef struct {
     int idle;     // 1 where the step had been refused when the work-group looked
 } Arrangement;
 
-// A circle's progress: the first round in which it is free, its contacts so far, and whether one carries.
-#define FREE_ROUND 0xff
-#define MET_SHIFT 8
-#define MET_ONE (1 << MET_SHIFT)
-#define MOST_MET 0x7f
+// A circle's progress: the first round in which it is free, its contacts so far or MOST_MET of them, and whether one carries.
+#define FREE_ROUND 0x1ff
+#define MET_SHIFT 9
+#define MOST_MET 0x3f
 #define HAS_CARRIED 0x8000
+#if TILE_ROUNDS > FREE_ROUND || CROWD >= MOST_MET
+#error "a circle's progress has no room for so many"
+#endif
+
+int metSoFar(int progress) { return progress >> MET_SHIFT & MOST_MET; }
+
+// A circle's progress after one more contact.
+int progressAfter(int progress, int round, int carried) {
+    int met = min(metSoFar(progress) + 1, MOST_MET);
+    return (progress & HAS_CARRIED) | carried | met << MET_SHIFT | (round + 1);
+}
 
 // The bucket in which a row of a region begins on the torus, at column 0.
 int bucketOfRow(const World *w, const Region *r, int row) {
@@ -103,15 +115,15 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
-// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (9 bits),
+// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (10 bits),
 // its round.
 #define MET_COLUMN(met) ((int) ((met) & 0x3f))
 #define MET_ROW(met) ((int) ((met) >> 6 & 0x1f))
-#define MET_IN_GROUP(met) ((int) ((met) >> 11 & 0x1ff))
-#define MET_ROUND(met) ((int) ((met) >> 20))
+#define MET_IN_GROUP(met) ((int) ((met) >> 11 & 0x3ff))
+#define MET_ROUND(met) ((int) ((met) >> 21))
 
 uint meeting(int column, int row, int inGroup, int round) {
-    return (uint) (column | row << 6 | inGroup << 11 | round << 20);
+    return (uint) (column | row << 6 | inGroup << 11 | round << 21);
 }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
@@ -126,18 +138,15 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
     a->load[lo] = loadLo - impulse;
     a->load[hi] = loadHi + impulse;
     int round = max(progressLo & FREE_ROUND, progressHi & FREE_ROUND);
-    int most = max(progressLo & ~HAS_CARRIED, progressHi & ~HAS_CARRIED) >> MET_SHIFT;
-    if (round >= TILE_ROUNDS || most >= MOST_MET) {
+    if (round >= TILE_ROUNDS) {
         a->overfull = 1;
         return;
     }
     int carried = link & LINK_CARRYING ? HAS_CARRIED : 0;
-    progressLo = ((progressLo & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
-    progressHi = ((progressHi & ~FREE_ROUND) + MET_ONE | carried) + round + 1;
-    a->progress[lo] = (ushort) progressLo;
-    a->progress[hi] = (ushort) progressHi;
-    if (most >= CROWD) a->crowded = 1;
-    a->of.met[k] = meeting(column, row, inGroup, round);
+    a->progress[lo] = (ushort) progressAfter(progressLo, round, carried);
+    a->progress[hi] = (ushort) progressAfter(progressHi, round, carried);
+    if (max(metSoFar(progressLo), metSoFar(progressHi)) >= CROWD) a->crowded = 1;
+    a->of.met.contact[k] = meeting(column, row, inGroup, round);
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
 
@@ -196,7 +205,7 @@ int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 // room for and one more, or 0 where there is nothing to do.
 void placeRounds(const World *w, local Arrangement *a, global int *record, int rounds) {
     int size = (int) get_local_size(0);
-    TILE_EACH(round, rounds) a->roundParts[round] = (uchar) ((contactsOfRound(a->roundCount[round]) + size - 1) / size);
+    TILE_EACH(round, rounds) a->of.met.roundParts[round] = (uchar) ((contactsOfRound(a->roundCount[round]) + size - 1) / size);
     barrier(CLK_LOCAL_MEM_FENCE);
     TILE_EACH(round, rounds) {
         // No round is empty but those behind the last one.
@@ -206,12 +215,12 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
 #pragma unroll 4
         for (int before = 0; before < round; before++) {
             sums += a->roundCount[before];
-            part += a->roundParts[before];
+            part += a->of.met.roundParts[before];
         }
         int start = contactsOfRound(sums);
         int own = sums & 0xffff;
         int count = a->roundCount[round];
-        a->place[round] = (uint) (start | (start + (count & 0xffff)) << 16);
+        a->of.met.place[round] = (uint) (start | (start + (count & 0xffff)) << 16);
         a->ownNumber[round] = (short) (own - start);
         for (int first = 0; first < contactsOfRound(count); first += size) record[RECORD_STARTS + part++] = start + first;
         if (count > 0) continue;
@@ -240,7 +249,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         uint link[MOST_TOGETHER];
         TOGETHER_EACH(n, ARRANGED) {
             if (togetherItem(first, n) >= contacts) continue;
-            met[n] = a->of.met[togetherItem(first, n)];
+            met[n] = a->of.met.contact[togetherItem(first, n)];
             c[n] = w->groupStart[groupAt(w, r, MET_COLUMN(met[n]), MET_ROW(met[n]))] + MET_IN_GROUP(met[n]);
         }
         TOGETHER_EACH(n, ARRANGED) {
@@ -254,7 +263,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             int lo = circleOfLink(r, a, column, row, link[n]);
             int hi = circleOfLink(r, a, column, row, link[n] >> 16);
             bool own = owns(r, column, row);
-            uint places = atomic_add(&a->place[round], own ? 1u : 1u << 16);
+            uint places = atomic_add(&a->of.met.place[round], own ? 1u : 1u << 16);
             int place = (int) (own ? places & 0xffff : places >> 16);
             if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
             placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
@@ -272,8 +281,7 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
         int progress = a->progress[i];
         w->solvedMotion[slot] = w->motion[slot];
         w->load[slot] = (float4)(a->load[i].x, a->load[i].y, 0.0f, progress & HAS_CARRIED ? 1.0f : 0.0f);
-        int met = (progress & ~HAS_CARRIED) >> MET_SHIFT;
-        if (met + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
+        if (metSoFar(progress) + w->coarser[slot] > CROWD && w->k.thinning == 0) w->status[CROWDED] = 1;
 #ifdef RECORDING
         clearWallTouch(w, slot);
 #endif
@@ -418,7 +426,10 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
-    if (get_local_id(0) == 0) arrangement.idle = refusedMeanwhile(&w);
+    if (get_local_id(0) == 0) {
+        if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
+        arrangement.idle = refusedMeanwhile(&w);
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     arrangeTile(&w, &arrangement, (int) get_group_id(0), arrangement.idle, 2);
 }

@@ -15,7 +15,7 @@ typedef struct {
                                    // while contacts are measured, then sums of impulses
     float burden[TILE_CIRCLES + 1];
     uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
-    int partStart[TILE_PARTS + 2];          // by part of a round, and the end
+    ushort partStart[TILE_PARTS + 2];       // by part of a round, and the end
     int circles, parts, contacts;
     int firstCopy;
 } Tile;
@@ -34,7 +34,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
         t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
         t->burden[NO_CIRCLE] = 0.0f;
     }
-    TILE_EACH(part, parts + 1) t->partStart[part] = circles > 0 ? record[RECORD_STARTS + part] : 0;
+    TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[RECORD_STARTS + part] : 0);
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 

@@ -57,7 +57,7 @@ global int *newNumbers(const World *w) { return (global int *) w->key; }
 global float2 *basesOf(const World *w) { return (global float2 *) w->base; }
 
 // The circles of a contact, by their numbers in the region: of lower id, of higher id; and its round.
-#if TILE_CIRCLES > 0x7ff || TILE_ROUNDS > 0xff
+#if TILE_CIRCLES > 0x7ff || TILE_ROUNDS > 0x1ff
 #error "circlesOf has no room for so many"
 #endif
 int circlesOf(int lower, int higher, int round) { return lower | higher << 11 | round << 22; }
@@ -66,7 +66,7 @@ int lowerOf(int circles) { return circles & 0x7ff; }
 
 int higherOf(int circles) { return circles >> 11 & 0x7ff; }
 
-int roundOf(int circles) { return circles >> 22 & 0xff; }
+int roundOf(int circles) { return circles >> 22 & 0x1ff; }
 
 // A tile and the region around it, in cells of the torus.
 typedef struct {

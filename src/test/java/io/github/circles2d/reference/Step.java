@@ -13,7 +13,7 @@ import java.util.function.Consumer;
 
 /** One step of at least one circle. */
 final class Step {
-    private static final int CROWD = 32;
+    private static final int CROWD = 60;
 
     private final List<Circle> circles;
     private final StepParameters k;

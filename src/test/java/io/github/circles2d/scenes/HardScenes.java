@@ -105,6 +105,19 @@ public final class HardScenes {
         return b.build();
     }
 
+    /** Side by side circles, so close that each has some seventy others within its speculative distance. No gravity, restitution 0.5. */
+    public static Scene squeezed(int side, long seed) {
+        float distance = 0.5f / side;
+        Scene.Builder b = new Scene.Builder("squeezed", side * side).restitution(0.5f);
+        Random random = new Random(seed);
+        for (int i = 0; i < side * side; i++) {
+            float x = 0.25f + (i % side + 0.4f + 0.2f * random.nextFloat()) * distance;
+            float y = 0.25f + (i / side + 0.4f + 0.2f * random.nextFloat()) * distance;
+            b.circle(i, x, y, 2.3f * distance, 1);
+        }
+        return b.build();
+    }
+
     /**
      * Circles of many sizes in the unit arena, at a fill of 0.6: radii log-uniform over a ratio, masses by area, but of every fifth
      * circle one that is anything; every eleventh static, which moves now and then; every seventh so fast that it meets several circles

@@ -337,7 +337,9 @@ public final class DevicePipeline implements Pipeline {
         if (sweeping == 0 && status.has(StatusWord.FAST)) {
             sweeping = CALM;
         }
-        if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
+        if (thinning == 0 && status.has(StatusWord.CROWDED)) {
+            thinning = CALM; // the room that the step asked for is for all pairs of the crowd
+        } else if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
             if (thinning == 0
                     && plan.wantOfRoomTellsOfCrowds()
                     && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
@@ -349,9 +351,6 @@ public final class DevicePipeline implements Pipeline {
         if (status.has(StatusWord.OUT_OF_ROOM)) {
             arrays.ensureCopies(status.get(StatusWord.TILE_COPIES));
         }
-        if (thinning == 0 && status.has(StatusWord.CROWDED)) {
-            thinning = CALM;
-        }
         if (status.has(StatusWord.APART)) {
             plan.calledOff();
         }
@@ -362,6 +361,7 @@ public final class DevicePipeline implements Pipeline {
                 StatusWord.OUT_OF_ROOM,
                 StatusWord.FAST,
                 StatusWord.CROWDED,
+                StatusWord.TOO_CLOSE,
                 StatusWord.TILE_PEAK);
         status.write(arrays);
     }

@@ -7,6 +7,7 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
 /**
@@ -63,10 +64,13 @@ final class Candidates {
         if (!thinned) {
             return true;
         }
+        int fewer = Math.min(count[slot], count[other]);
+        if (fewer <= Tuning.CROWD) {
+            return true;
+        }
         int id = state.id[slot];
         int otherId = state.id[other];
-        int hash = CircleMath.pairHash(Math.min(id, otherId), Math.max(id, otherId));
-        return CircleMath.keeps(hash, Math.min(count[slot], count[other]));
+        return CircleMath.keeps(CircleMath.pairHash(Math.min(id, otherId), Math.max(id, otherId)), fewer);
     }
 
     /** Counts a contact for its circles, which are of one level; no other worker has any of the same. Returns the greater number. */
@@ -82,8 +86,9 @@ final class Candidates {
         return count[slot];
     }
 
-    /** Counts the pairs of some circles without a list: every circle looks at all cells around it. */
-    void countAll(int from, int to) {
+    /** Counts the pairs of some circles without a list: every circle looks at all cells around it. Returns the greatest number. */
+    int countAll(int from, int to) {
+        int most = 0;
         for (int slot = from; slot < to; slot++) {
             int level = grid.level[slot];
             int sum = 0;
@@ -91,38 +96,66 @@ final class Candidates {
                 sum += countInLevel(slot, levels.used[k]);
             }
             count[slot] = sum;
+            most = Math.max(most, sum);
         }
+        return most;
     }
 
     private int countInLevel(int slot, int level) {
-        int[] bucketStart = grid.start;
-        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
-        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
+        int[] start = grid.start;
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
+        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
+        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
+        int left = Math.max(column - 1, 0);
+        int right = Math.min(column + 1, columns - 1);
         int sum = 0;
         for (int v = -1; v <= 1; v++) {
-            int rowStart = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
-            for (int u = -1; u <= 1; u++) {
-                int b = rowStart + GridLevels.neighbour(column, u, columns);
-                sum += countIn(slot, bucketStart[b], bucketStart[b + 1]);
+            int first = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
+            sum += countIn(slot, start[first + left], start[first + right + 1]);
+            if (right - left < 2) {
+                int beyond = first + (left == 0 ? columns - 1 : 0);
+                sum += countIn(slot, start[beyond], start[beyond + 1]);
             }
         }
         return sum;
     }
 
     private int countIn(int slot, int from, int to) {
+        if (state.wraps) {
+            return countTheShortWay(slot, from, to);
+        }
+        float[] circle = state.circle;
+        float[] speculativeDistance = grid.speculativeDistance;
+        float x = circle[CircleRow.of(slot) + X];
+        float y = circle[CircleRow.of(slot) + Y];
+        float own = speculativeDistance[slot];
+        int sum = 0;
+        for (int other = from; other < to; other++) {
+            float dx = circle[CircleRow.of(other) + X] - x;
+            float dy = circle[CircleRow.of(other) + Y] - y;
+            if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && mayMeet(slot, other)) {
+                sum++;
+            }
+        }
+        return sum;
+    }
+
+    private int countTheShortWay(int slot, int from, int to) {
         float[] speculativeDistance = grid.speculativeDistance;
         float own = speculativeDistance[slot];
         int sum = 0;
         for (int other = from; other < to; other++) {
             float dx = state.differenceX(slot, other);
             float dy = state.differenceY(slot, other);
-            int near = PairRule.isNear(dx, dy, own, speculativeDistance[other]);
-            if (near != 0 && other != slot && PairFilter.mayMeet(state, slot, other)) {
+            if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && mayMeet(slot, other)) {
                 sum++;
             }
         }
         return sum;
+    }
+
+    private boolean mayMeet(int slot, int other) {
+        return other != slot && PairFilter.mayMeet(state, slot, other);
     }
 }

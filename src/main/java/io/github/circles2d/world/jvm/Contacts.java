@@ -66,6 +66,9 @@ public final class Contacts {
     /** Whether contacts have been listed in this step. */
     private boolean begun;
 
+    /** Whether there was a crowd in the last step. */
+    private boolean wereCrowded;
+
     /** Number of circles when they were listed. */
     private int circles;
 
@@ -137,13 +140,21 @@ public final class Contacts {
         find(worker, false);
     }
 
-    /** Finds the pairs again, but only a share of those in a crowd. */
+    /** Whether there was a crowd in the step before: then it is as good as sure that there is one again. */
+    boolean wereCrowded() {
+        return wereCrowded;
+    }
+
+    /** Finds the pairs, but only a share of those in a crowd. */
     void findShare(int worker) {
-        if (overflowed()) {
-            candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
-        }
+        team.sync(worker); // all have asked for crowds before that changes
+        found[worker].most = candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         if (worker == 0) {
+            wereCrowded = false;
+            for (int w = 0; w < team.size(); w++) {
+                wereCrowded |= found[w].most > Tuning.CROWD;
+            }
             candidates.thinOut();
         }
         find(worker, true);

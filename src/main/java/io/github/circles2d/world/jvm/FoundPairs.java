@@ -31,7 +31,7 @@ final class FoundPairs {
     /** Whether the list was given up. */
     boolean overflowed;
 
-    /** Greatest number of candidates of one circle, of those whose contacts this worker has filled last. */
+    /** Greatest number of candidates of one circle, of those that this worker has counted or whose contacts it has filled last. */
     int most;
 
     /** By level in use: number of the first pair; one more element for the end. */

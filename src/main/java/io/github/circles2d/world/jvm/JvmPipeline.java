@@ -134,12 +134,16 @@ public final class JvmPipeline implements Pipeline {
         }
         sweep.sweep(worker, constants);
         end(worker, SWEEP);
-        contacts.find(worker);
-        boolean overflowed = contacts.overflowed();
-        if (!overflowed) {
-            solver.prepare(worker, constants);
+        boolean crowded = contacts.wereCrowded();
+        if (!crowded) {
+            contacts.find(worker);
+            crowded = contacts.overflowed();
         }
-        if (overflowed || contacts.crowded()) {
+        if (!crowded) {
+            solver.prepare(worker, constants);
+            crowded = contacts.crowded();
+        }
+        if (crowded) {
             contacts.findShare(worker);
             solver.prepare(worker, constants);
         }

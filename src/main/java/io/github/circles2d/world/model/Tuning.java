@@ -35,7 +35,7 @@ public final class Tuning {
     public static final float RUN_OVER = 0.75f;
 
     /** Where both circles of a pair have more than this many candidates, only as many are kept of each, about. */
-    public static final int CROWD = 32;
+    public static final int CROWD = 60;
 
     /** A size class joins the level of the next larger class where it has at most this many times as many circles. */
     static final int JOIN = 2;

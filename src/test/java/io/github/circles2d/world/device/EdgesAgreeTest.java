@@ -52,7 +52,12 @@ class EdgesAgreeTest {
     @MethodSource("devices")
     void scenesHaveTheSameBits(Device device) {
         Scene[] scenes = {
-            Scenes.thesis(1250, 1), Scenes.gas(1250, 1), Scenes.mixed(600, 1), Scenes.onePoint(200, 1), Scenes.bouncy(1)
+            Scenes.thesis(1250, 1),
+            Scenes.gas(1250, 1),
+            Scenes.mixed(600, 1),
+            Scenes.onePoint(200, 1),
+            HardScenes.squeezed(28, 1),
+            Scenes.bouncy(1)
         };
         try (Twins twins = Twins.load(Scenes.thesis(10, 1), pipelines(device))) {
             for (Scene scene : scenes) {

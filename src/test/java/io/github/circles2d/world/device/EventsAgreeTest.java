@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
@@ -41,7 +42,8 @@ class EventsAgreeTest {
             Scenes.mixed(600, 1),
             Scenes.pyramid(),
             Scenes.billiards(300),
-            Scenes.onePoint(200, 1)
+            Scenes.onePoint(200, 1),
+            HardScenes.squeezed(28, 1)
         }) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 twins.report(ContactEvents.ALL);
@@ -95,7 +97,8 @@ class EventsAgreeTest {
             Scenes.gas(600, 1),
             Scenes.mixed(600, 1),
             Scenes.billiards(300),
-            Scenes.onePoint(200, 1)
+            Scenes.onePoint(200, 1),
+            HardScenes.squeezed(28, 1)
         }) {
             try (Twins twins = Twins.load(scene, withThreads(PipelinesAgreeTest.pipelines(device)))) {
                 SplittableRandom random = new SplittableRandom(5);

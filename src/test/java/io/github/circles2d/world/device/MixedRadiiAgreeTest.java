@@ -10,6 +10,8 @@ import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Tuning;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -61,6 +63,40 @@ class MixedRadiiAgreeTest {
                 }
                 assertThat(events).as(scene.name()).isPositive();
                 twins.assertEqual(scene.name());
+            }
+        }
+    }
+
+    /** The step finds out about it late: other circles have no contacts that could tell. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aCrowdOfCrossContactsAloneHasTheSameBits(Device device) {
+        Bounds bounds = new Bounds(0, 0, 1, 1);
+        try (Twins twins = Twins.empty(bounds, PipelinesAgreeTest.pipelines(device))) {
+            twins.addCrossCrowd(Tuning.CROWD + 8);
+            for (int k = 0; k < 4; k++) {
+                twins.step(1 / 60f, 1 + k);
+                twins.assertEqual("call " + k);
+                twins.assertSameFigures();
+            }
+        }
+    }
+
+    /** Groups have more like contacts than a tile takes, and circles more candidates than are kept, in more than one level. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void crowdsOfSeveralLevelsHaveTheSameBits(Device device) {
+        for (int circles : new int[] {40, 300}) {
+            Scene scene = Scenes.onePoint(circles, 3);
+            try (Twins twins = Twins.load(scene, PipelinesAgreeTest.pipelines(device))) {
+                for (int id = 0; id < circles; id += 30) {
+                    twins.set(Commands.RADIUS, id, 4 * scene.radius(id), 0);
+                }
+                for (int k = 0; k < 4; k++) {
+                    twins.step(1 / 60f, 1 + k);
+                    twins.assertEqual(circles + " circles, call " + k);
+                    twins.assertSameFigures();
+                }
             }
         }
     }

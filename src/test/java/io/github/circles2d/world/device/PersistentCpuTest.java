@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
@@ -14,6 +15,8 @@ import io.github.circles2d.world.device.plan.PersistentCpu;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.WorkGroups;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -92,7 +95,11 @@ class PersistentCpuTest {
     }
 
     private static DevicePipeline pipeline(Device device, WorkGroups workGroups) {
-        return Pipelines.of(device, List.of(new PersistentCpu(workGroups), new ByColours()));
+        return pipeline(device, workGroups, false);
+    }
+
+    private static DevicePipeline pipeline(Device device, WorkGroups workGroups, boolean profiling) {
+        return Pipelines.of(device, List.of(new PersistentCpu(workGroups), new ByColours()), profiling);
     }
 
     private static Pipeline java() {
@@ -223,6 +230,93 @@ class PersistentCpuTest {
             twins.step(scene.timeStep(), 2);
             twins.assertEqual("close together");
             twins.assertSameFigures();
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void aStepWithACrowdStaysWithLanes(Device device) {
+        DevicePipeline pipeline = Pipelines.of(device, Plans.PERSISTENT_CPU, true);
+        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), java(), pipeline)) {
+            twins.addCrowd(1 + Tuning.CROWD / 2);
+            for (int k = 0; k < 2; k++) {
+                twins.step(1 / 60f, 1);
+                twins.assertEqual("step " + k);
+                twins.assertSameFigures();
+            }
+            assertThat(pipeline.greatestContacts()).isGreaterThan(Tuning.CROWD);
+            assertThat(pipeline.kernelNanos())
+                    .containsKey("persistentCpu_steps")
+                    .doesNotContainKey("contacts_crowd");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void crowdsAreThinnedOutByAllWorkGroups(Device device) {
+        Absent workGroups = new Absent(device);
+        DevicePipeline pipeline = pipeline(device, workGroups, true);
+        try (Twins twins = Twins.load(HardScenes.squeezed(55, 5), java(), pipeline)) {
+            workGroups.most = device.computeUnits();
+            twins.step(1 / 60f, 1);
+            assertThat(pipeline.kernelNanos())
+                    .containsKey("persistentCpu_steps")
+                    .doesNotContainKey("contacts_crowd");
+            twins.assertEqual("all work-groups");
+            twins.assertSameFigures();
+            assertThat(pipeline.greatestContacts()).isGreaterThan(Tuning.CROWD);
+        }
+    }
+
+    /** Nearly all circles of all levels have more candidates than pairs are kept of; static ones have none among themselves. */
+    @ParameterizedTest
+    @MethodSource("processors")
+    void crowdsOfManySizesAreThinnedOutByLanesInAnyNumberOfWorkGroups(Device device) {
+        Scene scene = Scenes.mixed(3000, 4);
+        Absent workGroups = new Absent(device);
+        DevicePipeline pipeline = pipeline(device, workGroups, true);
+        try (Twins twins = Twins.load(scene, java(), pipeline)) {
+            for (int id = 0; id < scene.size(); id++) {
+                twins.set(Commands.POSITION, id, 0.15f * scene.x(id), scene.y(id));
+                if (id % 10 == 0) {
+                    twins.set(Commands.MASS, id, Float.POSITIVE_INFINITY, 0);
+                }
+            }
+            for (int k = 0; k < 6; k++) {
+                workGroups.most = 1 + k % device.computeUnits();
+                twins.step(scene.timeStep(), 1 + k);
+                twins.assertEqual("step " + k);
+                twins.assertSameFigures();
+                assertThat(k > 0 || pipeline.greatestContacts() > Tuning.CROWD).isTrue();
+            }
+            assertThat(pipeline.kernelNanos())
+                    .containsKey("persistentCpu_mixedSteps")
+                    .doesNotContainKey("contacts_crowd");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("processors")
+    void crowdsThatAreTooCloseForLanesGoByColoursForAWhile(Device device) {
+        int circles = Tuning.CROWD + 2; // 1,891 pairs: a crowd that lanes take
+        DevicePipeline pipeline = Pipelines.of(device, Plans.PERSISTENT_CPU, true);
+        try (Twins twins = Twins.load(Scenes.onePoint(2 * circles, 3), java(), pipeline)) {
+            twins.step(1 / 60f, 3);
+            twins.assertEqual("too many pairs in one group");
+            assertThat(pipeline.kernelNanos()).containsKey("contacts_crowd");
+            for (int id = circles; id < 2 * circles; id++) {
+                twins.set(Commands.POSITION, id, 0.012f * (id - circles) + 0.1f, 0.9f);
+            }
+            long before = 0;
+            for (int k = 0; k < 300; k++) {
+                for (int id = 0; id < circles; id++) {
+                    twins.set(Commands.POSITION, id, 0.5f, 0.5f);
+                }
+                before = k < 280 ? pipeline.kernelNanos().get("contacts_crowd") : before;
+                twins.step(1 / 60f, 1);
+                twins.assertEqual("fewer, step " + k);
+            }
+            assertThat(pipeline.kernelNanos().get("contacts_crowd")).isEqualTo(before);
         }
     }
 

@@ -15,10 +15,10 @@ final class Pipelines {
     }
 
     static DevicePipeline of(Device device, Plans plans, boolean profiling) {
-        return new DevicePipeline(device, 0, profiling, plans.of(device), StageKernels.USUAL_GROUPS);
+        return of(device, plans.of(device), profiling);
     }
 
-    static DevicePipeline of(Device device, List<Plan> plans) {
-        return new DevicePipeline(device, 0, false, plans, StageKernels.USUAL_GROUPS);
+    static DevicePipeline of(Device device, List<Plan> plans, boolean profiling) {
+        return new DevicePipeline(device, 0, profiling, plans, StageKernels.USUAL_GROUPS);
     }
 }

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
@@ -129,7 +130,13 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void circlesOfSeveralKindsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        Scene[] scenes = {Scenes.thesis(1250, 2), Scenes.mixed(600, 2), Scenes.onePoint(200, 2), Scenes.billiards(200)};
+        Scene[] scenes = {
+            Scenes.thesis(1250, 2),
+            Scenes.mixed(600, 2),
+            Scenes.onePoint(200, 2),
+            HardScenes.squeezed(28, 2),
+            Scenes.billiards(200)
+        };
         for (Scene scene : scenes) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 twins.step(scene.timeStep(), 3);
@@ -151,6 +158,7 @@ class PipelinesAgreeTest {
     void crowdsHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
         compare(device, Scenes.onePoint(300, 1), 10, 3, 1 / 60f);
         compare(device, Scenes.onePoint(2000, 1), 3, 1, 1 / 60f);
+        compare(device, HardScenes.squeezed(35, 1), 10, 3, 1 / 60f);
         compare(device, Scenes.oneCell(1250, 1), 10, 3, 1 / 60f);
     }
 

@@ -22,24 +22,13 @@ class TilesTest {
         return TestDevices.all().stream().filter(Tiles::fit).toList();
     }
 
-    /** Adds a circle between two heaps that do not touch each other: a crowd for the circle, but not for a tile. */
-    private static void addCrowd(Twins twins) {
-        int heap = 18;
-        float radius = 0.02f;
-        twins.add(0.5f, 0.5f, radius, 1, 0, 0, 0);
-        for (int i = 0; i < heap; i++) {
-            twins.add(0.5f - 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
-            twins.add(0.5f + 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
-        }
-    }
-
     @ParameterizedTest
     @MethodSource("devices")
     void crowdsThatAreThinnedOutAreSolvedByTilesWhereTheseFit(Device device) {
         DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
         Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
         try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), java, pipeline)) {
-            addCrowd(twins);
+            twins.addCrowd(1 + Tuning.CROWD / 2);
             twins.step(1 / 60f, 1);
             twins.assertEqual("the step that is refused at first, for the crowd");
             Map<String, Long> nanos = pipeline.kernelNanos();

@@ -74,6 +74,28 @@ final class Twins implements AutoCloseable {
         return twins;
     }
 
+    /** Adds a circle between two heaps of so many circles that do not touch each other. */
+    void addCrowd(int heap) {
+        float radius = 0.02f;
+        add(0.5f, 0.5f, radius, 1, 0, 0, 0);
+        for (int i = 0; i < heap; i++) {
+            add(0.5f - 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
+            add(0.5f + 1.9f * radius, 0.5f + 1e-4f * i, radius, 1, 0, 0, 0);
+        }
+    }
+
+    /** Adds a circle among so many larger ones, which are static: all candidates are of cross contacts. */
+    void addCrossCrowd(int larger) {
+        float radius = 0.04f;
+        add(0.5f, 0.5f, 0.25f * radius, 1, 0, 0, 0);
+        for (int i = 0; i < larger; i++) {
+            double angle = 2 * Math.PI * i / larger;
+            float x = 0.5f + 1.1f * radius * (float) Math.cos(angle);
+            float y = 0.5f + 1.1f * radius * (float) Math.sin(angle);
+            add(x, y, radius, Float.POSITIVE_INFINITY, 0, 0, 0);
+        }
+    }
+
     void step(float dt, int steps) {
         for (Simulation simulation : simulations) {
             simulation.step(dt, steps);

@@ -9,10 +9,10 @@ public final class TileRecord {
     public static final int CIRCLES = 1312;
 
     /** Contacts that the local memory of a work-group has room for. */
-    public static final int CONTACTS = 3328;
+    public static final int CONTACTS = 4608;
 
     /** Rounds that there is room for. */
-    public static final int ROUNDS = 224;
+    public static final int ROUNDS = 416;
 
     /** Work-items of a work-group: at least as many as a colour has groups around a tile. */
     public static final int GROUP = 128;

@@ -13,7 +13,8 @@ import java.util.List;
  * One launch for many steps on a processor; {@code kernels/world/persistent_cpu/Lanes.cl}, and {@code MixedLanes.cl} if circles are of
  * several levels. The launch has as many work-groups of one work-item as the processor has threads, and they wait for each other. If
  * they do not run at the same time, the launch says so and changes nothing; later launches have one work-group. If they wait for long
- * because other programs have the processors, there are fewer for a while ({@link Headcount}).
+ * because other programs have the processors, there are fewer for a while ({@link Headcount}). Crowds are thinned out in the same launch; those
+ * that are too close for it, with thousands of pairs in 2 x 2 cells, are left to another plan for a while.
  */
 public final class PersistentCpu implements Plan {
     /** Circles that a work-group has at least: with fewer, waiting for each other costs more than it saves. */
@@ -24,6 +25,9 @@ public final class PersistentCpu implements Plan {
 
     /** Columns that a level has at least: kernels number the rows of all levels as if each had no more. */
     private static final int LEAST_COLUMNS = 4;
+
+    /** Crowds are tried again after so many calls for the state, since one was too close. */
+    private static final int RETRY = 256;
 
     private final WorkGroups workGroups;
     private Stages stages;
@@ -43,6 +47,9 @@ public final class PersistentCpu implements Plan {
     private int tookBefore;
 
     private int waitedBefore;
+
+    /** How many more calls for the state crowds are left to another plan. */
+    private int withoutCrowds;
 
     public PersistentCpu(WorkGroups workGroups) {
         this.workGroups = workGroups;
@@ -74,7 +81,7 @@ public final class PersistentCpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning();
+        return !wanted.thinning() || withoutCrowds == 0;
     }
 
     @Override
@@ -103,6 +110,16 @@ public final class PersistentCpu implements Plan {
         workGroups.learn(groups, useful, made, took - tookBefore, waited - waitedBefore);
         tookBefore = took;
         waitedBefore = waited;
+        if (status.has(StatusWord.TOO_CLOSE)) {
+            withoutCrowds = RETRY;
+        }
+    }
+
+    @Override
+    public void learn(int tilePeak, boolean thinning) {
+        if (thinning && withoutCrowds > 0) {
+            withoutCrowds--;
+        }
     }
 
     @Override

@@ -35,9 +35,9 @@ class PlansTest {
     void aStepGoesToTheFirstPlanThatSuitsIt(Device device) {
         List<Plan> processor = Plans.PERSISTENT_CPU.of(device);
         assertThat(Plans.first(processor, steps(1, 1000, false))).isInstanceOf(PersistentCpu.class);
-        assertThat(Plans.first(processor, steps(1, 1000, true))).isInstanceOf(ByColours.class);
+        assertThat(Plans.first(processor, steps(1, 1000, true))).isInstanceOf(PersistentCpu.class);
         assertThat(Plans.first(processor, steps(2, 1000, false))).isInstanceOf(PersistentCpu.class);
-        assertThat(Plans.first(processor, steps(2, 1000, true))).isInstanceOf(ByColours.class);
+        assertThat(Plans.first(processor, steps(2, 1000, true))).isInstanceOf(PersistentCpu.class);
         List<Plan> gpu = Plans.PERSISTENT_GPU.of(device);
         assertThat(Plans.first(gpu, steps(1, 1000, false))).isInstanceOf(PersistentGpu.class);
         assertThat(Plans.first(gpu, steps(1, 1000, true))).isInstanceOf(Tiles.class);
