@@ -20,15 +20,17 @@ class GoldenHashesTest {
     /** Circles times steps that one run may take. */
     private static final long SHORT = 1_000_000;
 
-    private static final long LONG =
-            System.getProperty("circles2d.golden", "").equals("full") ? Long.MAX_VALUE : 13_000_000;
+    private static final boolean FULL =
+            System.getProperty("circles2d.golden", "").equals("full");
+
+    private static final long LONG = FULL ? Long.MAX_VALUE : 13_000_000;
 
     static List<Arguments> scenesAndTwoNumbersOfThreads() {
         return scenesAndThreads(1, 7);
     }
 
-    static List<Arguments> scenesAndThreads() {
-        return scenesAndThreads(1, 2, 7);
+    static List<Arguments> scenesAndThreadsOfLongRuns() {
+        return FULL ? scenesAndThreads(1, 2, 7) : scenesAndThreads(3);
     }
 
     private static List<Arguments> scenesAndThreads(int... numbers) {
@@ -64,7 +66,7 @@ class GoldenHashesTest {
     }
 
     @ParameterizedTest
-    @MethodSource("scenesAndThreads")
+    @MethodSource("scenesAndThreadsOfLongRuns")
     @Tag("exhaustive")
     void theJvmBackEndGivesTheHashesOfLongRuns(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), LONG);

@@ -45,6 +45,8 @@ final class Circle {
     final float[] velocityBeforeImpulses = new float[2];
     final Wall[] walls = new Wall[2];
     int level;
+    int column;
+    int row;
     int candidates;
     float pathLength;
     float speculativeDistance;

@@ -38,6 +38,9 @@ final class Contact extends Constraint {
 
     Circle heavy;
 
+    /** Of a contact of one level. */
+    int colour;
+
     /** What it does in the step. */
     final Touch touch = new Touch();
 

@@ -66,12 +66,14 @@ final class ContinuousCollision {
         circles.stream().filter(c -> isFast(c) && !c.isStatic()).forEach(c -> others(c)
                 .forEach(other -> look(c, other)));
         Carrying carrying = new Carrying(grid);
+        List<Circle> carriers =
+                circles.stream().filter(c -> c.isStatic() && c.pathLength > 0f).toList();
         for (Circle c : circles) {
             carrying.start(c);
             if (!c.isStatic()) {
-                others(c)
-                        .filter(other -> isCarrier(other, c))
-                        .forEach(other -> carrying.meet(other, c, isNearWithoutImpact(other, c)));
+                carriers.stream()
+                        .filter(carrier -> carries(carrier, c))
+                        .forEach(carrier -> carrying.meet(carrier, c, isNearWithoutImpact(carrier, c)));
             }
         }
         circles.stream().filter(c -> !c.isStatic()).forEach(this::setClamp);
@@ -85,12 +87,10 @@ final class ContinuousCollision {
         return c.pathLength > c.leastPath;
     }
 
-    /** Whether one circle is static and moves, and the faster one of both looks for the other. */
-    private boolean isCarrier(Circle carrier, Circle c) {
+    /** Whether two circles may meet, and the faster one looks for the other. */
+    private boolean carries(Circle carrier, Circle c) {
         float[] u = minus(c.path, carrier.path);
-        return carrier.isStatic()
-                && carrier.pathLength > 0f
-                && kinds.mayMeet(carrier, c)
+        return kinds.mayMeet(carrier, c)
                 && (isFast(carrier) && c.pathLength <= carrier.pathLength + Circle.CAP * c.radius
                         || isFast(c) && length2(u) > c.leastPath * c.leastPath);
     }
@@ -119,8 +119,8 @@ final class ContinuousCollision {
         float[] u = minus(c.path, other.path);
         float[] d = c.wayTo(other);
         boolean atStatic = other.isStatic();
-        if (!kinds.mayMeet(c, other)
-                || !(length2(u) > c.leastPath * c.leastPath)
+        if (!(length2(u) > c.leastPath * c.leastPath)
+                || !kinds.mayMeet(c, other)
                 || !atStatic && !(other.radius * SWEEP_RATIO >= c.radius)) {
             return;
         }

@@ -70,6 +70,10 @@ final class Grid {
         for (int k = 0; k < LEVELS; k++) {
             rings[k] = layOut(largestRadius[k], population[k], step.arena());
         }
+        for (Circle c : circles) {
+            c.column = rings[c.level][0].cellOnRing(c.base[0]);
+            c.row = rings[c.level][1].cellOnRing(c.base[1]);
+        }
     }
 
     private int sizeClass(Circle c) {
@@ -164,8 +168,8 @@ final class Grid {
     /** The order of circles: levels of small circles first, then by rows, columns and ids. */
     Comparator<Circle> order() {
         return Comparator.comparingInt((Circle c) -> -c.level)
-                .thenComparingInt(c -> rings[c.level][1].cellOnRing(c.base[1]))
-                .thenComparingInt(c -> rings[c.level][0].cellOnRing(c.base[0]))
+                .thenComparingInt(c -> c.row)
+                .thenComparingInt(c -> c.column)
                 .thenComparingInt(c -> c.id);
     }
 

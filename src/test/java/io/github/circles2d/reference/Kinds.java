@@ -1,6 +1,7 @@
 package io.github.circles2d.reference;
 
 import io.github.circles2d.Response;
+import java.util.Arrays;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -28,31 +29,36 @@ final class Kinds {
     /** The number of a field: the bits of the greatest speed. */
     static final int GREATEST_SPEED = 7;
 
-    private static final Map<Integer, Integer> AT_FIRST = Map.of(
-            CATEGORY, 1,
-            MASK, -1,
-            SENSOR, 0,
-            RESTITUTION, Float.floatToIntBits(Float.NaN),
-            GRAVITY_SCALE, Float.floatToIntBits(1f),
-            DAMPING, 0,
-            GREATEST_SPEED, Float.floatToIntBits(Float.POSITIVE_INFINITY));
+    private static final int KINDS = 256;
+
+    private static final int[] AT_FIRST = atFirst();
 
     private static final long KIND = 0x6B696E64A5C3D21FL;
     private static final long RESPONSE = 0x726573706F6E7365L;
 
-    /** A field of a kind. */
-    private record Field(int kind, int number) {}
-
-    /** What is not as at first. */
-    private final Map<Field, Integer> values = new java.util.HashMap<>();
+    /** Of each kind, its fields. */
+    private final int[][] values = new int[KINDS][];
 
     /** What is set of two kinds, by the lesser one times 256 plus the greater one. */
     private final Map<Integer, Response> matrix = new TreeMap<>();
 
+    Kinds() {
+        Arrays.setAll(values, kind -> AT_FIRST.clone());
+    }
+
+    /** By the number of a field; there is no field 0. */
+    private static int[] atFirst() {
+        int[] fields = new int[GREATEST_SPEED + 1];
+        fields[CATEGORY] = 1;
+        fields[MASK] = -1;
+        fields[RESTITUTION] = Float.floatToIntBits(Float.NaN);
+        fields[GRAVITY_SCALE] = Float.floatToIntBits(1f);
+        fields[GREATEST_SPEED] = Float.floatToIntBits(Float.POSITIVE_INFINITY);
+        return fields;
+    }
+
     void set(int kind, int field, int value) {
-        values.put(new Field(kind, field), value);
-        values.entrySet()
-                .removeIf(entry -> AT_FIRST.get(entry.getKey().number()).equals(entry.getValue()));
+        values[kind][field] = value;
     }
 
     float getFloat(int kind, int field) {
@@ -60,7 +66,7 @@ final class Kinds {
     }
 
     int get(int kind, int field) {
-        return values.getOrDefault(new Field(kind, field), AT_FIRST.get(field));
+        return values[kind][field];
     }
 
     float restitution(int kind, float otherwise) {
@@ -69,7 +75,7 @@ final class Kinds {
     }
 
     private static int pair(int a, int b) {
-        return 256 * Math.min(a, b) + Math.max(a, b);
+        return KINDS * Math.min(a, b) + Math.max(a, b);
     }
 
     void setResponse(int a, int b, Response response) {
@@ -107,12 +113,17 @@ final class Kinds {
 
     long hash() {
         long sum = 0;
-        for (Map.Entry<Field, Integer> entry : values.entrySet()) {
-            long h = ReferenceWorld.absorb(KIND, entry.getKey().number());
-            sum += ReferenceWorld.absorb(ReferenceWorld.absorb(h, entry.getKey().kind()), entry.getValue());
+        for (int kind = 0; kind < KINDS; kind++) {
+            for (int field = 1; field < AT_FIRST.length; field++) {
+                if (get(kind, field) != AT_FIRST[field]) {
+                    long h = ReferenceWorld.absorb(ReferenceWorld.absorb(KIND, field), kind);
+                    sum += ReferenceWorld.absorb(h, get(kind, field));
+                }
+            }
         }
         for (Map.Entry<Integer, Response> entry : matrix.entrySet()) {
-            long h = ReferenceWorld.absorb(ReferenceWorld.absorb(RESPONSE, entry.getKey() / 256), entry.getKey() % 256);
+            long h = ReferenceWorld.absorb(
+                    ReferenceWorld.absorb(RESPONSE, entry.getKey() / KINDS), entry.getKey() % KINDS);
             sum += ReferenceWorld.absorb(h, entry.getValue().ordinal());
         }
         return sum;

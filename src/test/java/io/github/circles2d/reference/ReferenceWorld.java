@@ -102,11 +102,12 @@ public final class ReferenceWorld implements WorldCalls {
     @Override
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
+            List<Circle> circles = circles();
             float[][] velocities =
-                    circles().stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
+                    circles.stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
             List<Contact> contacts = List.of();
-            for (Circle c : circles()) {
+            for (Circle c : circles) {
                 c.arena = arena;
                 c.actingForce[0] = c.force[0];
                 c.actingForce[1] = c.force[1];
@@ -114,15 +115,15 @@ public final class ReferenceWorld implements WorldCalls {
                 c.appliedForce[0] = 0f;
                 c.appliedForce[1] = 0f;
             }
-            circles().forEach(c -> c.start = c.base.clone());
-            if (size() > 0) {
-                Step step = new Step(circles(), parameters(dt), kinds);
+            circles.forEach(c -> c.start = c.base.clone());
+            if (!circles.isEmpty()) {
+                Step step = new Step(circles, parameters(dt), kinds);
                 step.make(impulseCache, warmScale);
                 contacts = step.contacts();
             }
-            events.step(contacts, circles(), kinds, arena, dt);
-            for (int i = 0; i < size(); i++) {
-                circles().get(i).arrive(velocities[i]);
+            events.step(contacts, circles, kinds, arena, dt);
+            for (int i = 0; i < velocities.length; i++) {
+                circles.get(i).arrive(velocities[i]);
             }
             previousDt = dt;
             startMin = min;

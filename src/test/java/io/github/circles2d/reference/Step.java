@@ -153,8 +153,9 @@ final class Step {
         circles.forEach(c -> c.forgetHeavyContacts(k));
         crossContacts.forEach(Contact::join);
         crossContacts.forEach(Contact::split);
+        contacts.forEach(c -> c.colour = grid.colour(c));
         contacts.sort(Comparator.comparingInt((Contact c) -> -c.level())
-                .thenComparingInt(grid::colour)
+                .thenComparingInt(c -> c.colour)
                 .thenComparingInt(c -> c.lower.id)
                 .thenComparingInt(c -> c.higher.id));
     }

@@ -33,8 +33,7 @@ import java.util.TreeSet;
 /**
  * Makes steps of a small world in a JVM whose OpenCL driver is Oclgrind, which reports to standard error; prints the kernels
  * that have run. Oclgrind interprets each work-item, also those past a kernel's count, so small work-groups are quick.
- * Arguments: the world, and its size, {@code small} or {@code large}; worlds of several levels by tiles are always small, or they would take
- * minutes.
+ * Arguments: the world, and its size, {@code small} or {@code large}.
  */
 final class OclgrindWorlds {
     /** Work-items of a work-group in a world of size small, if its kernel leaves that open. */
@@ -59,8 +58,7 @@ final class OclgrindWorlds {
         if (!device.platform().contains("Oclgrind")) {
             throw new IllegalStateException("not Oclgrind but " + device);
         }
-        Set<String> kernels =
-                new OclgrindWorlds(device, args[1].equals("small") || args[0].startsWith("levels")).run(args[0]);
+        Set<String> kernels = new OclgrindWorlds(device, args[1].equals("small")).run(args[0]);
         System.out.println("kernels " + String.join(" ", kernels));
         System.out.println("done");
     }
@@ -230,8 +228,8 @@ final class OclgrindWorlds {
             twins.report(ContactEvents.ALL);
             twins.giveSensors(200, 5);
             int events = 0;
-            for (int k = 0; k < 3; k++) {
-                twins.step(5 * scene.timeStep(), 2);
+            for (int k = 0; k < (small ? 2 : 3); k++) {
+                twins.step(5 * scene.timeStep(), small ? 1 : 2);
                 events += twins.assertSameEvents(scene.name());
             }
             if (events == 0) {
