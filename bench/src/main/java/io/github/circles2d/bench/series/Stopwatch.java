@@ -25,12 +25,12 @@ final class Stopwatch {
     private static final double SECONDS = 2;
 
     /** After this share of the patience, and this many seconds, the first run says whether it can end in time. */
-    private static final double TRIAL = 0.15;
+    private static final double TRIAL = 0.4;
 
     private static final double TRIAL_SECONDS = 3;
 
-    /** The first steps, in which overlaps come apart, take longer than others. */
-    private static final double TRIAL_ALLOWANCE = 1.5;
+    /** The first run may take so many times the patience. */
+    private static final double ALLOWANCE = 1.5;
 
     private static final int TRIAL_STEPS = 3;
 
@@ -110,6 +110,7 @@ final class Stopwatch {
         engine.finish();
         int all = series.skipped + series.steps();
         double[] millis = new double[series.steps()];
+        double fastest = Double.POSITIVE_INFINITY;
         long begun = System.nanoTime();
         for (int step = 0; step < all; step++) {
             long from = System.nanoTime();
@@ -120,17 +121,22 @@ final class Stopwatch {
                 millis[step - series.skipped] = (to - from) / 1e6;
             }
             double seconds = (to - begun) / 1e9;
-            if (first && step + 1 < all && hopeless(step + 1, all, seconds)) {
+            fastest = Math.min(fastest, (to - from) / 1e9);
+            if (first && step + 1 < all && hopeless(step + 1, all, seconds, fastest)) {
                 return new double[] {1e3 * seconds / (step + 1)};
             }
         }
         return millis;
     }
 
-    private boolean hopeless(int done, int all, double seconds) {
-        double most = TRIAL_ALLOWANCE * patience;
+    /**
+     * By the fastest step so far: the first ones take longer, since overlaps come apart and the JVM compiles, which can be ten
+     * times as long.
+     */
+    private boolean hopeless(int done, int all, double seconds, double fastest) {
+        double most = ALLOWANCE * patience;
         boolean tried = done >= TRIAL_STEPS && seconds > Math.max(TRIAL_SECONDS, TRIAL * patience);
-        return tried && seconds / done * all > most || seconds > most;
+        return tried && seconds + (all - done) * fastest > most || seconds > most;
     }
 
     private Map<String, String> givenUp(double millis) {

@@ -34,12 +34,19 @@ class SeriesBenchTest {
     private static final class Sleeper implements Engine {
         private final long millis;
         private final boolean drifts;
+        private final long firstMillis;
         private int loads;
         private int steps;
 
         Sleeper(long millis, boolean drifts) {
+            this(millis, drifts, millis);
+        }
+
+        /** Its first four steps take another time. */
+        Sleeper(long millis, boolean drifts, long firstMillis) {
             this.millis = millis;
             this.drifts = drifts;
+            this.firstMillis = firstMillis;
         }
 
         @Override
@@ -51,7 +58,7 @@ class SeriesBenchTest {
         public void step() {
             steps++;
             try {
-                Thread.sleep(millis);
+                Thread.sleep(steps <= 4 ? firstMillis : millis);
             } catch (InterruptedException e) {
                 throw new IllegalStateException(e);
             }
@@ -142,6 +149,12 @@ class SeriesBenchTest {
                 .contains("longer than the 4 s");
         assertThat(Double.parseDouble(row.get("mean_ms"))).isBetween(500.0, 900.0);
         assertThat(engine.steps).isBetween(3, 8);
+    }
+
+    @Test
+    void slowFirstStepsDoNotMakeARunHopeless() {
+        assertThat(Stopwatch.measure(Series.PACKED_SIMILAR, 10, new Sleeper(5, false, 850), 10))
+                .containsEntry("status", "ok");
     }
 
     @Test
