@@ -228,8 +228,8 @@ final class OclgrindWorlds {
             twins.report(ContactEvents.ALL);
             twins.giveSensors(200, 5);
             int events = 0;
-            for (int k = 0; k < (small ? 2 : 3); k++) {
-                twins.step(5 * scene.timeStep(), small ? 1 : 2);
+            for (int k = 0; k < 3; k++) {
+                twins.step(5 * scene.timeStep(), 2);
                 events += twins.assertSameEvents(scene.name());
             }
             if (events == 0) {
