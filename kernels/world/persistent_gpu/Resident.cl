@@ -153,7 +153,8 @@ void listAll(World *w, local Local *l) {
     int tiles = w->levels->tileCount;
 #pragma unroll 1
     for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
-        arrangeTile(w, &l->arrangement, tile, false, 3);
+        Region r = regionOf(w, tile);
+        arrangeTile(w, &r, &l->arrangement, tile, false, 3);
     }
     deviceBarrier(arrivals);
 }

@@ -22,7 +22,7 @@ typedef struct {
 // Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does where a group has more
 // like contacts: tiles take none with more, of crowds neither.
 #define LONGEST_ROW 1024
-#define LONGEST_GROUP 1023
+#define LONGEST_GROUP 4095
 
 int levelOfSlot(const World *w, int slot) {
     return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].z);

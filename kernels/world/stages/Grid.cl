@@ -13,6 +13,8 @@ void startStep(const World *w) {
     w->status[LONGEST_PATH] = 0;
     w->status[REACHES] = 0;
     w->status[TILE_PEAK] = 0;
+    w->status[TILES_LISTED] = 0;
+    w->status[TILES_CUT] = 0;
     w->status[FOUND] = 0;
 #ifdef RECORDING
     startRecords(w);

@@ -81,6 +81,13 @@ float travelFor(const World *w, int wall, float r) {
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
 
+int levelOfBucket(const World *w, int bucket) {
+    constant Levels *levels = w->levels;
+    int n = 0;
+    while (n < levels->usedCount - 1 && bucket >= levels->first[levels->used[n + 1]]) n++;
+    return levels->used[n];
+}
+
 // The column (or row) of the torus of a cell's column (or row).
 int onRing(int cell, int side) { return cell < side ? cell : cell % side; }
 

@@ -18,13 +18,6 @@ uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow
            (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
 }
 
-int levelOfBucket(const World *w, int bucket) {
-    constant Levels *levels = w->levels;
-    int n = 0;
-    while (n < levels->usedCount - 1 && bucket >= levels->first[levels->used[n + 1]]) n++;
-    return levels->used[n];
-}
-
 // Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
     if (listed == 0) {

@@ -1,4 +1,4 @@
-// uses: world/tiles/TileCircles.cl world/tiles/TileContacts.cl
+// uses: world/tiles/TileCircles.cl world/tiles/TileContacts.cl world/tiles/TileCuts.cl
 // Stage Contacts for tiles: puts the contacts of each tile in order, once a step, starts its circles, and writes its record.
 // Cost: the circles of a region, and its contacts one after another in their groups.
 
@@ -6,7 +6,6 @@
 typedef struct {
     union {
         struct {
-            uint contact[TILE_CONTACTS];       // contacts as they are met: see meeting
             uint place[TILE_ROUNDS + 1];       // by round: the places in the record of its next own contact (lower half), and next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
         } met;
@@ -24,8 +23,9 @@ typedef struct {
     short ownNumber[TILE_ROUNDS + 1];  // by round: what makes of the place of an own contact its number
     int firstNumber; // of the tile's own contacts
     int firstCopy;
-    int contacts;
-    int overfull; // 1 where there are too many contacts or rounds
+    int contacts; // all that the tile depends on
+    int met;      // those that have been met so far
+    int overfull; // 1 where there are too many rounds
     int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
     int idle;     // 1 where the step had been refused when the work-group looked
 } Arrangement;
@@ -47,33 +47,23 @@ int progressAfter(int progress, int round, int carried) {
     return (progress & HAS_CARRIED) | carried | met << MET_SHIFT | (round + 1);
 }
 
-// The bucket in which a row of a region begins on the torus, at column 0.
-int bucketOfRow(const World *w, const Region *r, int row) {
-    return w->levels->first[r->level] + (wrapped(r->firstRow + row, r->torusRows) << r->columnsLog);
-}
-
-// The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
-int4 slotsInRow(const World *w, const Region *r, int row) {
-    int bucket = bucketOfRow(w, r, row);
-    int width = r->torusColumns;
-    int end = r->firstColumn + r->columns;
-    int first = w->bucketStart[bucket];
-    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], first,
-                  end <= width ? first : w->bucketStart[bucket + end - width]);
-}
-
 // Numbers the circles of a region, where there is room for them. All work-items of the work-group; returns how many there are.
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item < r->rows) a->rowSlots[item] = slotsInRow(w, r, item);
+    if (item == 0) {
+        a->contacts = 0;
+        a->met = 0;
+        a->overfull = 0;
+        a->crowded = 0;
+    }
     barrier(CLK_LOCAL_MEM_FENCE);
     if (item <= r->rows) {
         int sum = 0;
 #pragma unroll 4
         for (int before = 0; before < item; before++) {
-            int4 slots = a->rowSlots[before];
-            sum += slots.y - slots.x + slots.w - slots.z;
+            sum += circlesInRow(a->rowSlots[before]);
         }
         a->rowStart[item] = sum;
     }
@@ -99,11 +89,6 @@ int numberCircles(const World *w, const Region *r, local Arrangement *a, global 
         a->progress[i] = 0;
     }
     TILE_EACH(i, TILE_ROUNDS + 1) a->roundCount[i] = 0;
-    if (item == 0) {
-        a->contacts = 0;
-        a->overfull = 0;
-        a->crowded = 0;
-    }
     return circles;
 }
 
@@ -115,20 +100,49 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
-// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (5 bits) in the region, its place there (10 bits),
-// its round.
+// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (4 bits) in the region, its place there (13 bits),
+// its round (9 bits).
 #define MET_COLUMN(met) ((int) ((met) & 0x3f))
-#define MET_ROW(met) ((int) ((met) >> 6 & 0x1f))
-#define MET_IN_GROUP(met) ((int) ((met) >> 11 & 0x3ff))
-#define MET_ROUND(met) ((int) ((met) >> 21))
+#define MET_ROW(met) ((int) ((met) >> 6 & 0xf))
+#define MET_IN_GROUP(met) ((int) ((met) >> 10 & 0x1fff))
+#define MET_ROUND(met) ((int) ((met) >> 23))
+#if TILE_ROWS > 0x10 || LONGEST_GROUP > 0x1fff
+#error "a contact that is met has no room for so many"
+#endif
 
 uint meeting(int column, int row, int inGroup, int round) {
-    return (uint) (column | row << 6 | inGroup << 11 | round << 21);
+    return (uint) (column | row << 6 | inGroup << 10) | (uint) round << 23;
+}
+
+// The contacts of a tile as they are met, where their copies are to be.
+global uint *metFrom(const World *w, int firstCopy) { return (global uint *) (w->shape + firstCopy); }
+
+// How many copies there is room for.
+int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
+
+// Counts the contacts that a tile depends on, and takes copies for so many. Returns whether there is room for them. any: or takes
+// none.
+bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any) {
+#pragma unroll 1
+    for (int colour = 0; colour < 4; colour++) {
+        Groups g = groupsOfColour(r, colour);
+        int lines = any ? g.down : 0;
+        TILE_EACH(line, lines) atomic_add(&a->contacts, contactsInRow(w, r, &g, line));
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    int contacts = a->contacts;
+    bool fits = any && contacts <= TILE_CONTACTS;
+    if (get_local_id(0) == 0) {
+        int copies = (contacts + LINE_COPIES - 1) & ~(LINE_COPIES - 1);
+        a->firstCopy = fits ? atomic_add(&w->status[TILE_COPIES], copies) : 0;
+    }
+    barrier(CLK_LOCAL_MEM_FENCE);
+    return fits && a->firstCopy + contacts <= copyRoom(w);
 }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
 // among those met.
-void takeContact(const Region *r, local Arrangement *a, int k, int column, int row, int inGroup, uint link, float2 impulse) {
+void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup, uint link, float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     int progressLo = a->progress[lo];
@@ -146,7 +160,7 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
     a->progress[lo] = (ushort) progressAfter(progressLo, round, carried);
     a->progress[hi] = (ushort) progressAfter(progressHi, round, carried);
     if (max(metSoFar(progressLo), metSoFar(progressHi)) >= CROWD) a->crowded = 1;
-    a->of.met.contact[k] = meeting(column, row, inGroup, round);
+    met[k] = meeting(column, row, inGroup, round);
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
 
@@ -158,27 +172,21 @@ void takeContact(const Region *r, local Arrangement *a, int k, int column, int r
 
 // Takes all contacts that a tile depends on, or none.
 void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
+    global uint *met = metFrom(w, a->firstCopy);
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
         barrier(CLK_LOCAL_MEM_FENCE);
-        int px = colour & 1;
-        int py = colour >> 1;
-        int across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
-        int down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - py;
-        int groups = any ? across * down : 0;
+        Groups of = groupsOfColour(r, colour);
+        int groups = any ? of.across * of.down : 0;
 #pragma unroll 1
         TILE_EACH(g, groups) {
-            int line = g / across;
-            int column = (r->ringX ? px : colour) + 2 * (g - line * across);
-            int row = py + 2 * line;
+            int line = g / of.across;
+            int column = of.column + 2 * (g - line * of.across);
+            int row = of.row + 2 * line;
             int group = groupAt(w, r, column, row);
             int first = w->groupStart[group];
             int size = w->groupStart[group + 1] - first;
-            int k0 = size > 0 ? atomic_add(&a->contacts, size) : 0;
-            if (k0 + size > TILE_CONTACTS) {
-                a->overfull = 1;
-                size = 0;
-            }
+            int k0 = size > 0 ? atomic_add(&a->met, size) : 0;
 #pragma unroll 1
             for (int from = 0; from < size; from += GROUP_TOGETHER) {
                 uint link[GROUP_TOGETHER];
@@ -191,12 +199,12 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
-                    if (from + k < size) takeContact(r, a, k0 + from + k, column, row, from + k, link[k], impulse[k]);
+                    if (from + k < size) takeContact(r, a, met, k0 + from + k, column, row, from + k, link[k], impulse[k]);
                 }
             }
         }
     }
-    barrier(CLK_LOCAL_MEM_FENCE);
+    barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
 int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
@@ -227,19 +235,16 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
         record[RECORD_STARTS + part] = start;
         record[RECORD_PARTS] = part;
         a->firstNumber = atomic_add(&w->status[TILE_NUMBERS], own);
-        a->firstCopy = atomic_add(&w->status[TILE_COPIES], (start + LINE_COPIES - 1) & ~(LINE_COPIES - 1));
         record[RECORD_COPIES] = a->firstCopy;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// How many copies there is room for.
-int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
-
 // Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
 // ones their numbers. circles: 0 where there is nothing to do.
 void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
-    global int2 *placed = contactsOf(record);
+    global int2 *placed = placedFrom(w, a->firstCopy);
+    global const uint *metContacts = metFrom(w, a->firstCopy);
     placeRounds(w, a, record, circles > 0 ? TILE_ROUNDS + 1 : 0);
     if (get_local_id(0) == 0) record[RECORD_CIRCLES] = circles;
     int contacts = circles > 0 ? a->contacts : 0;
@@ -249,7 +254,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
         uint link[MOST_TOGETHER];
         TOGETHER_EACH(n, ARRANGED) {
             if (togetherItem(first, n) >= contacts) continue;
-            met[n] = a->of.met.contact[togetherItem(first, n)];
+            met[n] = metContacts[togetherItem(first, n)];
             c[n] = w->groupStart[groupAt(w, r, MET_COLUMN(met[n]), MET_ROW(met[n]))] + MET_IN_GROUP(met[n]);
         }
         TOGETHER_EACH(n, ARRANGED) {
@@ -330,10 +335,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Copies what passes read of the contacts of a region, in the order of the record. Refuses the step where there is no room.
-void copyContacts(const World *w, local const Arrangement *a, global int *record, int contacts) {
-    global int2 *placed = contactsOf(record);
-    int room = copyRoom(w);
+// Copies what passes read of the contacts of a region, in the tile's order.
+void copyContacts(const World *w, local const Arrangement *a, int contacts) {
+    global int2 *placed = placedFrom(w, a->firstCopy);
 #ifdef RECORDING
     int met = 0;
 #endif
@@ -349,7 +353,7 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
         TOGETHER_EACH(n, ARRANGED) {
             int place = togetherItem(first, n);
             int copy = a->firstCopy + place;
-            if (place >= contacts || copy >= room) continue;
+            if (place >= contacts) continue;
             int i = lowerOf(contact[n].y);
             int j = higherOf(contact[n].y);
             float2 base = a->load[j] - a->load[i];
@@ -371,13 +375,11 @@ void copyContacts(const World *w, local const Arrangement *a, global int *record
 #ifdef RECORDING
     if (met > 0) atomic_add(&w->status[TOUCHES_MET], met);
 #endif
-    if (contacts > 0 && get_local_id(0) == 0 && a->firstCopy + contacts > room) atomic_or(&w->status[OUT_OF_ROOM], 1);
 }
 
 // Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
-// tiles have given theirs. contacts: of the tile's record.
-void findNumbers(const World *w, global int *record, int contacts) {
-    global int2 *placed = contactsOf(record);
+// tiles have given theirs. placed: the tile's contacts, so many.
+void findNumbers(const World *w, global int2 *placed, int contacts) {
     TILE_EACH(place, contacts) {
         int c = placed[place].x;
         if (c < 0) placed[place].x = newNumbers(w)[c & ~NOT_OWN] | NOT_OWN;
@@ -392,35 +394,38 @@ bool refusedMeanwhile(const World *w) {
 }
 
 // Writes the tile's record, and starts its own circles, each work-item so many together. Refuses the step where they do not
-// fit. idle: do nothing.
-void arrangeTile(const World *w, local Arrangement *a, int tile, bool idle, int together) {
-    Region r = regionOf(w, tile);
+// fit. r: its region; idle: do nothing.
+void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile, bool idle, int together) {
     global int *record = recordOf(w, tile);
-    int found = numberCircles(w, &r, a, record);
+    int found = numberCircles(w, r, a, record);
     bool any = !idle && found > 0 && found <= TILE_CIRCLES;
-    takeContacts(w, &r, a, any);
+    bool placed = takeCopies(w, r, a, any);
+    takeContacts(w, r, a, placed);
     int contacts = a->contacts;
     bool crowded = a->crowded && w->k.thinning == 0;
-    bool fits = any && !a->overfull && !crowded;
+    bool fits = placed && !a->overfull && !crowded;
     int circles = fits ? found : 0;
-    recordContacts(w, &r, a, record, circles);
+    recordContacts(w, r, a, record, circles);
     gatherLoads(w, a, record, hasOneLevel(w) ? 0 : circles);
     takeCircles(w, a, record, circles, together);
-    copyContacts(w, a, record, circles > 0 ? contacts : 0);
-    if (get_local_id(0) != 0 || idle) return;
+    copyContacts(w, a, circles > 0 ? contacts : 0);
+    if (get_local_id(0) != 0 || idle || found == 0) return;
+    int peak = max(100 * found / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS);
     if (fits) {
-        atomic_max(&w->status[TILE_PEAK], max(100 * circles / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS));
-    } else if (found > TILE_CIRCLES) {
-        refuseTile(w, 100 * found / TILE_CIRCLES + 1);
-    } else if (found > 0 && crowded) {
+        atomic_max(&w->status[TILE_PEAK], peak);
+    } else if (found > TILE_CIRCLES || contacts > TILE_CONTACTS) {
+        refuseTile(w, peak + 1);
+    } else if (crowded) {
         atomic_or(&w->status[CROWDED], 1);
-    } else if (found > 0) {
-        refuseTile(w, contacts > TILE_CONTACTS ? 100 * contacts / TILE_CONTACTS + 1 : NO_TILE);
+    } else if (placed) {
+        refuseTile(w, NO_TILE);
+    } else {
+        atomic_or(&w->status[OUT_OF_ROOM], 1); // for copies
     }
 }
 
-// Index space: a work-group a tile.
-TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+// Index space: a work-group a tile. cut: whether the tiles are those of the list.
+TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int cut RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
@@ -428,8 +433,11 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) {
         if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
+        if (cut && status[TILES_LISTED] > w.levels->tileCount) atomic_or(&status[OUT_OF_ROOM], 1);
         arrangement.idle = refusedMeanwhile(&w);
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    arrangeTile(&w, &arrangement, (int) get_group_id(0), arrangement.idle, 2);
+    int tile = (int) get_group_id(0);
+    Region r = cut ? regionOfListed(&w, tile) : regionOf(&w, tile);
+    arrangeTile(&w, &r, &arrangement, tile, arrangement.idle, 2);
 }

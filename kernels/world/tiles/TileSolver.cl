@@ -318,10 +318,9 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
 // The biased pass of a tile. together: how many circles a work-item moves at a time; levels: whether there are several, and so the
 // contacts alone are solved here.
 void solveTile(const World *w, local Tile *t, int tile, int subStep, int together, bool levels) {
-    global int *record = recordOf(w, tile);
-    global int *entries = record + RECORD_SLOTS;
+    global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
-    findNumbers(w, record, subStep == 0 ? t->contacts : 0);
+    findNumbers(w, placedFrom(w, t->firstCopy), subStep == 0 ? t->contacts : 0);
     if (levels) takeMotion(w, t, entries, false);
     int started = levels ? 0 : circles;
     TILE_TOGETHER(first, started, TAKEN) {
@@ -341,7 +340,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
             t->burden[i] = burden[n];
         }
     }
-    solveParts(w, t, contactsOf(record), false, false);
+    solveParts(w, t, placedFrom(w, t->firstCopy), false, false);
     if (levels) {
         leaveMotion(w, t, entries, false);
         return;
@@ -368,8 +367,8 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
 
 // Measures the contacts of a tile after the circles have moved. Before the pass, since no contact has to wait for another here:
 // hardly a work-item is idle, while in the parts of rounds half of them are.
-void measureContacts(const World *w, local Tile *t, global int *record) {
-    global const int2 *placed = contactsOf(record);
+void measureContacts(const World *w, local Tile *t) {
+    global const int2 *placed = placedFrom(w, t->firstCopy);
     int contacts = t->contacts;
     TILE_TOGETHER(first, contacts, TAKEN) {
         int circles[MOST_TOGETHER];
@@ -418,8 +417,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
 // home. together: how many of them a work-item starts at a time; levels: whether there are several, and so the contacts alone are
 // relaxed here.
 void relaxTile(const World *w, local Tile *t, int tile, bool last, int together, bool levels) {
-    global int *record = recordOf(w, tile);
-    global int *entries = record + RECORD_SLOTS;
+    global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
     if (levels) takeMotion(w, t, entries, true);
     int moved = levels ? 0 : circles;
@@ -442,10 +440,10 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    measureContacts(w, t, record);
+    measureContacts(w, t);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     TILE_EACH(i, circles) t->load[i] = (float2)(0.0f);
-    solveParts(w, t, contactsOf(record), true, last);
+    solveParts(w, t, placedFrom(w, t->firstCopy), true, last);
     if (levels) {
         leaveMotion(w, t, entries, !last);
         return;

@@ -74,13 +74,14 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
 // Records those contacts of a tile that have to be, once all tiles have made the step. Returns how many of a work-item's hold.
 int recordTile(const World *w, int tile, bool all) {
     global int *record = recordOf(w, tile);
-    global const int2 *placed = contactsOf(record);
     int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
+    int firstCopy = contacts > 0 ? record[RECORD_COPIES] : 0;
+    global const int2 *placed = placedFrom(w, firstCopy);
     int held = 0;
     TILE_EACH(place, contacts) {
         int number = placed[place].x;
         if (number < 0) continue;
-        int copy = record[RECORD_COPIES] + place;
+        int copy = firstCopy + place;
         float holds = w->held[number];
         float2 t = touchSoFar(w)[number];
         float4 at = touchPlace(w)[number];

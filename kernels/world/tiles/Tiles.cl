@@ -11,18 +11,18 @@
 //
 // The first tiles begin at column and row -1, and there are as many as it takes to reach the last column and row that a circle
 // can be in, or once around the torus where the arena does; the last of those are smaller where the torus is no multiple of a tile.
+// Where some hold too much, the step is made with a list of tiles instead, in which these are cut: see TileCuts.cl.
 //
 // Within a region the contacts need not wait for colours. Each must follow those before it that share a circle with it, no
 // others: its round is the first in which all of these are done. That gives the bits of the order, in about half as many
 // dependent steps as the longest groups of the colours would take, and all work-items have work. A round is made in parts of no
 // more contacts than the work-group has work-items.
 //
-// This file: regions, and what is recorded of a tile. TileContacts.cl and TileOrder.cl write the records, TileSolver.cl makes
-// the passes, TileCircles.cl is the circles' part of both.
+// This file: regions, and what is recorded of a tile. TileCuts.cl lists tiles, TileContacts.cl and TileOrder.cl write the records,
+// TileSolver.cl makes the passes, TileCircles.cl is the circles' part of both.
 
 // From the host: TILE_CIRCLES, TILE_CONTACTS: room for those of a region; TILE_ROUNDS and TILE_PARTS: room for those; TILE_GROUP:
-// work-items of a work-group, but where whole steps are made in one launch (Resident.cl).
-#define HALO_COLUMNS 3
+// work-items of a work-group, but where whole steps are made in one launch (Resident.cl); HALO_COLUMNS: the 3 columns from above.
 #define HALO_ROWS 1
 #define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class TileSizes
 #define TILE_CELLS ((32 + 2 * HALO_COLUMNS) * TILE_ROWS)
@@ -32,8 +32,7 @@
 // follow: base, shape, contact. What a contact's owner alone finds out has a place for each contact: held, impulse.
 // Contacts are numbered anew for it, those of a tile in its order.
 //
-// A tile's record: see the Java class TileRecord. RECORD_SLOTS: by circle, see AT_WALL. RECORD_CONTACTS: by place, its number,
-// NOT_OWN too where it is not the tile's; circlesOf.
+// A tile's record: see the Java class TileRecord. RECORD_SLOTS: by circle, see AT_WALL.
 #define NOT_OWN ((int) 0x80000000)
 
 // A circle's entry: its slot; AT_WALL where it has impulses of walls, or bounces off one; NOT_OWN where it is not the tile's.
@@ -48,7 +47,8 @@
 
 global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
 
-global int2 *contactsOf(global int *record) { return (global int2 *) (record + RECORD_CONTACTS); }
+// The contacts of a tile, in its order: see the array placed.
+global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firstCopy; }
 
 // By contact in its place within its group: its number for the passes. Tiles have no keys.
 global int *newNumbers(const World *w) { return (global int *) w->key; }
@@ -90,11 +90,9 @@ int levelOfTile(const World *w, int tile) {
     return levels->used[n];
 }
 
-Region regionOf(const World *w, int tile) {
-    int l = levelOfTile(w, tile);
+// The region of a tile. column, row: where it begins, counted from the first tile; wl, hl: log2 of its columns and rows.
+Region regionAt(const World *w, int l, int column, int row, int wl, int hl) {
     int cl = w->levels->columnsLog[l];
-    int wl = w->levels->tileColumnsLog[l];
-    int hl = w->levels->tileRowsLog[l];
     Region r;
     r.level = l;
     r.columnsLog = cl;
@@ -102,20 +100,28 @@ Region regionOf(const World *w, int tile) {
     r.torusRows = w->levels->rowCount[l];
     r.ringX = wl == cl;
     r.ringY = hl == w->levels->rowsLog[l];
-    int number = tile - w->levels->firstTile[l];
-    int ty = number / w->levels->tilesAcross[l];
-    int tx = number - ty * w->levels->tilesAcross[l];
-    r.width = min(1 << wl, r.torusColumns - (tx << wl));
-    r.height = min(1 << hl, r.torusRows - (ty << hl));
+    r.width = min(1 << wl, r.torusColumns - column);
+    r.height = min(1 << hl, r.torusRows - row);
     r.left = r.ringX ? 0 : HALO_COLUMNS;
     r.bottom = r.ringY ? 0 : HALO_ROWS;
     r.columns = r.width + 2 * r.left;
     r.rows = r.height + 2 * r.bottom;
-    int firstColumn = (tx << wl) - 1 - HALO_COLUMNS;
-    int firstRow = (ty << hl) - 1 - HALO_ROWS;
+    int firstColumn = column - 1 - HALO_COLUMNS;
+    int firstRow = row - 1 - HALO_ROWS;
     r.firstColumn = r.ringX ? 0 : firstColumn < 0 ? firstColumn + r.torusColumns : firstColumn;
     r.firstRow = r.ringY ? 0 : firstRow < 0 ? firstRow + r.torusRows : firstRow;
     return r;
+}
+
+// The region of a tile that is not cut.
+Region regionOf(const World *w, int tile) {
+    int l = levelOfTile(w, tile);
+    int wl = w->levels->tileColumnsLog[l];
+    int hl = w->levels->tileRowsLog[l];
+    int number = tile - w->levels->firstTile[l];
+    int ty = number / w->levels->tilesAcross[l];
+    int tx = number - ty * w->levels->tilesAcross[l];
+    return regionAt(w, l, tx << wl, ty << hl, wl, hl);
 }
 
 bool owns(const Region *r, int column, int row) {
@@ -126,6 +132,49 @@ bool owns(const Region *r, int column, int row) {
 int groupAt(const World *w, const Region *r, int column, int row) {
     return groupOf(w, r->level, wrapped(r->firstColumn + column, r->torusColumns),
                    wrapped(r->firstRow + row, r->torusRows));
+}
+
+// The bucket in which a row of a region begins on the torus, at column 0.
+int bucketOfRow(const World *w, const Region *r, int row) {
+    return w->levels->first[r->level] + (wrapped(r->firstRow + row, r->torusRows) << r->columnsLog);
+}
+
+// The slots in a row of a region, [x, y), and behind the edge of the torus, [z, w).
+int4 slotsInRow(const World *w, const Region *r, int row) {
+    int bucket = bucketOfRow(w, r, row);
+    int width = r->torusColumns;
+    int end = r->firstColumn + r->columns;
+    int first = w->bucketStart[bucket];
+    return (int4)(w->bucketStart[bucket + r->firstColumn], w->bucketStart[bucket + min(end, width)], first,
+                  end <= width ? first : w->bucketStart[bucket + end - width]);
+}
+
+int circlesInRow(int4 slots) { return slots.y - slots.x + slots.w - slots.z; }
+
+// The groups of a colour that a tile depends on, in its region.
+typedef struct {
+    int column, row;  // of the first one
+    int across, down; // how many there are; those of a row are two columns apart, and rows are
+} Groups;
+
+Groups groupsOfColour(const Region *r, int colour) {
+    Groups g;
+    g.column = r->ringX ? colour & 1 : colour;
+    g.row = colour >> 1;
+    g.across = r->ringX ? r->columns >> 1 : (r->width >> 1) + HALO_COLUMNS - colour;
+    g.down = r->ringY ? r->rows >> 1 : (r->height >> 1) + HALO_ROWS - g.row;
+    return g;
+}
+
+int contactsInGroups(const World *w, int first, int groups) { return w->groupStart[first + groups] - w->groupStart[first]; }
+
+// The contacts of a row of them, which are one behind the other up to the edge of the torus.
+int contactsInRow(const World *w, const Region *r, const Groups *g, int line) {
+    int oy = wrapped(r->firstRow + g->row + 2 * line, r->torusRows);
+    int ox = wrapped(r->firstColumn + g->column, r->torusColumns);
+    int before = min(g->across, (r->torusColumns - ox + 1) >> 1);
+    return contactsInGroups(w, groupOf(w, r->level, ox, oy), before) +
+           contactsInGroups(w, groupOf(w, r->level, ox & 1, oy), g->across - before);
 }
 
 // Refuses the step: tiles must be smaller, or there must be none.

@@ -20,6 +20,7 @@ import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
+import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
@@ -304,7 +305,7 @@ public final class DevicePipeline implements Pipeline {
             pendingSteps -= done;
             plan.stepped(status, done);
             for (Plan each : plans) {
-                each.learn(status.get(StatusWord.TILE_PEAK), thinning > 0);
+                each.learn(TileUse.of(status), thinning > 0);
             }
             if (pendingSteps == 0) {
                 cachedPlaces = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));

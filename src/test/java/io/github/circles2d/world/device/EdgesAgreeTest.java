@@ -14,6 +14,8 @@ import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Tuning;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -119,6 +121,29 @@ class EdgesAgreeTest {
                     twins.move(3 + k, scene.maxX() - 0.01f * k, scene.minY() + 0.02f * k);
                     twins.step(scene.timeStep(), 2);
                     twins.assertEqual(edges[0] + " " + edges[1] + ", call " + k);
+                }
+            }
+        }
+    }
+
+    /** Around an axis that wraps there may be so few cells that a tile with its border goes round further than once. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    void axesOfFewCellsHaveTheSameBits(Device device) {
+        float cell = 2 * (1 + Tuning.MARGIN + Tuning.CAP);
+        for (int cells : new int[] {4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 34}) {
+            float side = (cells + 0.5f) * cell;
+            SplittableRandom random = new SplittableRandom(cells);
+            try (Twins twins =
+                    Twins.empty(new Bounds(0, 0, side, side, AxisEdge.WRAP, AxisEdge.WRAP), pipelines(device))) {
+                for (int i = 0; i < 1.6 * cells * cells; i++) {
+                    float x = (float) random.nextDouble(side);
+                    float y = (float) random.nextDouble(side);
+                    twins.add(x, y, 1, 1, 0.5f, 20 * (float) random.nextDouble(), 20 * (float) random.nextDouble());
+                }
+                for (int k = 0; k < 10; k++) {
+                    twins.step(1 / 60f, 1);
+                    twins.assertEqual(cells + " cells, step " + k);
                 }
             }
         }

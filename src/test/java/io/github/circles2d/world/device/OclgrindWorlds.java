@@ -15,7 +15,9 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
+import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
@@ -76,6 +78,7 @@ final class OclgrindWorlds {
             case "TILES":
                 kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
                 kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
+                kernels.addAll(listedTiles());
                 break;
             case "PERSISTENT_GPU":
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
@@ -118,8 +121,9 @@ final class OclgrindWorlds {
             case "levels in a crowd":
                 for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU, Plans.PERSISTENT_CPU)) {
                     kernels.addAll(crossCrowd(plans));
-                    kernels.addAll(crowd(plans, true));
                 }
+                kernels.addAll(crowd(Plans.COLOURS, true));
+                kernels.addAll(crowd(Plans.PERSISTENT_CPU, true));
                 break;
             case "edges":
                 kernels.addAll(edges(Plans.COLOURS));
@@ -144,13 +148,24 @@ final class OclgrindWorlds {
     }
 
     private DevicePipeline pipeline(Plans plans, int capacity) {
+        return pipeline(plans.of(device), capacity);
+    }
+
+    private DevicePipeline pipeline(List<Plan> plans, int capacity) {
         int workGroupSize = small ? SMALL_GROUP : StageKernels.USUAL_GROUPS;
-        return new DevicePipeline(device, capacity, true, plans.of(device), workGroupSize);
+        return new DevicePipeline(device, capacity, true, plans, workGroupSize);
+    }
+
+    /** Tiles are listed, as behind one that held too much. */
+    private Set<String> listedTiles() {
+        List<Plan> plans = Plans.TILES.of(device);
+        plans.forEach(plan -> plan.learn(new TileUse(101, 0, false), false));
+        return steps(pipeline(plans, 0), Scenes.thesis(40, 1), 1 / 60f, 1, small ? 1 : 2);
     }
 
     /**
-     * All circles meet: more than pairs are kept of; or, with levels, fewer circles, but more contacts in a group than tiles take. There is
-     * room for their contacts from the start, by lanes for four places each: arrays that grow are misjudged.
+     * All circles meet: more than pairs are kept of; or, with levels, fewer circles. There is room for their contacts from the start, by
+     * lanes for four places each: arrays that grow are misjudged.
      */
     private Set<String> crowd(Plans plans, boolean withLevels) {
         DevicePipeline pipeline = pipeline(plans, 2100);
@@ -167,7 +182,10 @@ final class OclgrindWorlds {
     }
 
     private Set<String> steps(Plans plans, Scene scene, float dt, int steps, int subSteps) {
-        DevicePipeline pipeline = pipeline(plans);
+        return steps(pipeline(plans), scene, dt, steps, subSteps);
+    }
+
+    private Set<String> steps(DevicePipeline pipeline, Scene scene, float dt, int steps, int subSteps) {
         try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             // Adding a thousand circles replaces the buffer of commands by a larger one. Oclgrind 21.10 calls what the
             // host writes to that one unwritten, though kernels read it, and with it the kinds of all circles.

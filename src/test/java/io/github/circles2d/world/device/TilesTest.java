@@ -13,6 +13,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import java.util.List;
 import java.util.Map;
+import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -54,6 +55,27 @@ class TilesTest {
             assertThat(pipeline.kernelNanos())
                     .containsKeys("solver_solveLevels", "solver_relaxLevels", "cross_solve")
                     .doesNotContainKeys("solver_solve", "solver_relax", "solver_solveTile");
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void tilesThatHoldTooMuchAreCut(Device device) {
+        DevicePipeline pipeline = Pipelines.of(device, Plans.TILES, true);
+        Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+        float side = 40;
+        SplittableRandom random = new SplittableRandom(1);
+        try (Twins twins = Twins.empty(new Bounds(0, 0, side, side), java, pipeline)) {
+            for (int i = 0; i < 1200; i++) {
+                // A third of them in a corner, where there are many in a cell.
+                double reach = i % 3 == 0 ? side : 0.35 * side;
+                twins.add((float) random.nextDouble(reach), (float) random.nextDouble(reach), 1, 1, 0, 0, 0);
+            }
+            for (int k = 0; k < 6; k++) {
+                twins.step(1 / 60f, 1 + k % 2);
+                twins.assertEqual("step " + k);
+            }
+            assertThat(pipeline.kernelNanos()).containsKey("contacts_cutTiles").doesNotContainKey("solver_solve");
         }
     }
 }

@@ -126,7 +126,12 @@ public enum DeviceArray {
                     + " before that, as ints: see recordContact"),
     LINK("uint", "link", Index.TILED_CONTACT, "see linkOf"),
     ORDERED("uint2", "ordered", Index.TILED_CONTACT, "working slots, where pair is in no order within a group"),
-    SHAPE("float2", "shape", Index.TILED_COPY, "sum of the radii, restitution"),
+    SHAPE("float2", "shape", Index.TILED_COPY, "sum of the radii, restitution; before that see metFrom"),
+    PLACED(
+            "int2",
+            "placed",
+            Index.TILED_COPY,
+            "number of the contact, NOT_OWN too where it is not the tile's; circlesOf"),
     HELD("float", "held", Index.TILED_CONTACT, "accumulated impulse after a sub-step"),
     IMPULSE(
             "float2",
@@ -179,10 +184,10 @@ public enum DeviceArray {
         CELL_BLOCK("by block of cells", false, "cellBlock", null),
         CONTACT("by contact", false, "contactBlock", DeviceCount.CONTACT_STRIDE),
         OLD_CONTACT("by contact of the step before", true, "oldContactBlock", null),
-        COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", null),
+        COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", DeviceCount.COPY_STRIDE),
         TILED_SLOT("by tiles, by slot", false, "tiledSlotBlock", DeviceCount.SLOT_STRIDE),
         TILED_CONTACT("by tiles, by contact", false, "tiledContactBlock", DeviceCount.CONTACT_STRIDE),
-        TILED_COPY("by tiles, by copy of a contact", false, "tiledCopyBlock", null),
+        TILED_COPY("by tiles, by copy of a contact", false, "tiledCopyBlock", DeviceCount.COPY_STRIDE),
         TILE("by tile", false, "tileBlock", null);
 
         private final String words;

@@ -7,7 +7,8 @@ enum DeviceCount {
     CONTACT_ROOM("contactRoom", "contacts that the contact arrays can hold"),
     SLOT_STRIDE("slotStride", "elements from one array of a block to the next"),
     BUCKET_STRIDE("bucketStride", "elements from one array of a block to the next"),
-    CONTACT_STRIDE("contactStride", "elements from one array of a block to the next");
+    CONTACT_STRIDE("contactStride", "elements from one array of a block to the next"),
+    COPY_STRIDE("copyStride", "elements from one array of a block to the next");
 
     /** Number of counts. */
     static final int COUNT = values().length;

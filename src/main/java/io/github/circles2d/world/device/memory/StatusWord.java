@@ -18,6 +18,8 @@ public enum StatusWord {
     LONGEST_PATH(12, "then, as bits: the longest path of a circle that is not static"),
     HINDERED(13, "by lanes: 1 where work-groups have waited so long that further steps are for another number of them"),
     REACHES(14, "a bit for each class of reaches that has fast circles that reach far"),
+    TILES_LISTED(16, "tiles of the list, if there is one, also those that there is no room for"),
+    TILES_CUT(17, "1 where some tile of the list is cut"),
     TOO_CLOSE(15, "by lanes: 1 where a step that thins crowds out met one that is too close for them"),
     ARRIVALS(32, "of work-groups at barriers over all of them, in a cache line of its own"),
     DEPARTURES(33, "of work-groups"),

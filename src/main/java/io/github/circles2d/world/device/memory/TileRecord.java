@@ -8,8 +8,8 @@ public final class TileRecord {
      */
     public static final int CIRCLES = 1312;
 
-    /** Contacts that the local memory of a work-group has room for. */
-    public static final int CONTACTS = 4608;
+    /** Contacts that there are numbers for, of 16 bits and one more for the sign where they are differences. */
+    public static final int CONTACTS = 24 << 10;
 
     /** Rounds that there is room for. */
     public static final int ROUNDS = 416;
@@ -17,8 +17,8 @@ public final class TileRecord {
     /** Work-items of a work-group: at least as many as a colour has groups around a tile. */
     public static final int GROUP = 128;
 
-    /** Parts of rounds that there is room for; even, as {@link #CIRCLES}: the pairs behind them in a record are aligned. */
-    public static final int PARTS = (ROUNDS + CONTACTS / GROUP + 1) & ~1;
+    /** Parts of rounds that there is room for. */
+    public static final int PARTS = ROUNDS + CONTACTS / GROUP;
 
     /** Copies that tiles make of two contacts, as far as there is room for them from the start: 1.5 of each with usual tiles. */
     public static final int COPIES_IN_TWO = 3;
@@ -26,20 +26,20 @@ public final class TileRecord {
     /** A peak that says that no tile would do. */
     public static final int NO_TILE = Integer.MAX_VALUE;
 
-    // A record begins with the numbers of its circles, of its parts and of its first copy, and a word that keeps pairs
-    // aligned.
+    // A record begins with the numbers of its circles, of its parts and of its first copy, and where it is if tiles are
+    // listed.
     public static final int AT_CIRCLES = 0;
     public static final int AT_PARTS = 1;
     public static final int AT_COPIES = 2;
+    public static final int AT_CUT = 3;
 
     /** By part its first contact, and the end. */
     public static final int AT_STARTS = 4;
 
     public static final int AT_SLOTS = AT_STARTS + PARTS + 2;
-    public static final int AT_CONTACTS = AT_SLOTS + CIRCLES;
 
     /** Ints of a record. */
-    public static final int WORDS = AT_CONTACTS + 2 * CONTACTS;
+    public static final int WORDS = AT_SLOTS + CIRCLES;
 
     private TileRecord() {}
 

@@ -73,13 +73,9 @@ final class WorldTables {
         define(text, "RECORD_CIRCLES", TileRecord.AT_CIRCLES, "number of circles");
         define(text, "RECORD_PARTS", TileRecord.AT_PARTS, "number of parts");
         define(text, "RECORD_COPIES", TileRecord.AT_COPIES, "its first copy of a contact");
+        define(text, "RECORD_CUT", TileRecord.AT_CUT, "where it is, if tiles are listed: see TileCuts.cl");
         define(text, "RECORD_STARTS", TileRecord.AT_STARTS, "by part: its first contact; and the end");
         define(text, "RECORD_SLOTS", TileRecord.AT_SLOTS, "by circle: see AT_WALL");
-        define(
-                text,
-                "RECORD_CONTACTS",
-                TileRecord.AT_CONTACTS,
-                "by place: its number, NOT_OWN too where it is not the tile's; circlesOf");
         define(text, "TILE_RECORD", TileRecord.WORDS, "ints of a record");
         define(text, "NO_TILE", TileRecord.NO_TILE, "TILE_PEAK where no tile would do");
     }

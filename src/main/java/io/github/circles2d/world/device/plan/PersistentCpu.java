@@ -116,7 +116,7 @@ public final class PersistentCpu implements Plan {
     }
 
     @Override
-    public void learn(int tilePeak, boolean thinning) {
+    public void learn(TileUse use, boolean thinning) {
         if (thinning && withoutCrowds > 0) {
             withoutCrowds--;
         }

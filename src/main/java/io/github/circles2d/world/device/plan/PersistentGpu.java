@@ -66,7 +66,7 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public boolean suits(Steps wanted) {
-        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suit(wanted);
+        return !wanted.thinning() && wanted.circles() <= MOST_CIRCLES && sizes.suitTogether(wanted);
     }
 
     @Override

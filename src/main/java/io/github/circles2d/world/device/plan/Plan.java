@@ -38,12 +38,11 @@ public interface Plan {
     void countDegrees(int contacts);
 
     /**
-     * Takes note of how full the fullest tile was, whichever plan made the steps.
+     * Takes note of how the last step filled its tiles, whichever plan made it.
      *
-     * @param tilePeak percent of the room; 0 where no tiles were used
      * @param thinning whether the steps thinned crowds out
      */
-    default void learn(int tilePeak, boolean thinning) {}
+    default void learn(TileUse use, boolean thinning) {}
 
     /**
      * Takes note of steps that this plan has made.

@@ -5,10 +5,14 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.model.GridLevels;
 
 /**
- * Chooses the size of a tile, one for all levels: the largest that leaves enough tiles for the device to work on at once, and no
- * region with more circles than {@link TileRecord#CIRCLES}. A step finds out whether a region has more.
+ * Chooses the size of a tile, one for all levels: the largest that leaves enough tiles for the device to work on at once. A step finds out
+ * whether a region has more circles than {@link TileRecord#CIRCLES}, or more contacts than there is room for. Then the next steps cut such
+ * tiles, if their work-groups come and go, and all tiles are smaller if work-groups wait for each other.
  */
 final class TileSizes {
+    /** Columns that a region reaches beyond its tile, on both sides; see {@code kernels/world/tiles/Tiles.cl}. */
+    static final int HALO_COLUMNS = 3;
+
     /** A size of a tile, log2 of its columns and rows of cells. */
     private record Size(int columnsLog, int rowsLog) {}
 
@@ -22,22 +26,43 @@ final class TileSizes {
     /** The smallest size that is ever better for speed; smaller ones are for crowds. */
     private static final int SMALLEST = 2;
 
-    /** Tiles that were given up are tried again after so many calls for the state. */
-    private static final int RETRY = 256;
+    /** Sizes for work-groups that wait for each other are tried again after so many batches without any. */
+    private static final int RETRY_TOGETHER = 256;
+
+    /**
+     * Tiles that were given up are tried again after so many batches: a step that is refused costs a small part of one by colours, and
+     * crowds come and go within a second.
+     */
+    private static final int RETRY = 16;
+
+    /** For so many batches after the last that cut some, steps look for tiles to cut. */
+    private static final int CALM = 16;
 
     /** Below this many percent of the room the next larger size has room too: its regions are 1.5 to 1.75 times as large. */
     private static final int CALM_PEAK = 50;
 
     private final int computeUnits;
 
-    /** The largest size that may be chosen: larger ones held too many circles. None may where it is the number of sizes. */
+    /** The largest size for work-groups that wait for each other: larger ones held too much. None does where it is the number of sizes. */
     private int largestSize;
 
-    /** How often there has been something to learn since tiles were given up. */
+    /** How often there has been something to learn since there was no size for these. */
     private int without;
 
-    /** How often tiles are not tried again on crowds that are thinned out, since they had a group too long for them. */
-    private int withoutCrowds;
+    /** How often no tiles are tried. */
+    private int givenUp;
+
+    /** How often tiles are not tried on crowds that are thinned out. */
+    private int givenUpForCrowds;
+
+    /** For how many more batches steps cut tiles; 0 where they do not. */
+    private int cutting;
+
+    /** Room for a list of tiles: more than the last list had. */
+    private int room;
+
+    /** Whether the size was chosen for work-groups that wait for each other. */
+    private boolean together;
 
     private int size;
     private int tiles;
@@ -46,18 +71,24 @@ final class TileSizes {
         this.computeUnits = computeUnits;
     }
 
-    /** Whether there is a size that may do for such steps. */
+    /** Whether tiles may do for such steps. */
     boolean suit(Steps steps) {
-        return largestSize != SIZES.length && !(steps.thinning() && withoutCrowds > 0);
+        return givenUp == 0 && !(steps.thinning() && givenUpForCrowds > 0);
+    }
+
+    /** Whether there is a size that may do for such steps if work-groups wait for each other. */
+    boolean suitTogether(Steps steps) {
+        return suit(steps) && largestSize < SIZES.length;
     }
 
     /** Chooses the size for work-groups that come and go: several for each compute unit. */
     void choose(Steps steps) {
-        size = largestSize;
+        together = false;
+        size = 0;
         while (size < SMALLEST && tiles(size, steps) < 3 * computeUnits) {
             size++;
         }
-        tiles = tiles(size, steps);
+        tiles = cutting > 0 ? Math.max(room, tiles(size, steps)) : tiles(size, steps);
     }
 
     /**
@@ -66,6 +97,7 @@ final class TileSizes {
      * @param atOnce how many work-groups run at once
      */
     void choose(Steps steps, int atOnce) {
+        together = true;
         size = largestSize;
         while (size < SMALLEST && tiles(size + 1, steps) <= atOnce) {
             size++;
@@ -73,7 +105,12 @@ final class TileSizes {
         tiles = tiles(size, steps);
     }
 
-    /** How many tiles there are of the size that was chosen. */
+    /** Whether steps list the tiles, and cut those that hold too much. */
+    boolean cut() {
+        return cutting > 0;
+    }
+
+    /** How many tiles there are of the size that was chosen, or room for in the list. */
     int tiles() {
         return tiles;
     }
@@ -87,13 +124,13 @@ final class TileSizes {
             int across = across(size, levels, level);
             parameters.setTiles(
                     level,
-                    Math.min(SIZES[size].columnsLog, levels.columnsLog[level]),
+                    columnsLog(size, levels, level),
                     Math.min(SIZES[size].rowsLog, levels.rowsLog[level]),
                     across,
                     first);
             first += across * down(size, levels, level);
         }
-        parameters.setTileCount(first);
+        parameters.setTileCount(tiles);
     }
 
     /** Tiles of all levels. */
@@ -106,9 +143,15 @@ final class TileSizes {
         return sum;
     }
 
+    /** log2 of the columns of a tile. It spans a torus around which its region would go further than once. */
+    private static int columnsLog(int size, GridLevels levels, int level) {
+        int log = Math.min(SIZES[size].columnsLog, levels.columnsLog[level]);
+        return (1 << log) + 2 * HALO_COLUMNS > levels.columnCount[level] ? levels.columnsLog[level] : log;
+    }
+
     /** Tiles side by side. */
     private static int across(int size, GridLevels levels, int level) {
-        return along(SIZES[size].columnsLog, levels.columnsUsed[level], levels.columnCount[level]);
+        return along(columnsLog(size, levels, level), levels.columnsUsed[level], levels.columnCount[level]);
     }
 
     /** Tiles in a column. */
@@ -122,26 +165,53 @@ final class TileSizes {
     }
 
     /**
-     * Takes note of how full the fullest tile was: tiles become smaller where that was too much, and larger where there is
-     * room again.
+     * Takes note of how the last step filled its tiles.
      *
-     * @param peak percent of the room; 0 where no tiles were used
-     * @param thinning whether the steps thinned crowds out
+     * @param thinning whether it thinned crowds out
      */
-    void learn(int peak, boolean thinning) {
-        if (thinning && withoutCrowds > 0) {
-            withoutCrowds--;
-        } else if (thinning && peak == TileRecord.NO_TILE) {
-            withoutCrowds = RETRY;
-        } else if (peak > 100) {
-            largestSize = peak == TileRecord.NO_TILE ? SIZES.length : size + 1;
+    void learn(TileUse use, boolean thinning) {
+        if (thinning && givenUpForCrowds > 0) {
+            givenUpForCrowds--;
+        } else if (givenUp > 0) {
+            givenUp--;
+        } else if (use.peak() == TileRecord.NO_TILE || (use.peak() > 100 && !together && cutting > 0)) {
+            giveUp(thinning);
+        } else if (together) {
+            learnTogether(use.peak());
+        } else {
+            learnCutting(use);
+        }
+    }
+
+    private void giveUp(boolean thinning) {
+        if (thinning) {
+            givenUpForCrowds = RETRY;
+        } else {
+            givenUp = RETRY;
+        }
+    }
+
+    private void learnTogether(int peak) {
+        if (peak > 100) {
+            largestSize = size + 1;
             without = 0;
-        } else if (largestSize == SIZES.length) {
-            if (++without == RETRY) {
-                largestSize--;
-            }
         } else if (size == largestSize && size > 0 && peak > 0 && peak < CALM_PEAK) {
             largestSize--;
+        }
+    }
+
+    private void learnCutting(TileUse use) {
+        if (largestSize == SIZES.length && ++without == RETRY_TOGETHER) {
+            largestSize--;
+        }
+        if (cutting == 0) {
+            cutting = use.peak() > 100 ? CALM : 0;
+            room = 0;
+            return;
+        }
+        cutting = use.cut() ? CALM : cutting - 1;
+        if (use.listed() > tiles) {
+            room = use.listed() + (use.listed() >> 2);
         }
     }
 }

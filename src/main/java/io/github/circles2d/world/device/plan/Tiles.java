@@ -16,8 +16,12 @@ public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
 
+    /** Cells of the smallest tile that others are cut into. */
+    private static final int CELLS_OF_SMALLEST = 4;
+
     private final TileSizes sizes;
     private Stages stages;
+    private Kernel cut;
     private Kernel link;
     private Kernel arrange;
     private Kernel solve;
@@ -49,6 +53,7 @@ public final class Tiles implements Plan {
                 .define("TILE_ROUNDS", TileRecord.ROUNDS)
                 .define("TILE_PARTS", TileRecord.PARTS)
                 .define("TILE_GROUP", TileRecord.GROUP)
+                .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS)
                 .define("TILE_COPIES_IN_TWO", TileRecord.COPIES_IN_TWO);
     }
 
@@ -60,6 +65,7 @@ public final class Tiles implements Plan {
     @Override
     public void load(Stages shared) {
         stages = shared;
+        cut = stages.kernel("contacts_cutTiles");
         link = stages.kernel("contacts_link");
         arrange = stages.kernel("contacts_arrange");
         solve = stages.kernel("solver_solveTile");
@@ -83,8 +89,11 @@ public final class Tiles implements Plan {
 
     private void makeSubSteps(Steps steps) {
         long items = (long) sizes.tiles() * TileRecord.GROUP;
+        if (sizes.cut()) {
+            cut.run(steps.levels().buckets() / CELLS_OF_SMALLEST);
+        }
         link.run(2L * steps.circles());
-        stages.record(arrange, 0).run(items, TileRecord.GROUP);
+        stages.record(arrange.arg(StageKernels.own(0), sizes.cut() ? 1 : 0), 1).run(items, TileRecord.GROUP);
         if (steps.haveOneLevel()) {
             passes(steps, items);
         } else {
@@ -111,7 +120,7 @@ public final class Tiles implements Plan {
     }
 
     @Override
-    public void learn(int tilePeak, boolean thinning) {
-        sizes.learn(tilePeak, thinning);
+    public void learn(TileUse use, boolean thinning) {
+        sizes.learn(use, thinning);
     }
 }
