@@ -39,7 +39,13 @@ void lookAtRowsByLanes(const World *w, const Runner *s, float reach, int level, 
 // Stops of the fast circles among some.
 void lookForStopsOf(const World *shared, int from, int to) {
     World own = *shared;
-    for (int slot = from; slot < to; slot++) lookForStopsBy(&own, slot, true);
+    for (int slot = from; slot < to; slot++) {
+        if (own.status[REACHES] == 0 && own.reach[slot].w == 0.0f) continue;
+        Runner s = runnerOf(&own, slot);
+        for (int part = 0; part < partsOfLook(&own); part++) {
+            if (hasPart(&own, slot, part)) lookForStops(&own, &s, part, true);
+        }
+    }
 }
 
 // Makes the stage, where some circle is fast.

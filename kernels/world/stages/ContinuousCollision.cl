@@ -243,32 +243,27 @@ void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0,
 void lookAtRowsByLanes(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
 #endif
 
-// Looks at the circles around the path of a fast one, in the levels in which it does not reach far. byLanes: four circles at a time.
-INLINE void lookAround(const World *w, const Runner *s, float reach, bool byLanes) {
-#pragma unroll 1
-    for (int l = w->levels->usedCount - 1; l >= 0; l--) {
-        int level = w->levels->used[l];
-        if (reach > farIn(w, level)) break;
-        float margin = sightMargin(s->r, s->path, w->levels->top[level]);
-        float left = least(s->x, s->x + s->px) - margin;
-        float below = least(s->y, s->y + s->py) - margin;
-        int c0 = columnFrom(w, level, left);
-        int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
-        int r0 = rowFrom(w, level, below);
-        int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
-        c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
-        r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
+// Looks at the circles of a level around the path of a fast one. byLanes: four circles at a time.
+INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level, bool byLanes) {
+    float margin = sightMargin(s->r, s->path, w->levels->top[level]);
+    float left = least(s->x, s->x + s->px) - margin;
+    float below = least(s->y, s->y + s->py) - margin;
+    int c0 = columnFrom(w, level, left);
+    int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
+    int r0 = rowFrom(w, level, below);
+    int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
+    c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
+    r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
 #ifdef BY_LANES
-        if (byLanes) {
-            lookAtRowsByLanes(w, s, reach, level, c0, c1, r0, r1);
-            continue;
-        }
+    if (byLanes) {
+        lookAtRowsByLanes(w, s, reach, level, c0, c1, r0, r1);
+        return;
+    }
 #endif
-        if (hasOneLevel(w)) {
-            lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
-        } else {
-            lookAtRows(w, s, reach, level, c0, c1, r0, r1);
-        }
+    if (hasOneLevel(w)) {
+        lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
+    } else {
+        lookAtRows(w, s, reach, level, c0, c1, r0, r1);
     }
 }
 
@@ -303,18 +298,36 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     }
 }
 
-// Finds the pairs in which fast circles stop. A fast circle looks for others itself, or they look for it if it reaches far.
-INLINE void lookForStopsBy(const World *w, int slot, bool byLanes) {
-    float reach = w->reach[slot].z;
-    bool looks = w->reach[slot].w != 0.0f; // others may be changing what looksForStops reads
-    bool some = w->status[REACHES] != 0;
-    if (!looks && !some) return;
-    Runner s = runnerOf(w, slot);
-    if (looks) lookAround(w, &s, reach, byLanes);
-    if (some) lookForReaching(w, &s, reach, looks);
+// To find the pairs in which fast circles stop, a fast circle looks for others itself in each level in which it does not reach far, and
+// every circle looks for those that reach far. These are the parts of its look.
+int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
+
+// Whether a circle has a part of a look to make.
+bool hasPart(const World *w, int slot, int part) {
+    if (part == w->levels->usedCount) return w->status[REACHES] != 0;
+    float4 own = w->reach[slot]; // others may be changing what looksForStops reads
+    return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
 }
 
-void lookForStops(const World *w, int slot) { lookForStopsBy(w, slot, false); }
+INLINE void lookForStops(const World *w, const Runner *s, int part, bool byLanes) {
+    float reach = w->reach[s->slot].z;
+    if (part == w->levels->usedCount) {
+        lookForReaching(w, s, reach, w->reach[s->slot].w != 0.0f);
+    } else {
+        lookInLevel(w, s, reach, w->levels->used[part], byLanes);
+    }
+}
+
+// The parts of all looks, one after another.
+int partsOfAllLooks(const World *w) { return partsOfLook(w) * w->circles; }
+
+void makePart(const World *w, int number) {
+    int part = number / w->circles;
+    int slot = number - part * w->circles;
+    if (!hasPart(w, slot, part)) return;
+    Runner s = runnerOf(w, slot);
+    lookForStops(w, &s, part, false);
+}
 
 // A fast circle looks for those that it may take along, or that may take it along.
 void lookForCarriers(const World *w, int slot, Look look) {
@@ -347,11 +360,12 @@ void lookForCarriers(const World *w, int slot, Look look) {
     }
 }
 
-// Index space: a working slot a work-item. Cost: the cells around it.
+// Index space: a working slot and a part of its look a work-item, part after part: a circle that looked in all levels by itself would
+// take several times as long. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
-    int slot = (int) get_global_id(0);
-    if (slot < circles && !refused(&w)) lookForStops(&w, slot);
+    int number = (int) get_global_id(0);
+    if (number < partsOfAllLooks(&w) && !refused(&w)) makePart(&w, number);
 }
 
 // Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.

@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.model.GridLevels;
 
 /**
  * Continuous collision on a device; {@code kernels/world/stages/ContinuousCollision.cl}. {@code world.jvm.ContinuousCollision} does the
@@ -25,9 +26,9 @@ final class ContinuousCollisionStage {
         clamp = kernels.staged("continuousCollision_clamp");
     }
 
-    void sweep(int circles) {
+    void sweep(GridLevels levels, int circles) {
         prepare.run(circles);
-        look.run(circles);
+        look.run((levels.usedCount + 1L) * circles);
         carryTimes.run(Math.min(circles, MOST_CARRY_ITEMS));
         carriers.run(Math.min(circles, MOST_CARRY_ITEMS));
         clamp.run(circles);

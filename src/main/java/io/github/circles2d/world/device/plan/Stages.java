@@ -99,7 +99,7 @@ public final class Stages {
             send(step == 0 ? steps.warmScale() : 1f, slots, circles);
             grid.build(steps.levels(), slots, circles);
             if (steps.sweeping()) {
-                continuousCollision.sweep(circles);
+                continuousCollision.sweep(steps.levels(), circles);
             }
             contacts.list(steps.levels(), circles, steps.thinning());
             rest.run();
