@@ -114,9 +114,9 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 4));
                 break;
             case "crowd":
-                for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU, Plans.PERSISTENT_CPU)) {
-                    kernels.addAll(crowd(plans, false));
-                }
+                kernels.addAll(crowd(Plans.COLOURS, false));
+                kernels.addAll(crowd(Plans.PERSISTENT_CPU, false));
+                kernels.addAll(heaps());
                 break;
             case "levels in a crowd":
                 for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU, Plans.PERSISTENT_CPU)) {
@@ -206,6 +206,17 @@ final class OclgrindWorlds {
             twins.addCrossCrowd(Tuning.CROWD + 1);
             twins.step(1 / 60f, 2);
             twins.assertEqual(plans + ", a crowd of cross contacts");
+            return pipeline.kernelNanos().keySet();
+        }
+    }
+
+    /** A crowd of few contacts, which is refused by one plan and made by tiles. */
+    private Set<String> heaps() {
+        DevicePipeline pipeline = pipeline(Plans.PERSISTENT_GPU, 600);
+        try (Twins twins = Twins.empty(new Bounds(0, 0, 1, 1), jvm(), pipeline)) {
+            twins.addCrowd(1 + Tuning.CROWD / 2);
+            twins.step(1 / 60f, 1);
+            twins.assertEqual("a circle between heaps");
             return pipeline.kernelNanos().keySet();
         }
     }
