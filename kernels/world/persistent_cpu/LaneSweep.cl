@@ -43,7 +43,7 @@ void lookForStopsOf(const World *shared, int from, int to) {
         if (own.status[REACHES] == 0 && own.reach[slot].w == 0.0f) continue;
         Runner s = runnerOf(&own, slot);
         for (int part = 0; part < partsOfLook(&own); part++) {
-            if (hasPart(&own, slot, part)) lookForStops(&own, &s, part, true);
+            if (hasPartOfLook(&own, slot, part)) lookForStops(&own, &s, part, true);
         }
     }
 }

@@ -119,7 +119,7 @@ void listAll(World *w, local Local *l) {
         if (get_local_id(0) == 0) noteClasses(w, l->classes);
         EACH(block, blocksOfCells(w)) summarize(w, block);
         deviceBarrier(arrivals);
-        EACH(number, partsOfAllLooks(w)) makePart(w, number);
+        EACH(number, partsOfAllLooks(w)) makePartOfLook(w, number);
         deviceBarrier(arrivals);
         // A loop, so that what looks for them is there once.
         int looks = w->status[CARRYING] ? CARRIERS : STOPS;

@@ -303,7 +303,7 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
 int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
 
 // Whether a circle has a part of a look to make.
-bool hasPart(const World *w, int slot, int part) {
+bool hasPartOfLook(const World *w, int slot, int part) {
     if (part == w->levels->usedCount) return w->status[REACHES] != 0;
     float4 own = w->reach[slot]; // others may be changing what looksForStops reads
     return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
@@ -318,13 +318,13 @@ INLINE void lookForStops(const World *w, const Runner *s, int part, bool byLanes
     }
 }
 
-// The parts of all looks, one after another.
+// How many parts all looks have. They are numbered part after part.
 int partsOfAllLooks(const World *w) { return partsOfLook(w) * w->circles; }
 
-void makePart(const World *w, int number) {
+void makePartOfLook(const World *w, int number) {
     int part = number / w->circles;
     int slot = number - part * w->circles;
-    if (!hasPart(w, slot, part)) return;
+    if (!hasPartOfLook(w, slot, part)) return;
     Runner s = runnerOf(w, slot);
     lookForStops(w, &s, part, false);
 }
@@ -365,7 +365,7 @@ void lookForCarriers(const World *w, int slot, Look look) {
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int number = (int) get_global_id(0);
-    if (number < partsOfAllLooks(&w) && !refused(&w)) makePart(&w, number);
+    if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
 // Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.

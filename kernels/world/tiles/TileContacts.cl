@@ -5,6 +5,8 @@
 // Copies in a cache line: each tile's begin with one.
 #define LINE_COPIES 8
 
+int wholeLines(int copies) { return (copies + LINE_COPIES - 1) & ~(LINE_COPIES - 1); }
+
 // A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
 // bits) and the cell (column, row); and whether the contact carries as the step begins.
 #define LINK_PLACE 0x1fff
@@ -22,8 +24,8 @@ uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
         w->status[TILE_NUMBERS] = 0;
-        // Cross contacts lie before the copies, which are half as large in base.
-        w->status[TILE_COPIES] = (2 * (contactsListed(w) - likeContacts(w)) + LINE_COPIES - 1) & ~(LINE_COPIES - 1);
+        // Cross contacts lie before the copies.
+        w->status[TILE_COPIES] = wholeLines(contactsListed(w) - likeContacts(w));
     }
     ulong2 own = listedOf(w)[listed];
     ulong ids = own.x;

@@ -2,8 +2,8 @@
 // Stage Contacts for tiles: lists the tiles of a step in which some hold too much. These are cut in two until all do that hold
 // anything, so a crowd somewhere costs no more than there. The smallest have 2 x 2 cells.
 
-// Where a tile of the list is, in 31 bits: its first block of 2 x 2 cells, of those of all levels as buckets are numbered; log2 of its
-// columns and rows.
+// Where a tile of the list is, in 31 bits: its first block of 2 x 2 cells, of those of all levels as buckets are numbered, of which there are
+// fewer than 2^26 (the Java class Limits); log2 of its columns and rows.
 #define CUT_BLOCK 0x3ffffff
 #define CUT_COLUMNS_SHIFT 26
 #define CUT_ROWS_SHIFT 29
@@ -26,8 +26,9 @@ Region regionOfListed(const World *w, int tile) {
     return r;
 }
 
-// Cuts a tile in two, which gives larger pieces first that are wide, as the sizes of the Java class TileSizes. wl, hl: log2 of its columns
-// and rows. Returns false where it is one of the smallest: it is no narrower where its region would go round the torus further than once.
+// Cuts a tile in two: its columns while 8 or more are left, as with the sizes of the Java class TileSizes, then its rows, then its columns
+// again. It skips widths at which the region would go round the torus further than once. wl, hl: log2 of its columns and rows. Returns
+// false where it is one of the smallest.
 bool halve(const World *w, int l, int *wl, int *hl) {
     int narrower = *wl - 1;
     while (narrower > 0 && (1 << narrower) + 2 * HALO_COLUMNS > w->levels->columnCount[l]) narrower--;

@@ -6,7 +6,7 @@
 typedef struct {
     union {
         struct {
-            uint place[TILE_ROUNDS + 1];       // by round: the places in the record of its next own contact (lower half), and next other one
+            uint place[TILE_ROUNDS + 1];       // by round: the places of its next own contact (lower half), and next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
         } met;
         struct { // when all have been placed
@@ -106,8 +106,11 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
 #define MET_ROW(met) ((int) ((met) >> 6 & 0xf))
 #define MET_IN_GROUP(met) ((int) ((met) >> 10 & 0x1fff))
 #define MET_ROUND(met) ((int) ((met) >> 23))
-#if TILE_ROWS > 0x10 || LONGEST_GROUP > 0x1fff
+#if TILE_COLUMNS > 0x40 || TILE_ROWS > 0x10 || LONGEST_GROUP > 0x1fff
 #error "a contact that is met has no room for so many"
+#endif
+#if TILE_CONTACTS > 0x7fff
+#error "places of contacts have no room for so many"
 #endif
 
 uint meeting(int column, int row, int inGroup, int round) {
@@ -116,9 +119,6 @@ uint meeting(int column, int row, int inGroup, int round) {
 
 // The contacts of a tile as they are met, where their copies are to be.
 global uint *metFrom(const World *w, int firstCopy) { return (global uint *) (w->shape + firstCopy); }
-
-// How many copies there is room for.
-int copyRoom(const World *w) { return (w->contactRoom >> 1) * TILE_COPIES_IN_TWO; }
 
 // Counts the contacts that a tile depends on, and takes copies for so many. Returns whether there is room for them. any: or takes
 // none.
@@ -133,11 +133,11 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
     int contacts = a->contacts;
     bool fits = any && contacts <= TILE_CONTACTS;
     if (get_local_id(0) == 0) {
-        int copies = (contacts + LINE_COPIES - 1) & ~(LINE_COPIES - 1);
-        a->firstCopy = fits ? atomic_add(&w->status[TILE_COPIES], copies) : 0;
+        a->firstCopy = fits ? atomic_add(&w->status[TILE_COPIES], wholeLines(contacts)) : 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    return fits && a->firstCopy + contacts <= copyRoom(w);
+    // Negative where all would want more than there can be.
+    return fits && (contacts == 0 || (a->firstCopy >= 0 && a->firstCopy <= w->copyRoom - contacts));
 }
 
 // Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
@@ -209,7 +209,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
 
 int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 
-// Finds where the contacts of each round begin, in the record and in the numbers of all contacts. rounds: as many as there is
+// Finds where the contacts of each round begin, in the tile's order and in the numbers of all contacts. rounds: as many as there is
 // room for and one more, or 0 where there is nothing to do.
 void placeRounds(const World *w, local Arrangement *a, global int *record, int rounds) {
     int size = (int) get_local_size(0);
@@ -240,8 +240,8 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the tile's record; gives the own
-// ones their numbers. circles: 0 where there is nothing to do.
+// Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the rounds' parts into the tile's record;
+// gives the own ones their numbers. circles: 0 where there is nothing to do.
 void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
     global int2 *placed = placedFrom(w, a->firstCopy);
     global const uint *metContacts = metFrom(w, a->firstCopy);
@@ -357,7 +357,7 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             int i = lowerOf(contact[n].y);
             int j = higherOf(contact[n].y);
             float2 base = a->load[j] - a->load[i];
-            basesOf(w)[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
+            w->bases[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
                                       greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
@@ -393,6 +393,9 @@ bool refusedMeanwhile(const World *w) {
            (w->k.thinning == 0 && atomic_or(&w->status[CROWDED], 0) != 0);
 }
 
+// Where a region has more circles, or contacts, it does not matter how many.
+#define MOST_COUNTED (1 << 20)
+
 // Writes the tile's record, and starts its own circles, each work-item so many together. Refuses the step where they do not
 // fit. r: its region; idle: do nothing.
 void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile, bool idle, int together) {
@@ -410,7 +413,7 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     takeCircles(w, a, record, circles, together);
     copyContacts(w, a, circles > 0 ? contacts : 0);
     if (get_local_id(0) != 0 || idle || found == 0) return;
-    int peak = max(100 * found / TILE_CIRCLES, 100 * contacts / TILE_CONTACTS);
+    int peak = max(100 * min(found, MOST_COUNTED) / TILE_CIRCLES, 100 * min(contacts, MOST_COUNTED) / TILE_CONTACTS);
     if (fits) {
         atomic_max(&w->status[TILE_PEAK], peak);
     } else if (found > TILE_CIRCLES || contacts > TILE_CONTACTS) {

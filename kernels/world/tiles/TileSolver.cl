@@ -49,7 +49,7 @@ void setCursor(local const Tile *t, Cursor *cursor, int part) {
     cursor->to = t->partStart[min(part + 1, t->parts)];
 }
 
-// A contact that is to be read: as in the record, or NO_CONTACT; where the tile has its copy.
+// A contact that is to be read: as it is placed, or NO_CONTACT; where the tile has its copy.
 typedef struct {
     int2 contact;
     int copy;
@@ -85,7 +85,7 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
 
 // What a pass reads of a contact.
 typedef struct {
-    int2 contact;   // as in the record, or NO_CONTACT
+    int2 contact;   // as it is placed, or NO_CONTACT
     float4 normal;  // normal, separation, effective mass
     float2 shape;   // sum of the radii, restitution
     float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
@@ -377,7 +377,7 @@ void measureContacts(const World *w, local Tile *t) {
         TOGETHER_EACH(n, TAKEN) {
             int place = min(togetherItem(first, n), contacts - 1);
             circles[n] = placed[place].y;
-            base[n] = basesOf(w)[t->firstCopy + place];
+            base[n] = w->bases[t->firstCopy + place];
             sum[n] = w->shape[t->firstCopy + place].x;
         }
         TOGETHER_EACH(n, TAKEN) {

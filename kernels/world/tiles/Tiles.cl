@@ -25,7 +25,8 @@
 // work-items of a work-group, but where whole steps are made in one launch (Resident.cl); HALO_COLUMNS: the 3 columns from above.
 #define HALO_ROWS 1
 #define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class TileSizes
-#define TILE_CELLS ((32 + 2 * HALO_COLUMNS) * TILE_ROWS)
+#define TILE_COLUMNS (32 + 2 * HALO_COLUMNS)
+#define TILE_CELLS (TILE_COLUMNS * TILE_ROWS)
 
 // As they are listed, group by group, contacts are in the order of all sums. A tile reads them in another order, and gathered
 // reads would be most of a pass. So each tile has its own copies, in its order, of what only changes in a way that each can
@@ -52,9 +53,6 @@ global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firs
 
 // By contact in its place within its group: its number for the passes. Tiles have no keys.
 global int *newNumbers(const World *w) { return (global int *) w->key; }
-
-// By copy of a contact: difference of the bases x, y.
-global float2 *basesOf(const World *w) { return (global float2 *) w->base; }
 
 // The circles of a contact, by their numbers in the region: of lower id, of higher id; and its round.
 #if TILE_CIRCLES > 0x7ff || TILE_ROUNDS > 0x1ff

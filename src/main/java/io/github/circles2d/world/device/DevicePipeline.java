@@ -349,8 +349,10 @@ public final class DevicePipeline implements Pipeline {
                 arrays.ensureContacts(contacts);
             }
         }
-        if (status.has(StatusWord.OUT_OF_ROOM)) {
-            arrays.ensureCopies(status.get(StatusWord.TILE_COPIES));
+        if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
+            for (Plan each : plans) {
+                each.learn(TileUse.NONE_DO, thinning > 0);
+            }
         }
         if (status.has(StatusWord.APART)) {
             plan.calledOff();

@@ -111,7 +111,7 @@ public enum DeviceArray {
             "float4",
             "base",
             Index.CONTACT,
-            "difference of the bases x, y, sum of the radii, restitution; by tiles see listedOf, later basesOf"),
+            "difference of the bases x, y, sum of the radii, restitution; by tiles, of like contacts, see listedOf"),
     MASSES(
             "float4",
             "masses",
@@ -131,7 +131,8 @@ public enum DeviceArray {
             "int2",
             "placed",
             Index.TILED_COPY,
-            "number of the contact, NOT_OWN too where it is not the tile's; circlesOf"),
+            "number of the contact, or before it has one its place as listed, NOT_OWN too where it is not the tile's; circlesOf"),
+    BASES("float2", "bases", Index.TILED_COPY, "difference of the bases x, y"),
     HELD("float", "held", Index.TILED_CONTACT, "accumulated impulse after a sub-step"),
     IMPULSE(
             "float2",
@@ -184,10 +185,10 @@ public enum DeviceArray {
         CELL_BLOCK("by block of cells", false, "cellBlock", null),
         CONTACT("by contact", false, "contactBlock", DeviceCount.CONTACT_STRIDE),
         OLD_CONTACT("by contact of the step before", true, "oldContactBlock", null),
-        COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", DeviceCount.COPY_STRIDE),
+        COPY("by contact; by tiles, by copy of a contact", false, "copyBlock", DeviceCount.COPY_ROOM),
         TILED_SLOT("by tiles, by slot", false, "tiledSlotBlock", DeviceCount.SLOT_STRIDE),
         TILED_CONTACT("by tiles, by contact", false, "tiledContactBlock", DeviceCount.CONTACT_STRIDE),
-        TILED_COPY("by tiles, by copy of a contact", false, "tiledCopyBlock", DeviceCount.COPY_STRIDE),
+        TILED_COPY("by tiles, by copy of a contact", false, "tiledCopyBlock", DeviceCount.COPY_ROOM),
         TILE("by tile", false, "tileBlock", null);
 
         private final String words;

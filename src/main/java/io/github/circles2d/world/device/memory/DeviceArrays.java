@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.memory;
 
 import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArray.Index;
@@ -28,6 +29,9 @@ public final class DeviceArrays {
     private static final int LEAST_TILES = 32;
     private static final int CONTACTS_PER_CIRCLE = 4;
 
+    /** Elements that an array grows to at most. */
+    private static final int MOST_ELEMENTS = 1 << 30;
+
     private final Session session;
     private final boolean tiled;
     private final Map<DeviceArray, DeviceBuffer> arrays = new EnumMap<>(DeviceArray.class);
@@ -36,6 +40,7 @@ public final class DeviceArrays {
     private int idCapacity;
     private int bucketCapacity;
     private int contactCapacity;
+    private int copyCapacity;
     private int tileCapacity;
 
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
@@ -150,21 +155,36 @@ public final class DeviceArrays {
     public void ensureContacts(int contacts) {
         if (contacts > contactCapacity) {
             int capacity = grown(contactCapacity, contacts);
+            int copies = Math.max(copyCapacity, tiled ? TileRecord.copies(capacity) : capacity);
             grow(contactCapacity, index -> switch (index) {
                 case CONTACT, TILED_CONTACT, OLD_CONTACT -> capacity;
-                case COPY -> tiled ? TileRecord.copies(capacity) : capacity;
-                case TILED_COPY -> TileRecord.copies(capacity);
+                case COPY, TILED_COPY -> copies > copyCapacity ? copies : AS_IT_IS;
                 default -> AS_IT_IS;
             });
             contactCapacity = capacity;
+            copyCapacity = copies;
         }
     }
 
-    /** Makes room for copies that tiles make of contacts. */
-    public void ensureCopies(int copies) {
-        if (copies > TileRecord.copies(contactCapacity)) {
-            ensureContacts((int) (2L * copies / TileRecord.COPIES_IN_TWO) + 2);
+    /**
+     * Makes room for copies that tiles make of contacts.
+     *
+     * @return false if there cannot be so much
+     */
+    public boolean ensureCopies(int copies) {
+        if (copies < 0 || copies > MOST_ELEMENTS) {
+            return false;
         }
+        if (copies > copyCapacity) {
+            int capacity = grown(copyCapacity, copies);
+            try {
+                grow(0, index -> index == Index.COPY || index == Index.TILED_COPY ? capacity : AS_IT_IS);
+            } catch (DeviceMemoryException e) {
+                return false;
+            }
+            copyCapacity = capacity;
+        }
+        return true;
     }
 
     /** Number of blocks of cells. */
@@ -173,7 +193,7 @@ public final class DeviceArrays {
     }
 
     private static int grown(int capacity, int needed) {
-        return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), 1 << 30);
+        return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), MOST_ELEMENTS);
     }
 
     /**

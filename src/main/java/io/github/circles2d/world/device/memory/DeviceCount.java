@@ -8,7 +8,7 @@ enum DeviceCount {
     SLOT_STRIDE("slotStride", "elements from one array of a block to the next"),
     BUCKET_STRIDE("bucketStride", "elements from one array of a block to the next"),
     CONTACT_STRIDE("contactStride", "elements from one array of a block to the next"),
-    COPY_STRIDE("copyStride", "elements from one array of a block to the next");
+    COPY_ROOM("copyRoom", "copies of contacts that there is room for: elements from one array of a block to the next");
 
     /** Number of counts. */
     static final int COUNT = values().length;

@@ -8,7 +8,7 @@ public final class TileRecord {
      */
     public static final int CIRCLES = 1312;
 
-    /** Contacts that there are numbers for, of 16 bits and one more for the sign where they are differences. */
+    /** Contacts that a tile has room for: their numbers, and differences of these, are shorts. */
     public static final int CONTACTS = 24 << 10;
 
     /** Rounds that there is room for. */
@@ -21,7 +21,7 @@ public final class TileRecord {
     public static final int PARTS = ROUNDS + CONTACTS / GROUP;
 
     /** Copies that tiles make of two contacts, as far as there is room for them from the start: 1.5 of each with usual tiles. */
-    public static final int COPIES_IN_TWO = 3;
+    private static final int COPIES_IN_TWO = 3;
 
     /** A peak that says that no tile would do. */
     public static final int NO_TILE = Integer.MAX_VALUE;
@@ -43,7 +43,7 @@ public final class TileRecord {
 
     private TileRecord() {}
 
-    /** Room for copies where there is room for so many contacts; the same in {@code TileOrder.cl}. */
+    /** Room for copies from the start, where there is room for so many contacts. */
     static int copies(int contacts) {
         return (contacts >> 1) * COPIES_IN_TWO;
     }

@@ -7,7 +7,7 @@ import io.github.circles2d.world.model.GridLevels;
 /**
  * Chooses the size of a tile, one for all levels: the largest that leaves enough tiles for the device to work on at once. A step finds out
  * whether a region has more circles than {@link TileRecord#CIRCLES}, or more contacts than there is room for. Then the next steps cut such
- * tiles, if their work-groups come and go, and all tiles are smaller if work-groups wait for each other.
+ * tiles, if they have a launch a pass, and all tiles are smaller if work-groups wait for each other.
  */
 final class TileSizes {
     /** Columns that a region reaches beyond its tile, on both sides; see {@code kernels/world/tiles/Tiles.cl}. */
@@ -58,7 +58,7 @@ final class TileSizes {
     /** For how many more batches steps cut tiles; 0 where they do not. */
     private int cutting;
 
-    /** Room for a list of tiles: more than the last list had. */
+    /** Places in the list of tiles, once one had too few; 0 before. */
     private int room;
 
     /** Whether the size was chosen for work-groups that wait for each other. */
@@ -88,7 +88,10 @@ final class TileSizes {
         while (size < SMALLEST && tiles(size, steps) < 3 * computeUnits) {
             size++;
         }
-        tiles = cutting > 0 ? Math.max(room, tiles(size, steps)) : tiles(size, steps);
+        tiles = tiles(size, steps);
+        if (cutting > 0) {
+            tiles = Math.max(room, withSpare(tiles));
+        }
     }
 
     /**
@@ -209,9 +212,15 @@ final class TileSizes {
             room = 0;
             return;
         }
-        cutting = use.cut() ? CALM : cutting - 1;
-        if (use.listed() > tiles) {
-            room = use.listed() + (use.listed() >> 2);
+        if (use.listed() > 0) { // else the step was refused before
+            cutting = use.cut() ? CALM : cutting - 1;
         }
+        if (use.listed() > tiles) {
+            room = withSpare(use.listed());
+        }
+    }
+
+    private static int withSpare(int tiles) {
+        return tiles + (tiles >> 2);
     }
 }

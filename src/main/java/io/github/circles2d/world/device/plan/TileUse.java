@@ -2,6 +2,7 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
+import io.github.circles2d.world.device.memory.TileRecord;
 
 /**
  * How the last step filled its tiles.
@@ -11,6 +12,9 @@ import io.github.circles2d.world.device.memory.StatusWord;
  * @param cut whether some of these were cut
  */
 public record TileUse(int peak, int listed, boolean cut) {
+    /** What tells plans to make the step without tiles. */
+    public static final TileUse NONE_DO = new TileUse(TileRecord.NO_TILE, 0, false);
+
     /** As the device tells it. */
     public static TileUse of(Status status) {
         return new TileUse(

@@ -53,8 +53,7 @@ public final class Tiles implements Plan {
                 .define("TILE_ROUNDS", TileRecord.ROUNDS)
                 .define("TILE_PARTS", TileRecord.PARTS)
                 .define("TILE_GROUP", TileRecord.GROUP)
-                .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS)
-                .define("TILE_COPIES_IN_TWO", TileRecord.COPIES_IN_TWO);
+                .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS);
     }
 
     @Override
