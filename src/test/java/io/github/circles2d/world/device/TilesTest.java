@@ -9,11 +9,13 @@ import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
 import java.util.List;
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -77,5 +79,44 @@ class TilesTest {
             }
             assertThat(pipeline.kernelNanos()).containsKey("contacts_cutTiles").doesNotContainKey("solver_solve");
         }
+    }
+
+    /** Worlds of any size, edges and density, in which tiles are cut or do not suffice, have the bits of Java. */
+    @ParameterizedTest
+    @MethodSource("devices")
+    @Tag("exhaustive")
+    void crowdsInArenasOfAnyShapeHaveTheSameBits(Device device) {
+        for (int seed = 1; seed <= 60; seed++) {
+            SplittableRandom random = new SplittableRandom(seed);
+            float width = side(random);
+            float height = side(random);
+            Bounds bounds = new Bounds(0, 0, width, height, edge(random), edge(random));
+            Pipeline java = new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
+            try (Twins twins = Twins.empty(bounds, java, Pipelines.of(device, Plans.TILES))) {
+                double reach = random.nextDouble(0.2, 1);
+                double ratio = 1 + random.nextInt(3) * 3;
+                int circles = (int) Math.min(3000, 2 * width * height);
+                for (int i = 0; i < circles; i++) {
+                    double part = i % 3 == 0 ? 1 : reach;
+                    float x = (float) (random.nextDouble(0.99 * width) * part);
+                    float y = (float) (random.nextDouble(0.99 * height) * part);
+                    float r = (float) (i == 0 ? 1 : Math.pow(ratio, -random.nextDouble()));
+                    twins.add(x, y, r, 1, 0.3f, (float) random.nextDouble(-20, 20), (float) random.nextDouble(-20, 20));
+                }
+                for (int k = 0; k < 4; k++) {
+                    twins.step(1 / 60f, 1 + k % 3);
+                    twins.assertEqual("seed " + seed + ", " + bounds + ", call " + k);
+                }
+            }
+        }
+    }
+
+    /** From four to forty cells. */
+    private static float side(SplittableRandom random) {
+        return (2 * random.nextInt(2, 21) + 0.5f) * 2 * (1 + Tuning.MARGIN + Tuning.CAP);
+    }
+
+    private static AxisEdge edge(SplittableRandom random) {
+        return AxisEdge.values()[random.nextInt(AxisEdge.values().length)];
     }
 }
