@@ -360,8 +360,8 @@ void lookForCarriers(const World *w, int slot, Look look) {
     }
 }
 
-// Index space: a working slot and a part of its look a work-item, part after part: a circle that looked in all levels by itself would
-// take several times as long. Cost: the cells around it.
+// Index space: a working slot and a part of its look a work-item, part after part: it takes longer if a circle looks in all levels by
+// itself. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int number = (int) get_global_id(0);
