@@ -350,6 +350,7 @@ public final class DevicePipeline implements Pipeline {
             }
         }
         if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
+            // Steps without tiles need no copies.
             for (Plan each : plans) {
                 each.learn(TileUse.NONE_DO, thinning > 0);
             }

@@ -46,13 +46,13 @@ final class TileSizes {
     /** The largest size for work-groups that wait for each other: larger ones held too much. None does where it is the number of sizes. */
     private int largestSize;
 
-    /** How often there has been something to learn since there was no size for these. */
+    /** For how many batches there has been no size for these. */
     private int without;
 
-    /** How often no tiles are tried. */
+    /** For how many more batches no tiles are tried. */
     private int givenUp;
 
-    /** How often tiles are not tried on crowds that are thinned out. */
+    /** For how many more batches tiles are not tried on crowds that are thinned out. */
     private int givenUpForCrowds;
 
     /** For how many more batches steps cut tiles; 0 where they do not. */
