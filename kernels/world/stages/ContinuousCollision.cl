@@ -239,12 +239,8 @@ void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0,
     }
 }
 
-#ifdef BY_LANES
-void lookAtRowsByLanes(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
-#endif
-
-// Looks at the circles of a level around the path of a fast one. byLanes: four circles at a time.
-INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level, bool byLanes) {
+// Looks at the circles of a level around the path of a fast one.
+INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
     float left = least(s->x, s->x + s->px) - margin;
     float below = least(s->y, s->y + s->py) - margin;
@@ -254,12 +250,6 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level,
     int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
     c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
     r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
-#ifdef BY_LANES
-    if (byLanes) {
-        lookAtRowsByLanes(w, s, reach, level, c0, c1, r0, r1);
-        return;
-    }
-#endif
     if (hasOneLevel(w)) {
         lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
     } else {
@@ -309,12 +299,12 @@ bool hasPartOfLook(const World *w, int slot, int part) {
     return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
 }
 
-INLINE void lookForStops(const World *w, const Runner *s, int part, bool byLanes) {
+INLINE void lookForStops(const World *w, const Runner *s, int part) {
     float reach = w->reach[s->slot].z;
     if (part == w->levels->usedCount) {
         lookForReaching(w, s, reach, w->reach[s->slot].w != 0.0f);
     } else {
-        lookInLevel(w, s, reach, w->levels->used[part], byLanes);
+        lookInLevel(w, s, reach, w->levels->used[part]);
     }
 }
 
@@ -326,7 +316,7 @@ void makePartOfLook(const World *w, int number) {
     int slot = number - part * w->circles;
     if (!hasPartOfLook(w, slot, part)) return;
     Runner s = runnerOf(w, slot);
-    lookForStops(w, &s, part, false);
+    lookForStops(w, &s, part);
 }
 
 // A fast circle looks for those that it may take along, or that may take it along.

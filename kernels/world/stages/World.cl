@@ -161,8 +161,6 @@ bool rowsHaveWalls(const World *w) { return w->levels->edgeY == EDGE_WALL; }
 
 #define ACROSS_X(w, d) shortWay(d, (w)->levels->periodX)
 #define ACROSS_Y(w, d) shortWay(d, (w)->levels->periodY)
-#define ACROSS_X4(w, d) shortWay4(d, (w)->levels->periodX)
-#define ACROSS_Y4(w, d) shortWay4(d, (w)->levels->periodY)
 #else
 int columnOf(const World *w, int atLevel, float x) {
     return onRing(cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]), w->levels->columnCount[atLevel]);
@@ -181,8 +179,6 @@ int rowOf(const World *w, int atLevel, float y) {
 // A difference of two bases, the short way round.
 #define ACROSS_X(w, d) (d)
 #define ACROSS_Y(w, d) (d)
-#define ACROSS_X4(w, d) (d)
-#define ACROSS_Y4(w, d) (d)
 #endif
 
 bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }

@@ -41,8 +41,9 @@ import java.util.function.ToDoubleFunction;
  * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
  * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
  *
- * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World at 250, 1,000, 3,000, 10,000, 30,000 and 100,000 circles, with
- * like radii and with radii of 1:3, 1:10 and 1:100, Circles2D at 1,000 and 8,000 with each exact indexing, fewer where it would take long.
+ * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World, on the JVM and on GPUs, at 250, 1,000, 3,000, 10,000, 30,000
+ * and 100,000 circles, with like radii and with radii of 1:3, 1:10 and 1:100; Circles2D, on every OpenCL device, at 1,000 and 8,000 with
+ * each exact indexing; fewer where it would take long.
  * What lies between is interpolated; beyond, the order at the last size and ratio holds. {@link World.Builder#capacity} and {@link
  * World.Builder#radii} say which of these times count for a world. A world unlike those crowds (a thousand circles in one point, one
  * boulder in sand) may be faster elsewhere.
@@ -71,9 +72,9 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute a device, and as much memory as
-     * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
-     * it measures the JVM.
+     * Measures World on the JVM and on GPUs, and Circles2D on every OpenCL device, and keeps the times. World is not timed by OpenCL
+     * on a CPU, which {@link Backend#AUTO} never takes. Takes about half a minute a device, and as much memory as 100,000 circles in
+     * a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device it measures the JVM.
      *
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
@@ -97,8 +98,8 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and some OpenCL devices, and keeps the times; those of other devices stay. A device that fails is left
-     * out, with a warning in the log.
+     * Measures the JVM and some OpenCL devices, as {@link #run()} does all, and keeps the times; those of other devices stay. A device
+     * that fails is left out, with a warning in the log.
      *
      * @param devices the devices; may be empty
      * @return the times
@@ -129,7 +130,7 @@ public final class Calibration {
             }
         }
         Timings measured = new Timings(entries);
-        return new Calibration(measured, save(measured, place));
+        return new Calibration(measured, save(others(devices).and(measured), place));
     }
 
     private static void requireKernels(Device device) {
@@ -140,7 +141,7 @@ public final class Calibration {
     private static List<Timings.Entry> measure(
             Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
         List<Timings.Entry> entries = new ArrayList<>();
-        if (device.correctlyRounded()) {
+        if (BackendChoice.isCandidate(device)) {
             Runner runner = Runners.world(device);
             entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
         }
@@ -187,9 +188,17 @@ public final class Calibration {
         return new Curve(workload, measured);
     }
 
+    /** What is known without the times of World on devices that it is not timed on: versions that did so have left them. */
+    private static Timings others(Collection<Device> devices) {
+        Timings known = timings();
+        for (Device device : devices) {
+            known = BackendChoice.isCandidate(device) ? known : known.without(Workload.WORLD, Runners.name(device));
+        }
+        return known;
+    }
+
     /** Saves and returns the file; none where there is none or it cannot be written. */
-    private static Optional<Path> save(Timings measured, Optional<Path> place) {
-        Timings all = timings().and(measured);
+    private static Optional<Path> save(Timings all, Optional<Path> place) {
         if (place.isPresent()) {
             try {
                 TimingsFile.write(place.get(), all);

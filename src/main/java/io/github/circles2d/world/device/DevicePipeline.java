@@ -89,8 +89,8 @@ public final class DevicePipeline implements Pipeline {
     /** What makes the steps that were enqueued last; null before the first. */
     private Plan plan;
 
-    /** Places of contacts in the last step, which cached impulses are numbered by. */
-    private int cachedPlaces;
+    /** Contacts of the last step, which cached impulses are numbered by. */
+    private int cachedContacts;
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
@@ -303,19 +303,14 @@ public final class DevicePipeline implements Pipeline {
                 }
             }
             pendingSteps -= done;
-            plan.stepped(status, done);
             for (Plan each : plans) {
                 each.learn(TileUse.of(status), thinning > 0);
             }
             if (pendingSteps == 0) {
-                cachedPlaces = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));
-                stats.stepped(plan, circles, status.get(StatusWord.CONTACTS));
+                cachedContacts = status.get(StatusWord.CONTACTS);
+                stats.stepped(plan, circles, cachedContacts);
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
-                if (status.has(StatusWord.HINDERED)) {
-                    status.clear(StatusWord.HINDERED);
-                    status.write(arrays);
-                }
             } else {
                 adapt();
                 int refused = pendingSteps;
@@ -341,9 +336,7 @@ public final class DevicePipeline implements Pipeline {
         if (thinning == 0 && status.has(StatusWord.CROWDED)) {
             thinning = CALM; // the room that the step asked for is for all pairs of the crowd
         } else if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
-            if (thinning == 0
-                    && plan.wantOfRoomTellsOfCrowds()
-                    && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
+            if (thinning == 0 && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
                 thinning = CALM;
             } else {
                 arrays.ensureContacts(contacts);
@@ -355,17 +348,11 @@ public final class DevicePipeline implements Pipeline {
                 each.learn(TileUse.NONE_DO, thinning > 0);
             }
         }
-        if (status.has(StatusWord.APART)) {
-            plan.calledOff();
-        }
         status.clear(
                 StatusWord.TILE_COPIES,
-                StatusWord.APART,
-                StatusWord.HINDERED,
                 StatusWord.OUT_OF_ROOM,
                 StatusWord.FAST,
                 StatusWord.CROWDED,
-                StatusWord.TOO_CLOSE,
                 StatusWord.TILE_PEAK);
         status.write(arrays);
     }
@@ -435,13 +422,13 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, slots, cachedPlaces).hash();
+        return new StateTransfer(arrays, slots, cachedContacts).hash();
     }
 
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, slots, cachedPlaces).save(into);
+        new StateTransfer(arrays, slots, cachedContacts).save(into);
     }
 
     @Override
@@ -464,7 +451,7 @@ public final class DevicePipeline implements Pipeline {
         slots = from.circles;
         commands.slotsInOrder();
         circles = from.circles;
-        cachedPlaces = from.impulses;
+        cachedContacts = from.impulses;
         stats.loaded();
     }
 

@@ -45,7 +45,7 @@ final class OclgrindWorlds {
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
      * circles are loaded; sums in memory that is allocated when a world first reports; and all that comes of them.
      */
-    static final Set<String> MISJUDGED = Set.of("changes", "edges", "events of lanes");
+    static final Set<String> MISJUDGED = Set.of("changes", "edges");
 
     private final Device device;
     private final boolean small;
@@ -84,19 +84,10 @@ final class OclgrindWorlds {
                 kernels.addAll(persistent(Plans.PERSISTENT_GPU));
                 kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.thesis(40, 1)));
                 break;
-            case "PERSISTENT_CPU":
-                kernels.addAll(persistent(Plans.PERSISTENT_CPU));
-                kernels.addAll(
-                        steps(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 40 : 60, 1), 1 / 60f, 2, small ? 1 : 4));
-                break;
             case "queries":
                 // No more circles than there is memory for at first: of arrays that grew, Oclgrind says that nobody
                 // wrote them.
                 kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
-                break;
-            case "events of lanes":
-                kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.thesis(40, 1)));
-                kernels.addAll(events(Plans.PERSISTENT_CPU, Scenes.mixed(small ? 30 : 60, 2)));
                 break;
             case "levels of tiles":
                 kernels.addAll(steps(Plans.TILES, Scenes.mixed(20, 1), 1 / 60f, 2, small ? 2 : 4));
@@ -115,19 +106,16 @@ final class OclgrindWorlds {
                 break;
             case "crowd":
                 kernels.addAll(crowd(Plans.COLOURS, false));
-                kernels.addAll(crowd(Plans.PERSISTENT_CPU, false));
                 kernels.addAll(heaps());
                 break;
             case "levels in a crowd":
-                for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU, Plans.PERSISTENT_CPU)) {
+                for (Plans plans : List.of(Plans.TILES, Plans.PERSISTENT_GPU)) {
                     kernels.addAll(crossCrowd(plans));
                 }
                 kernels.addAll(crowd(Plans.COLOURS, true));
-                kernels.addAll(crowd(Plans.PERSISTENT_CPU, true));
                 break;
             case "edges":
                 kernels.addAll(edges(Plans.COLOURS));
-                kernels.addAll(edges(Plans.PERSISTENT_CPU));
                 kernels.addAll(edges(Plans.PERSISTENT_GPU));
                 break;
             default:
@@ -164,8 +152,8 @@ final class OclgrindWorlds {
     }
 
     /**
-     * All circles meet: more than pairs are kept of; or, with levels, fewer circles. There is room for their contacts from the start, by
-     * lanes for four places each: arrays that grow are misjudged.
+     * All circles meet: more than pairs are kept of; or, with levels, fewer circles. There is room for their contacts from the start:
+     * arrays that grow are misjudged.
      */
     private Set<String> crowd(Plans plans, boolean withLevels) {
         DevicePipeline pipeline = pipeline(plans, 2100);

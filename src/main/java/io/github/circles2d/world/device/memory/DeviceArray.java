@@ -74,11 +74,7 @@ public enum DeviceArray {
             "the share up to where it touches one that it has a contact with, NOT_FAST where it is not; how far it may leave its path"
                     + " then, negative at a static one"),
     CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
-    CARRIER(
-            "int",
-            "carrier",
-            Index.SLOT,
-            "the slot of that static circle, or NOBODY; by lanes then its candidates, in a crowd"),
+    CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
     REACH("float4", "reach", Index.SLOT, "x, y of the base, reach, 1 where it is fast and not static"),
     LAST_REACHED(
             "int2", "lastReached", Index.SLOT, "two buckets each: the slot that came last, or NONE; see ReachGrid.cl"),

@@ -2,7 +2,6 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.world.device.memory.Status;
 import java.util.List;
 
 /** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
@@ -43,20 +42,4 @@ public interface Plan {
      * @param thinning whether the steps thinned crowds out
      */
     default void learn(TileUse use, boolean thinning) {}
-
-    /**
-     * Takes note of steps that this plan has made.
-     *
-     * @param status the status after them
-     * @param steps how many have been made since it was last told
-     */
-    default void stepped(Status status, int steps) {}
-
-    /** Whether a step that asks for room for very many contacts has met a crowd. */
-    default boolean wantOfRoomTellsOfCrowds() {
-        return true;
-    }
-
-    /** Takes note that a launch was called off because its work-groups did not all come. */
-    default void calledOff() {}
 }
