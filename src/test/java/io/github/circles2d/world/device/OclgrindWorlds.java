@@ -43,7 +43,7 @@ final class OclgrindWorlds {
 
     /**
      * Worlds in which Oclgrind 21.10 says of what is initialised that it is not: what the host writes to a part of a buffer, as when
-     * circles are loaded; sums in memory that is allocated when a world first reports; and all that comes of them.
+     * circles are loaded; and all that comes of it.
      */
     static final Set<String> MISJUDGED = Set.of("changes", "edges");
 
