@@ -252,6 +252,19 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Removes all circles, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
+     * are free, and pairs that touched end. It takes about as long as a read. Changes that were made before act no more, except that new
+     * circles had their handles; changes behind it are of circles that come.
+     *
+     * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, kinds and
+     * what {@link #setResponse} has set, what is reported and events that have not been taken, {@link #idLimit}, and the length of the
+     * last step. {@link #stats} counts no pairs until the next step.
+     */
+    public void clear() {
+        simulation.clearing().clear();
+    }
+
+    /**
      * The id of a handle: its lower 32 bits. Ids are small numbers from 0 on, so a game keeps what it knows of its circles in arrays
      * by id. Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over:
      * reset what the arrays have of an id when you add a circle.
@@ -351,8 +364,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives a circle another radius; its mass stays. Others that it overlaps then are pushed out slowly (see the class), so many
-     * circles may grow at once.
+     * Gives a circle another radius at once; its mass stays. Others that it overlaps then are pushed out slowly (see the class), so
+     * many circles may grow at once. {@link #grow} overlaps them less.
      *
      * @param handle the circle
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
@@ -360,6 +373,22 @@ public final class World implements AutoCloseable {
      */
     public void setRadius(long handle, float radius) {
         simulation.circles().set(Commands.RADIUS, handle, radius, 0);
+    }
+
+    /**
+     * Lets a circle grow or shrink to a radius over some steps, in equal parts; its mass stays. Each step begins with the next radius,
+     * so reads and queries give that of the last step. {@link #setRadius} ends the growth, another call of this method replaces it, and
+     * it is in snapshots, in the hash and in logs.
+     *
+     * <p>PLACEHOLDER
+     *
+     * @param handle the circle
+     * @param radius the radius at the end, as {@link #setRadius} takes it
+     * @param steps in how many steps, 1 to 100,000
+     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     */
+    public void grow(long handle, float radius, int steps) {
+        simulation.growth().grow(handle, radius, steps);
     }
 
     /**
@@ -653,7 +682,7 @@ public final class World implements AutoCloseable {
      * @param minY lower wall
      * @param maxX right wall
      * @param maxY upper wall
-     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds; or
+     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds, or grows to be so; or
      *     an axis wraps, and would have another place
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
@@ -853,6 +882,18 @@ public final class World implements AutoCloseable {
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
         simulation.readings().readVelocitiesById(velocities, living);
+    }
+
+    /**
+     * Reads the radius of every circle by id. It is known without a read-back, and waits for nothing.
+     *
+     * @param radii takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
+     *     become NaN
+     * @param living takes a bit for each id, as with {@link #readById}; may be null
+     * @throws IllegalArgumentException where an array is too short
+     */
+    public void readRadiiById(float[] radii, long[] living) {
+        simulation.readings().readRadiiById(radii, living);
     }
 
     /**
@@ -1087,6 +1128,17 @@ public final class World implements AutoCloseable {
      */
     public float restitution(long handle) {
         return simulation.circles().restitution(handle);
+    }
+
+    /**
+     * In how many steps a circle has the radius that {@link #grow} has asked for. It is known without a read-back.
+     *
+     * @param handle the circle
+     * @return the steps left; 0 if it does not grow or shrink
+     * @throws IllegalArgumentException where the handle is stale
+     */
+    public int growthSteps(long handle) {
+        return simulation.growth().steps(handle);
     }
 
     /**

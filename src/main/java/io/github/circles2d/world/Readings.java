@@ -120,6 +120,22 @@ public final class Readings {
         }
     }
 
+    /** Reads radii by id, and NaN where there is no circle; living takes a bit for each id, and may be null. */
+    public void readRadiiById(float[] radii, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("radii", radii, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < radii.length; id++) {
+                radii[id] = id < handles.end() && handles.lives(id) ? handles.radius(id) : Float.NaN;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
     public void readTagsById(long[] tags, long[] living) {
         guard.enter();

@@ -234,6 +234,15 @@ public final class HandleTable {
         fields.clear(id);
     }
 
+    /** Strikes all circles off. */
+    public void removeAll() {
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                remove(id);
+            }
+        }
+    }
+
     /**
      * Takes a circle's new radius down.
      *
@@ -244,6 +253,11 @@ public final class HandleTable {
         leave(radius[id]);
         radius[id] = r;
         enter(r);
+    }
+
+    /** A circle's radius, as taken down last. */
+    public float radius(int id) {
+        return radius[id];
     }
 
     /**

@@ -42,7 +42,7 @@ final class WorldTables {
 
     private static void commands(StringBuilder text) {
         define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next eleven");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next twelve");
         define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
         define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
         define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
@@ -53,6 +53,7 @@ final class WorldTables {
         define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
         define(text, "COMMAND_DEPART", Commands.DEPART, "x, y, length of the step");
         define(text, "COMMAND_ARRIVE", Commands.ARRIVE, "x, y");
+        define(text, "COMMAND_GROW", Commands.GROW, "radius");
         define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, the value");
         define(text, "COMMAND_ID", Commands.ID, "the circle's");
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
