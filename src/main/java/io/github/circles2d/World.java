@@ -1007,9 +1007,9 @@ public final class World implements AutoCloseable {
         return simulation.readings().requests();
     }
 
-    /** Makes positions by id NaN that are not of the circles of the last request that are still there; living may be null. */
-    void markGone(FloatBuffer positions, long[] living) {
-        simulation.readings().markGone(positions, living);
+    /** Makes values by id NaN that are not of the circles of the last request that are still there; living may be null. */
+    void markGone(FloatBuffer values, int each, long[] living) {
+        simulation.readings().markGone(values, each, living);
     }
 
     /**

@@ -92,6 +92,7 @@ class WorldAllocationTest {
         long[] handles = new long[2];
         int[] kindsById = new int[2 * n];
         long[] tagsById = new long[2 * n];
+        float[] radii = new float[n];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             FixedStep loop = new FixedStep(world, scene.timeStep());
             Runnable before = () -> {
@@ -121,6 +122,9 @@ class WorldAllocationTest {
                 consume(world.takePositionsById(living).get(900));
                 loop.advance(1.5f * scene.timeStep(), before);
                 consume(loop.positions(living).get(900) + loop.alpha() + world.idLimit());
+                consume(loop.radii().get(900));
+                world.readRadiiById(radii, living);
+                world.grow(some[6], scene.radius(6) * (1.5f - loop.alpha()), 3);
                 Arrays.fill(velocities, 1e-4f);
             };
             assertAllocatesNothing(frame);

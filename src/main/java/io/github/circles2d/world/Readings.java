@@ -266,16 +266,17 @@ public final class Readings {
     }
 
     /**
-     * Makes positions by id NaN that are not of the circles of the last request that have stayed.
+     * Makes values by id NaN that are not of the circles of the last request that have stayed.
      *
-     * @param positions two elements an id
+     * @param values by id
+     * @param each elements an id
      * @param living takes a bit for each id; may be null
      */
-    public void markGone(FloatBuffer positions, long[] living) {
+    public void markGone(FloatBuffer values, int each, long[] living) {
         guard.enter();
         try {
             requireRoom(living, handles.survivors().end());
-            handles.survivors().markGaps(positions, 2);
+            handles.survivors().markGaps(values, each);
             copy(handles.survivors(), living);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
