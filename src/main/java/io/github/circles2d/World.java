@@ -380,7 +380,19 @@ public final class World implements AutoCloseable {
      * so reads and queries give that of the last step. {@link #setRadius} ends the growth, another call of this method replaces it, and
      * it is in snapshots, in the hash and in logs.
      *
-     * <p>PLACEHOLDER
+     * <p><b>In a crowd</b> a circle hardly overlaps others, and throws none, if it grows by at most about 0.4 of its radius a second: by
+     * 30 % in 45 steps of 1/60 second. Two circles that merge need no room at once if one of them goes, and the other one grows from the
+     * radius that it has:
+     *
+     * <pre>{@code
+     * world.remove(upper);
+     * world.setMass(lower, mass);
+     * world.grow(lower, radius, 45);
+     * }</pre>
+     *
+     * <p>So balls that merge in a full box overlapped others by more than 0.15 of their radius in one of 48,000 frames, with the
+     * builder's {@code subSteps(8)}, {@code contactFrequency(134)} and {@code greatestPushOutSpeed(2)}. With the defaults they did so in
+     * one of 60 frames, and balls that came with their whole size in one of 12. A circle that grows goes on to carry what lies on it.
      *
      * @param handle the circle
      * @param radius the radius at the end, as {@link #setRadius} takes it

@@ -115,13 +115,14 @@ public final class Main extends ApplicationAdapter {
         box("f3b9a5", 0, Merge.LINE, Merge.WIDTH, 0.06f);
         if (game.isReady()) {
             box("f3b9a5", game.dropX() - 0.02f, 0, 0.04f, Merge.DROP_HEIGHT);
-            ball(game.next, game.dropX(), Merge.DROP_HEIGHT);
+            ball(game.next, game.dropX(), Merge.DROP_HEIGHT, Merge.RADII[game.next]);
         }
         var positions = loop.positions(null);
+        var radii = loop.radii();
         game.world.readKindsById(kinds, null);
         for (int id = 0; id < game.world.idLimit(); id++) {
             if (!Float.isNaN(positions.get(2 * id))) {
-                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1));
+                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1), radii.get(id));
             }
         }
         shapes.end();
@@ -137,8 +138,7 @@ public final class Main extends ApplicationAdapter {
         shapes.rect(x, y, width, height);
     }
 
-    private void ball(int kind, float x, float y) {
-        float radius = Merge.RADII[kind];
+    private void ball(int kind, float x, float y, float radius) {
         Color color = Color.valueOf(COLORS[kind]);
         disc(color.cpy().mul(0.8f, 0.8f, 0.8f, 1), x, y, radius);
         disc(color, x, y, 0.88f * radius);
