@@ -152,6 +152,56 @@ class WorldAllocationTest {
     }
 
     @Test
+    void rollingBackAllocatesNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            world.report(0, 1, Events.BEGIN | Events.HIT | Events.END);
+            world.readHandles(handles);
+            for (int k = 0; k < 5; k++) {
+                world.setKind(
+                        handles[k], 1); // the pairs that touch are few: to save many of them, Java's sort takes memory
+            }
+            Rollback rollback = new Rollback(
+                    world,
+                    new Rollback.Game() {
+                        @Override
+                        public void beforeStep(int frame, long[] inputs) {
+                            world.readHandles(handles);
+                            world.applyImpulse(handles[3], 1e-3f * inputs[1], 0);
+                        }
+
+                        @Override
+                        public void save(ByteBuffer to) {
+                            to.putInt(7);
+                        }
+
+                        @Override
+                        public void restore(ByteBuffer from) {
+                            consume(from.getInt());
+                        }
+
+                        @Override
+                        public void confirmed(int frame, Events events) {
+                            consume(events.size());
+                        }
+                    },
+                    scene.timeStep(),
+                    2,
+                    6);
+            assertAllocatesNothing(() -> {
+                int frame = rollback.frame();
+                rollback.setInput(0, frame, 1);
+                if (frame >= 4) {
+                    rollback.setInput(1, frame - 4, frame % 3);
+                }
+                rollback.advance();
+            });
+            assertThat(rollback.rollbacks()).isGreaterThan(10);
+        }
+    }
+
+    @Test
     void recordingAllocatesNothingOnTheJvm() throws IOException {
         Scene scene = Scenes.thesis(1250, Scenes.SEED);
         long[] handles = new long[scene.size()];

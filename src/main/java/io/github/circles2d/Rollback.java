@@ -1,0 +1,442 @@
+package io.github.circles2d;
+
+import io.github.circles2d.world.ReportSettings;
+import io.github.circles2d.world.events.KeptEvents;
+import io.github.circles2d.world.model.Limits;
+import java.nio.BufferOverflowException;
+import java.nio.ByteBuffer;
+
+/**
+ * Rollback netcode: frames are made at once with the inputs that have come and predictions for the others, and made again from the first
+ * frame whose prediction was wrong.
+ *
+ * <pre>{@code
+ * Rollback rollback = new Rollback(world, game, 1 / 60f, 2, 8); // two players; up to 8 frames ahead of what is known
+ * while (playing()) { // once a frame
+ *     for (Packet packet : arrived()) {
+ *         rollback.setInput(packet.player, packet.frame, packet.input);
+ *     }
+ *     if (rollback.canAdvance()) {
+ *         send(me, rollback.frame(), keys());
+ *         rollback.setInput(me, rollback.frame(), keys());
+ *         rollback.advance();
+ *     } else {
+ *         rollback.reconcile(); // the others are too far behind: wait for them
+ *     }
+ *     draw(world);
+ * }
+ * }</pre>
+ *
+ * <p><b>A frame</b> is one step of the world, with what {@link Game#beforeStep} changes before it by the inputs and what {@link
+ * Game#afterStep} makes of its events behind it. Frames are numbered from 0 on. A player whose input has not come is predicted to do as in
+ * the frame before, and nothing (0) in frame 0. An input may come in any order, late, or more than once. A frame is <i>confirmed</i> when
+ * it has been made with the inputs of all players, and all frames before it too; it is never made again, and is the same on all machines
+ * that play together.
+ *
+ * <h2>The rules</h2>
+ *
+ * <p>A frame that is made again must come out the same, here and on every other machine. So:
+ *
+ * <ol>
+ *   <li><b>All that decides the game happens in a frame</b>, by the inputs, the world and what {@link Game#save} writes. A change of the
+ *       world or of the game that is made between frames is lost in the next rollback; what is there before the first frame is the
+ *       start of all machines.
+ *   <li><b>The game's own state</b> is what {@link Game#save} writes and {@link Game#restore} reads: points, lives, timers, and handles that
+ *       change. All of the world comes back by itself: circles, tags, kinds, gravity, bounds. Handles repeat, too: a circle that is
+ *       added again gets the same one ({@link Rewind}).
+ *   <li><b>Random numbers</b> come from {@link #randomLong}, {@link #randomInt} and {@link #randomFloat}, whose state comes back.
+ *   <li><b>Events</b> of each frame, predicted or not, go to {@link Game#afterStep}, for what they change in the game. Those of confirmed
+ *       frames go to {@link Game#confirmed}, once and in order, for what cannot be taken back: sounds, statistics, a match that is won.
+ *       Leave {@link World#events} and {@link World#requestEvents} alone: events that wait when a frame begins are dropped.
+ *   <li><b>What is reported, and the hit speed</b>, come back with a frame, so a frame may change them ({@link World#report}, {@link
+ *       World#reportWalls}, {@link World#setHitSpeed}). (A snapshot and a frame of {@link Rewind} do not have them.) Set them before the first frame if they do not
+ *       change.
+ *   <li><b>The same arithmetic everywhere:</b> {@code + - * /}, {@code Math.sqrt} and {@code StrictMath} give the same bits on all machines, other functions of {@code
+ *       Math} may not. No clock, no order of a HashMap, no other thread decides anything.
+ * </ol>
+ *
+ * <p>To find out whether a game keeps them, compare: in {@link Game#afterStep} note {@link World#hash} by the number of the frame, and in
+ * {@link Game#confirmed} send it to the other machines.
+ *
+ * <p><b>Failures.</b> If a method of the game throws, its exception goes to the caller of {@link #advance} or {@link #reconcile}, and nothing is
+ * lost: no frame counts that was not made to its end, and the next call makes it again from its start. Until then the world is in the middle of a frame.
+ *
+ * <p><b>Cost.</b> A frame of n frames that are made again costs n steps and as many times what {@link Rewind#save} costs, and one {@link
+ * Rewind#restore}. Memory is that of as many frames of {@link Rewind} as may be ahead, with their events; it grows with the world and the
+ * events of a frame, not with time, and {@link #bytes} tells it. On the JVM frames leave no garbage once it has grown.
+ *
+ * <p>This makes the steps, so a world has either this or a {@link FixedStep}. One thread at a time uses it, as the world.
+ */
+public final class Rollback {
+    private static final int GREATEST_PLAYERS = 64;
+    private static final int GREATEST_WINDOW = 3600;
+
+    /** Inputs may come for frames so many windows ahead: other machines are up to one ahead of this, and delay their own inputs. */
+    private static final int WINDOWS_OF_INPUTS = 4;
+
+    private static final int LEAST_STATE = 64;
+    private static final int GREATEST_STATE = 1 << 28;
+
+    /** The rules of a game, and its state apart from the world. Each method may be called again for the same frame. None may call back. */
+    public interface Game {
+        /**
+         * Makes the changes of a frame by the inputs, before its step.
+         *
+         * @param frame its number
+         * @param inputs by player; some may be predictions. The array is used again
+         */
+        void beforeStep(int frame, long[] inputs);
+
+        /**
+         * Makes what follows from the events of a frame, behind its step.
+         *
+         * @param frame its number
+         * @param events those of its step, valid during the call
+         */
+        default void afterStep(int frame, Events events) {}
+
+        /**
+         * Writes the state of the game, at the start of a frame. If the buffer is too short, the BufferOverflowException that it throws may pass: the method
+         * is called again with a longer one.
+         *
+         * @param to takes what {@link #restore} reads
+         */
+        void save(ByteBuffer to);
+
+        /**
+         * Reads the state of the game, all that was written.
+         *
+         * @param from what {@link #save} has written
+         */
+        void restore(ByteBuffer from);
+
+        /**
+         * Takes note of a frame that is final. Such calls come in the order of frames, once for each, unless one throws, which is made again. The world is
+         * at a later frame: do not change it.
+         *
+         * @param frame its number
+         * @param events those of its step, valid during the call
+         */
+        default void confirmed(int frame, Events events) {}
+    }
+
+    private final World world;
+    private final Game game;
+    private final float timeStep;
+    private final int window;
+    private final Rewind rewind;
+    private final FrameInputs inputs;
+    private final long[] now;
+    private final Events events = new Events();
+
+    // By place: of the frames from the first that is not confirmed to the next one.
+    private final KeptEvents kept;
+    private final ByteBuffer[] states;
+    private final long[] randoms;
+    private final ReportSettings[] reported;
+
+    /** The number of frames that have been made, and the next one to confirm. */
+    private int frame;
+
+    private int confirmed;
+
+    /** The next frame to make: one that was made with a wrong prediction, or the next new one. */
+    private int next;
+
+    /** Whether the world and the game are at the start of that frame, and whether this is saved. */
+    private boolean isAtStart = true;
+
+    private boolean isSaved;
+    private boolean isInGame;
+    private boolean isInFrame;
+    private long random;
+    private long rollbacks;
+    private long repeated;
+
+    /**
+     * Frames from the world and the game as they are.
+     *
+     * @param world the world that makes the steps
+     * @param game the rules
+     * @param timeStep the length of each step in seconds, 1e-6 to 1; games use 1 / 60f
+     * @param players how many give inputs, 1 to 64
+     * @param window how many frames may be made ahead of those of which all inputs are known, 1 to 3,600. Games take 8 or so: that is how
+     *     late an input may come before the game waits for it
+     * @throws IllegalArgumentException where a value is out of range
+     */
+    public Rollback(World world, Game game, float timeStep, int players, int window) {
+        this.world = Limits.notNull("world", world);
+        this.game = Limits.notNull("game", game);
+        this.timeStep = Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+        now = new long[Limits.within("the number of players", players, 1, GREATEST_PLAYERS)];
+        this.window = Limits.within("the window", window, 1, GREATEST_WINDOW);
+        rewind = new Rewind(world, window);
+        inputs = new FrameInputs(players, WINDOWS_OF_INPUTS * window);
+        kept = new KeptEvents(window);
+        states = new ByteBuffer[window];
+        for (int place = 0; place < window; place++) {
+            states[place] = ByteBuffer.allocate(LEAST_STATE);
+        }
+        randoms = new long[window];
+        reported = new ReportSettings[window];
+    }
+
+    /**
+     * The next new frame, which {@link #advance} makes.
+     *
+     * @return its number: how many frames have been made
+     */
+    public int frame() {
+        return frame;
+    }
+
+    /**
+     * The number of confirmed frames that {@link Game#confirmed} has been told of.
+     *
+     * @return at least 0, at most {@link #frame}
+     */
+    public int confirmedFrames() {
+        return confirmed;
+    }
+
+    /**
+     * Sets the input of a player in a frame. If the frame has been made with another, the next call of {@link #advance} or {@link
+     * #reconcile} goes back to it. A game that delays its own inputs by some frames sets those of its first frames, too, to 0.
+     *
+     * @param player 0 to the number of players - 1
+     * @param frame the number of the frame, up to four windows ahead of {@link #confirmedFrames}. The input of a frame that is confirmed has come
+     *     before, and counts no more
+     * @param input any number: keys as bits, sticks, the place of a mouse
+     * @throws IllegalArgumentException where player or frame is out of range, or the player has another input in this frame
+     * @throws IllegalStateException where a method of the game calls this
+     */
+    public void setInput(int player, int frame, long input) {
+        refuseGame();
+        if (inputs.set(player, frame, input) && frame < next) {
+            next = frame;
+            isAtStart = false;
+        }
+    }
+
+    /**
+     * Whether {@link #advance} may make a frame: whether the window has room for it.
+     *
+     * @return false where inputs of other players must come first
+     */
+    public boolean canAdvance() {
+        return frame - Math.min(frame, inputs.complete()) < window;
+    }
+
+    /**
+     * Does what {@link #reconcile} does, and makes the next new frame.
+     *
+     * @throws IllegalStateException where the window is full ({@link #canAdvance}), or a method of the game calls this
+     */
+    public void advance() {
+        refuseGame();
+        if (!canAdvance()) {
+            throw new IllegalStateException("frame " + frame + " would be " + window + " frames ahead of frame "
+                    + inputs.complete() + ", which lacks an input: call canAdvance first");
+        }
+        reconcile();
+        make(frame + 1);
+        frame = next;
+    }
+
+    /**
+     * Makes frames again from the first one on whose prediction was wrong, and tells {@link Game#confirmed} of those that have all their inputs now. Nothing
+     * happens if no input has come.
+     *
+     * @throws IllegalStateException where a method of the game calls this
+     */
+    public void reconcile() {
+        refuseGame();
+        world.simulation().check();
+        make(frame);
+        int end = Math.min(frame, inputs.complete());
+        while (confirmed < end) {
+            isInGame = true;
+            try {
+                game.confirmed(confirmed, events.of(kept.at(confirmed % window)));
+            } finally {
+                isInGame = false;
+            }
+            inputs.dropFirst();
+            confirmed++;
+        }
+    }
+
+    private void refuseGame() {
+        if (isInGame) {
+            throw new IllegalStateException("a method of the game is running: it cannot give inputs or make frames");
+        }
+    }
+
+    /** Makes all frames that are to be made before one. */
+    private void make(int end) {
+        isInGame = true;
+        try {
+            if (!isAtStart) {
+                goBack();
+            }
+            while (next < end) {
+                if (!isSaved) {
+                    save();
+                }
+                makeNext();
+            }
+        } finally {
+            isInGame = false;
+        }
+    }
+
+    /** Makes the world and the game what they were at the start of the next frame to make. May be repeated if it fails. */
+    private void goBack() {
+        int place = next % window;
+        world.simulation().reports().restore(reported[place]); // first: it decides which pairs that touch are restored
+        rewind.restore(next);
+        random = randoms[place];
+        ByteBuffer state = states[place].rewind();
+        game.restore(state);
+        if (state.hasRemaining()) {
+            throw new IllegalStateException("restore has read " + state.position() + " of the " + state.limit()
+                    + " bytes that save has written");
+        }
+        rollbacks += next < frame ? 1 : 0;
+        isAtStart = true;
+        isSaved = true;
+    }
+
+    private void save() {
+        int place = next % window;
+        while (!hasSavedGame(place)) {
+            states[place] = ByteBuffer.allocate(2 * states[place].capacity());
+        }
+        randoms[place] = random;
+        reported[place] = world.simulation().reports().settings();
+        world.events();
+        rewind.save(next);
+        isSaved = true;
+    }
+
+    private boolean hasSavedGame(int place) {
+        try {
+            game.save(states[place].clear());
+            states[place].flip();
+            return true;
+        } catch (BufferOverflowException e) {
+            if (states[place].capacity() >= GREATEST_STATE) {
+                throw e;
+            }
+            return false;
+        }
+    }
+
+    private void makeNext() {
+        inputs.read(next, now);
+        isAtStart = false;
+        isInFrame = true;
+        try {
+            game.beforeStep(next, now);
+            world.step(timeStep);
+            Events happened = world.events();
+            game.afterStep(next, happened);
+            kept.keep(next % window, happened.rows());
+        } finally {
+            isInFrame = false;
+        }
+        repeated += next < frame ? 1 : 0;
+        next++;
+        isAtStart = true;
+        isSaved = false;
+    }
+
+    /**
+     * Sets what random numbers follow. It is 0 at first.
+     *
+     * @param seed any number, the same on all machines
+     * @throws IllegalStateException where frames have been made, and none is being made
+     */
+    public void seed(long seed) {
+        if (frame > 0 || !isAtStart) {
+            requireFrame();
+        }
+        isSaved = false; // a frame that failed may have left the start saved with another seed
+        random = seed;
+    }
+
+    /**
+     * A random number that is the same on all machines (SplitMix64).
+     *
+     * @return any long
+     * @throws IllegalStateException where no frame is being made
+     */
+    public long randomLong() {
+        requireFrame();
+        random += 0x9e3779b97f4a7c15L;
+        long mixed = (random ^ random >>> 30) * 0xbf58476d1ce4e5b9L;
+        mixed = (mixed ^ mixed >>> 27) * 0x94d049bb133111ebL;
+        return mixed ^ mixed >>> 31;
+    }
+
+    /**
+     * A random whole number that is the same on all machines.
+     *
+     * @param bound at least 1
+     * @return 0 to bound - 1
+     * @throws IllegalArgumentException where the bound is less than 1
+     * @throws IllegalStateException where no frame is being made
+     */
+    public int randomInt(int bound) {
+        Limits.within("the bound", bound, 1, Integer.MAX_VALUE);
+        return (int) ((randomLong() >>> 32) * bound >>> 32);
+    }
+
+    /**
+     * A random number that is the same on all machines.
+     *
+     * @return 0 to less than 1
+     * @throws IllegalStateException where no frame is being made
+     */
+    public float randomFloat() {
+        return (randomLong() >>> 40) * 0x1p-24f;
+    }
+
+    private void requireFrame() {
+        if (!isInFrame) {
+            throw new IllegalStateException(
+                    "no frame is being made: random numbers belong into beforeStep and afterStep");
+        }
+    }
+
+    /**
+     * How many times a wrong prediction has led back to an earlier frame.
+     *
+     * @return at least 0
+     */
+    public long rollbacks() {
+        return rollbacks;
+    }
+
+    /**
+     * How many frames have been made again for that.
+     *
+     * @return at least 0
+     */
+    public long repeatedFrames() {
+        return repeated;
+    }
+
+    /**
+     * Memory of the frames.
+     *
+     * @return bytes
+     */
+    public long bytes() {
+        long sum = rewind.bytes() + kept.bytes();
+        for (ByteBuffer state : states) {
+            sum += state.capacity();
+        }
+        return sum;
+    }
+}
