@@ -7,63 +7,65 @@ import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;
 
 /**
- * Rollback netcode: frames are made at once with the inputs that have come and predictions for the others, and made again from the first
- * frame whose prediction was wrong.
+ * Rollback netcode: frames are made at once, with predictions for the inputs that have not come yet. If an input turns out to be another,
+ * the world goes back to its frame and makes the frames since again.
  *
  * <pre>{@code
- * Rollback rollback = new Rollback(world, game, 1 / 60f, 2, 8); // two players; up to 8 frames ahead of what is known
+ * Rollback rollback = new Rollback(world, game, 1 / 60f, 2, 8); // two players; up to 8 frames are predicted
  * while (playing()) { // once a frame
  *     for (Packet packet : arrived()) {
  *         rollback.setInput(packet.player, packet.frame, packet.input);
  *     }
  *     if (rollback.canAdvance()) {
- *         send(me, rollback.frame(), keys());
- *         rollback.setInput(me, rollback.frame(), keys());
+ *         long keys = keys();
+ *         send(me, rollback.frame(), keys);
+ *         rollback.setInput(me, rollback.frame(), keys);
  *         rollback.advance();
  *     } else {
- *         rollback.reconcile(); // the others are too far behind: wait for them
+ *         rollback.reconcile(); // the others are too late: wait for them
  *     }
  *     draw(world);
  * }
  * }</pre>
  *
- * <p><b>A frame</b> is one step of the world, with what {@link Game#beforeStep} changes before it by the inputs and what {@link
- * Game#afterStep} makes of its events behind it. Frames are numbered from 0 on. A player whose input has not come is predicted to do as in
- * the frame before, and nothing (0) in frame 0. An input may come in any order, late, or more than once. A frame is <i>confirmed</i> when
- * it has been made with the inputs of all players, and all frames before it too; it is never made again, and is the same on all machines
- * that play together.
+ * <p><b>A frame</b> is one step of the world, with the changes that {@link Game#beforeStep} makes before it by the inputs, and those that
+ * {@link Game#afterStep} makes behind it by its events. Frames are numbered from 0 on. A player whose input has not come is predicted to
+ * do as in the frame before, and nothing (0) in frame 0. Inputs may come in any order, late, and more than once.
+ *
+ * <p>A frame is <i>confirmed</i> if it was made with the inputs of all players, and all frames before it were too. It is never made
+ * again, and it is the same on all machines that play together.
  *
  * <h2>The rules</h2>
  *
- * <p>A frame that is made again must come out the same, here and on every other machine. So:
+ * <p>A frame that is made again must come out the same, here and on every other machine:
  *
  * <ol>
- *   <li><b>All that decides the game happens in a frame</b>, by the inputs, the world and what {@link Game#save} writes. A change of the
- *       world or of the game that is made between frames is lost in the next rollback; what is there before the first frame is the
- *       start of all machines.
- *   <li><b>The game's own state</b> is what {@link Game#save} writes and {@link Game#restore} reads: points, lives, timers, and handles that
- *       change. All of the world comes back by itself: circles, tags, kinds, gravity, bounds. Handles repeat, too: a circle that is
- *       added again gets the same one ({@link Rewind}).
+ *   <li><b>All that decides the game happens in a frame</b>, by the inputs, the world, and the state that {@link Game#save} writes. A
+ *       change of the world that is made between frames is lost in the next rollback.
+ *   <li><b>{@link Game#save} writes the state of the game</b>: points, lives, timers, and handles that change. All of the world comes back
+ *       without it: circles, tags, kinds, gravity, bounds. Handles repeat, too: a circle that is added again gets the same one ({@link
+ *       Rewind}).
  *   <li><b>Random numbers</b> come from {@link #randomLong}, {@link #randomInt} and {@link #randomFloat}, whose state comes back.
- *   <li><b>Events</b> of each frame, predicted or not, go to {@link Game#afterStep}, for what they change in the game. Those of confirmed
- *       frames go to {@link Game#confirmed}, once and in order, for what cannot be taken back: sounds, statistics, a match that is won.
- *       Leave {@link World#events} and {@link World#requestEvents} alone: events that wait when a frame begins are dropped.
- *   <li><b>What is reported, and the hit speed</b>, come back with a frame, so a frame may change them ({@link World#report}, {@link
- *       World#reportWalls}, {@link World#setHitSpeed}). (A snapshot and a frame of {@link Rewind} do not have them.) Set them before the first frame if they do not
- *       change.
- *   <li><b>The same arithmetic everywhere:</b> {@code + - * /}, {@code Math.sqrt} and {@code StrictMath} give the same bits on all machines, other functions of {@code
- *       Math} may not. No clock, no order of a HashMap, no other thread decides anything.
+ *   <li><b>Events</b> of each frame go to {@link Game#afterStep}, for what they change in the game. Those of confirmed frames go to {@link
+ *       Game#confirmed}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Do not take them by
+ *       {@link World#events} or {@link World#takeEvents}. Events that wait when a frame begins are dropped.
+ *   <li><b>What is reported, and the hit speed</b>, come back with a frame, so a frame may change them by {@link World#report}, {@link
+ *       World#reportWalls} and {@link World#setHitSpeed}. Snapshots and frames of {@link Rewind} do not have them.
+ *   <li><b>Arithmetic</b> has the same bits on all machines by {@code + - * /}, {@code Math.sqrt} and {@code StrictMath}. Other functions
+ *       of {@code Math} may differ. Nothing depends on a clock, on the order of a HashMap, or on another thread.
  * </ol>
  *
- * <p>To find out whether a game keeps them, compare: in {@link Game#afterStep} note {@link World#hash} by the number of the frame, and in
- * {@link Game#confirmed} send it to the other machines.
+ * <p>To find out whether a game keeps them, note {@link World#hash} in {@link Game#afterStep}, by the number of the frame, and compare it
+ * with that of the other machines in {@link Game#confirmed}.
  *
- * <p><b>Failures.</b> If a method of the game throws, its exception goes to the caller of {@link #advance} or {@link #reconcile}, and nothing is
- * lost: no frame counts that was not made to its end, and the next call makes it again from its start. Until then the world is in the middle of a frame.
+ * <p><b>Failures.</b> If a method of the game throws, the caller of {@link #advance} or {@link #reconcile} gets its exception. Nothing is
+ * lost: the next call makes the frame again, from its start. Until then the world is in the middle of the frame.
  *
- * <p><b>Cost.</b> A frame of n frames that are made again costs n steps and as many times what {@link Rewind#save} costs, and one {@link
- * Rewind#restore}. Memory is that of as many frames of {@link Rewind} as may be ahead, with their events; it grows with the world and the
- * events of a frame, not with time, and {@link #bytes} tells it. On the JVM frames leave no garbage once it has grown.
+ * <p><b>Cost.</b> Each frame costs a step and a {@link Rewind#save}, also if it is made again, and a rollback costs a {@link
+ * Rewind#restore}. Memory is that of as many frames of {@link Rewind} as may be predicted, with their events; {@link #bytes} tells it. It
+ * grows with the world and not with time. On the JVM frames leave no garbage once it has grown, unless dozens of pairs touch that
+ * are reported: saving them takes memory for a sort. A {@link Recording} of such a world writes each rollback; the inputs of the players
+ * are a shorter log of a match.
  *
  * <p>This makes the steps, so a world has either this or a {@link FixedStep}. One thread at a time uses it, as the world.
  */
@@ -77,7 +79,10 @@ public final class Rollback {
     private static final int LEAST_STATE = 64;
     private static final int GREATEST_STATE = 1 << 28;
 
-    /** The rules of a game, and its state apart from the world. Each method may be called again for the same frame. None may call back. */
+    /**
+     * The rules of a game, and its state apart from the world. {@link #beforeStep}, {@link #afterStep} and {@link #save} are called
+     * again for frames that are made again. No method may give inputs or make frames.
+     */
     public interface Game {
         /**
          * Makes the changes of a frame by the inputs, before its step.
@@ -96,23 +101,23 @@ public final class Rollback {
         default void afterStep(int frame, Events events) {}
 
         /**
-         * Writes the state of the game, at the start of a frame. If the buffer is too short, the BufferOverflowException that it throws may pass: the method
-         * is called again with a longer one.
+         * Writes the state of the game, at the start of a frame. If the buffer is too short, let its BufferOverflowException pass: the
+         * method is called again, with a longer one.
          *
-         * @param to takes what {@link #restore} reads
+         * @param to takes the state, up to 256 MB
          */
         void save(ByteBuffer to);
 
         /**
-         * Reads the state of the game, all that was written.
+         * Reads the state of the game, to the end.
          *
          * @param from what {@link #save} has written
          */
         void restore(ByteBuffer from);
 
         /**
-         * Takes note of a frame that is final. Such calls come in the order of frames, once for each, unless one throws, which is made again. The world is
-         * at a later frame: do not change it.
+         * Takes note of a confirmed frame. The calls come in the order of frames, one for each; a call that throws is made again. The
+         * world is at a later frame: do not change it.
          *
          * @param frame its number
          * @param events those of its step, valid during the call
@@ -160,8 +165,8 @@ public final class Rollback {
      * @param game the rules
      * @param timeStep the length of each step in seconds, 1e-6 to 1; games use 1 / 60f
      * @param players how many give inputs, 1 to 64
-     * @param window how many frames may be made ahead of those of which all inputs are known, 1 to 3,600. Games take 8 or so: that is how
-     *     late an input may come before the game waits for it
+     * @param window how many frames may be made from the first one on that lacks an input, 1 to 3,600. Games take about 8: so many
+     *     frames late an input may come before the game waits for it
      * @throws IllegalArgumentException where a value is out of range
      */
     public Rollback(World world, Game game, float timeStep, int players, int window) {
@@ -204,8 +209,8 @@ public final class Rollback {
      * #reconcile} goes back to it. A game that delays its own inputs by some frames sets those of its first frames, too, to 0.
      *
      * @param player 0 to the number of players - 1
-     * @param frame the number of the frame, up to four windows ahead of {@link #confirmedFrames}. The input of a frame that is confirmed has come
-     *     before, and counts no more
+     * @param frame the number of the frame, 0 to {@link #confirmedFrames} + 4 windows - 1. In a confirmed frame the input is ignored:
+     *     it has come before
      * @param input any number: keys as bits, sticks, the place of a mouse
      * @throws IllegalArgumentException where player or frame is out of range, or the player has another input in this frame
      * @throws IllegalStateException where a method of the game calls this
@@ -244,8 +249,8 @@ public final class Rollback {
     }
 
     /**
-     * Makes frames again from the first one on whose prediction was wrong, and tells {@link Game#confirmed} of those that have all their inputs now. Nothing
-     * happens if no input has come.
+     * Makes frames again, from the first one on whose prediction was wrong, and tells {@link Game#confirmed} of those that have all
+     * their inputs now.
      *
      * @throws IllegalStateException where a method of the game calls this
      */

@@ -1192,7 +1192,7 @@ public final class World implements AutoCloseable {
     /**
      * Sets what {@link #events} reports of all circles, from the next step on, in place of what any call has said before. By default
      * nothing, which costs nothing. What a world reports changes no step, and is in no snapshot and no log: whoever restores or replays
-     * says what he wants to hear. Pairs that touch already begin with the next step after they are first reported.
+     * says what he wants to hear. ({@link Rollback} brings it back.) Pairs that touch already begin with the next step after they are first reported.
      *
      * <p>To report all contacts and walls makes a step longer by a fifth to a half. Pairs that are only sensed ({@link Kind#setSensor},
      * {@link Response#SENSE}) cost much less: ask for them alone by {@link #report(int, int, int)}. On an OpenCL device a step of a world
@@ -1251,7 +1251,7 @@ public final class World implements AutoCloseable {
      * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than what a
      * restitution below 0.9 does not answer by a bounce, sqrt(0.16 g r + (r/s)^2), where g is gravity (at a wall its component along that
      * axis) and r the mean radius of the pair; or than {@link Builder#restitutionThreshold}, if that is set. So nothing in a pile at rest
-     * is a hit.
+     * is a hit. Like what is reported, it is in no snapshot and no log.
      *
      * @param speed lengths per second, from 0 to 1e9
      * @throws IllegalArgumentException where the value is out of range
