@@ -1,37 +1,31 @@
 package com.example.rollback;
 
 import io.github.circles2d.Backend;
+import io.github.circles2d.Edge;
 import io.github.circles2d.Events;
 import io.github.circles2d.Rollback;
 import io.github.circles2d.World;
 import java.nio.ByteBuffer;
 
-/** The rules, as one peer computes them: two players push pucks into each other's goal. A puck that is in comes back elsewhere. */
+/** The rules, as one peer computes them: two players push pucks against each other's wall. A puck that is there starts again. */
 final class Hockey implements Rollback.Game {
     static final int WIDTH = 600, HEIGHT = 400; // a length of 1 is a pixel, and y points down
-    private static final int GOAL = 1, PUCK = 2, WINDOW = 10; // kinds, and frames ahead of the other peer's inputs
+    private static final int PUCK = 1, WINDOW = 10; // a kind, and frames that are predicted
 
     final World world;
     final Rollback rollback;
     final int[] points = new int[2]; // all that decides the game besides the world
     int events;
     long hash; // both of all confirmed frames
-    private final long[] goals = new long[2], players = new long[2], hashes = new long[WINDOW];
+    private final long[] players, hashes = new long[WINDOW];
 
     Hockey(Backend backend) {
-        world = World.builder()
-                .bounds(0, 0, WIDTH, HEIGHT)
-                .restitution(0.9f)
-                .backend(backend)
-                .build();
-        world.kind(GOAL).setSensor(true);
-        world.report(GOAL, PUCK, Events.BEGIN);
-        for (int side = 0; side < 2; side++) {
-            goals[side] = world.add(side * WIDTH, HEIGHT / 2, 80, Float.POSITIVE_INFINITY, 0, 0, GOAL);
-            players[side] = world.add(WIDTH / 4 + side * WIDTH / 2, HEIGHT / 2, 20, 8);
-        }
+        World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).edges(Edge.WALL, Edge.WRAP);
+        world = builder.restitution(0.9f).backend(backend).build();
+        world.reportWalls(PUCK, Events.BEGIN);
+        players = new long[] {world.add(WIDTH / 4, HEIGHT / 2, 20, 8), world.add(WIDTH * 3 / 4, HEIGHT / 2, 20, 8)};
         for (int k = 0; k < 16; k++) {
-            world.add(WIDTH / 2 + k % 2, 25 * k + 12, 10, 1, 0, 0, PUCK);
+            world.add(WIDTH / 2 + k % 2, 25 * k, 10, 1, 0, 0, PUCK);
         }
         rollback = new Rollback(world, this, 1 / 60f, 2, WINDOW);
     }
@@ -47,10 +41,10 @@ final class Hockey implements Rollback.Game {
 
     @Override
     public void afterStep(int frame, Events events) {
-        for (int i = 0; i < events.size(); i++) { // a goal is the circle a, since it has a lower id than pucks
-            points[events.a(i) == goals[0] ? 1 : 0]++;
-            world.remove(events.b(i)); // if a prediction was wrong, it comes back, and the point goes
-            world.add(WIDTH / 2, 10 + rollback.randomInt(HEIGHT - 20), 10, 1, 0, 0, PUCK);
+        for (int i = 0; i < events.size(); i++) {
+            points[events.side(i) == Events.Side.LEFT ? 1 : 0]++;
+            world.remove(events.a(i)); // if a prediction was wrong, it comes back, and the point goes
+            world.add(WIDTH / 2, rollback.randomInt(HEIGHT), 10, 1, 0, 0, PUCK);
         }
         hashes[frame % WINDOW] = 31 * (31 * world.hash() + points[0]) + points[1];
     }

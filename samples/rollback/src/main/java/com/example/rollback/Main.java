@@ -1,7 +1,6 @@
 package com.example.rollback;
 
 import io.github.circles2d.Backend;
-import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.GraphicsEnvironment;
 import java.util.ArrayList;
@@ -30,18 +29,16 @@ public final class Main extends JComponent {
     public static void main(String[] arguments) {
         String name = "AUTO|JVM|OPENCL_CPU|OPENCL_GPU", pattern = "(--frames (\\d{1,6}) ?|--backend (" + name + ") ?)*";
         var options = Pattern.compile(pattern).matcher(String.join(" ", arguments));
-        if (!options.matches()) {
-            System.err.println("usage: rollback [--frames N] [--backend " + name + "]");
-            System.exit(2);
+        if (!options.matches() || options.group(2) == null && GraphicsEnvironment.isHeadless()) {
+            String problem = "rollback: there is no display to show a window on; without one: --frames 300";
+            System.err.println(options.matches() ? problem : "usage: rollback [--frames N] [--backend " + name + "]");
+            System.exit(options.matches() ? 1 : 2);
         }
-        Backend backend = options.group(3) == null ? Backend.AUTO : Backend.valueOf(options.group(3));
+        Main main = new Main(options.group(3) == null ? Backend.AUTO : Backend.valueOf(options.group(3)));
         if (options.group(2) != null) {
-            new Main(backend).playAlone(Integer.parseInt(options.group(2)));
-        } else if (!GraphicsEnvironment.isHeadless()) {
-            SwingUtilities.invokeLater(new Main(backend)::open);
+            main.playAlone(Integer.parseInt(options.group(2)));
         } else {
-            System.err.println("rollback: there is no display to show a window on; without one: --frames 300");
-            System.exit(1);
+            SwingUtilities.invokeLater(main::open);
         }
     }
 
@@ -99,7 +96,6 @@ public final class Main extends JComponent {
             peer.world.readById(circles, null);
             for (int k = 0; k < circles.length; k += 4) {
                 int radius = (int) circles[k + 2];
-                g.setColor(Color.getHSBColor(radius / 90f, 0.6f, 0.8f));
                 g.fillOval((int) circles[k] - radius, (int) circles[k + 1] - radius, 2 * radius, 2 * radius);
             }
             g.drawString(peer.points[0] + " : " + peer.points[1], Hockey.WIDTH / 2, 20);
