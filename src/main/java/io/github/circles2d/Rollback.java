@@ -49,7 +49,7 @@ import java.nio.ByteBuffer;
  *   <li><b>Events</b> of each frame go to {@link Game#afterStep}, for what they change in the game. Those of confirmed frames go to {@link
  *       Game#confirmed}, once and in order, for what cannot be taken back: sounds, statistics, the end of a match. Do not take them by
  *       {@link World#events} or {@link World#takeEvents}. Events that wait when a frame begins are dropped.
- *   <li><b>What is reported, and the hit speed</b>, come back with a frame, so a frame may change them by {@link World#report}, {@link
+ *   <li><b>The reported types of events and the hit speed</b> come back with a frame, so a frame may change them by {@link World#report}, {@link
  *       World#reportWalls} and {@link World#setHitSpeed}. Snapshots and frames of {@link Rewind} do not have them.
  *   <li><b>Arithmetic</b> has the same bits on all machines by {@code + - * /}, {@code Math.sqrt} and {@code StrictMath}. Other functions
  *       of {@code Math} may differ. Nothing depends on a clock, on the order of a HashMap, or on another thread.
@@ -73,7 +73,7 @@ public final class Rollback {
     private static final int GREATEST_PLAYERS = 64;
     private static final int GREATEST_WINDOW = 3600;
 
-    /** Inputs may come for frames so many windows ahead: other machines are up to one ahead of this, and delay their own inputs. */
+    /** How far ahead inputs may come, in windows: other machines are up to one ahead of this, and delay their own inputs. */
     private static final int WINDOWS_OF_INPUTS = 4;
 
     private static final int LEAST_STATE = 64;
@@ -165,9 +165,9 @@ public final class Rollback {
      * @param game the rules
      * @param timeStep the length of each step in seconds, 1e-6 to 1; games use 1 / 60f
      * @param players how many give inputs, 1 to 64
-     * @param window how many frames may be made from the first one on that lacks an input, 1 to 3,600. Games take about 8: so many
-     *     frames late an input may come before the game waits for it
-     * @throws IllegalArgumentException where a value is out of range
+     * @param window how many frames may be made from the first one on that lacks an input, 1 to 3,600. Games take about 8: an
+     *     input may come 8 frames late before the game waits for it
+     * @throws IllegalArgumentException if a value is out of range
      */
     public Rollback(World world, Game game, float timeStep, int players, int window) {
         this.world = Limits.notNull("world", world);
@@ -212,8 +212,8 @@ public final class Rollback {
      * @param frame the number of the frame, 0 to {@link #confirmedFrames} + 4 windows - 1. In a confirmed frame the input is ignored:
      *     it has come before
      * @param input any number: keys as bits, sticks, the place of a mouse
-     * @throws IllegalArgumentException where player or frame is out of range, or the player has another input in this frame
-     * @throws IllegalStateException where a method of the game calls this
+     * @throws IllegalArgumentException if player or frame is out of range, or the player has another input in this frame
+     * @throws IllegalStateException if a method of the game calls this
      */
     public void setInput(int player, int frame, long input) {
         refuseGame();
@@ -226,7 +226,7 @@ public final class Rollback {
     /**
      * Whether {@link #advance} may make a frame: whether the window has room for it.
      *
-     * @return false where inputs of other players must come first
+     * @return false if inputs of other players must come first
      */
     public boolean canAdvance() {
         return frame - Math.min(frame, inputs.complete()) < window;
@@ -235,7 +235,7 @@ public final class Rollback {
     /**
      * Does what {@link #reconcile} does, and makes the next new frame.
      *
-     * @throws IllegalStateException where the window is full ({@link #canAdvance}), or a method of the game calls this
+     * @throws IllegalStateException if the window is full ({@link #canAdvance}), or a method of the game calls this
      */
     public void advance() {
         refuseGame();
@@ -252,7 +252,7 @@ public final class Rollback {
      * Makes frames again, from the first one on whose prediction was wrong, and tells {@link Game#confirmed} of those that have all
      * their inputs now.
      *
-     * @throws IllegalStateException where a method of the game calls this
+     * @throws IllegalStateException if a method of the game calls this
      */
     public void reconcile() {
         refuseGame();
@@ -360,7 +360,7 @@ public final class Rollback {
      * Sets what random numbers follow. It is 0 at first.
      *
      * @param seed any number, the same on all machines
-     * @throws IllegalStateException where frames have been made, and none is being made
+     * @throws IllegalStateException if frames have been made, and none is being made
      */
     public void seed(long seed) {
         if (frame > 0 || !isAtStart) {
@@ -374,7 +374,7 @@ public final class Rollback {
      * A random number that is the same on all machines (SplitMix64).
      *
      * @return any long
-     * @throws IllegalStateException where no frame is being made
+     * @throws IllegalStateException if no frame is being made
      */
     public long randomLong() {
         requireFrame();
@@ -389,8 +389,8 @@ public final class Rollback {
      *
      * @param bound at least 1
      * @return 0 to bound - 1
-     * @throws IllegalArgumentException where the bound is less than 1
-     * @throws IllegalStateException where no frame is being made
+     * @throws IllegalArgumentException if the bound is less than 1
+     * @throws IllegalStateException if no frame is being made
      */
     public int randomInt(int bound) {
         Limits.within("the bound", bound, 1, Integer.MAX_VALUE);
@@ -401,7 +401,7 @@ public final class Rollback {
      * A random number that is the same on all machines.
      *
      * @return 0 to less than 1
-     * @throws IllegalStateException where no frame is being made
+     * @throws IllegalStateException if no frame is being made
      */
     public float randomFloat() {
         return (randomLong() >>> 40) * 0x1p-24f;

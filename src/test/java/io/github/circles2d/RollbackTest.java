@@ -226,6 +226,8 @@ class RollbackTest {
             rollback.reconcile();
             assertThat(rollback.rollbacks()).as("it was predicted").isEqualTo(2);
             assertThat(game.calls).containsExactly("confirmed 0", "confirmed 1", "confirmed 2");
+            rollback.advance();
+            assertThat(game.sum).as("behind frames that are all confirmed").isEqualTo(3333);
         }
     }
 
