@@ -80,9 +80,7 @@ public final class Journal {
             SavedState now = simulation.snapshots().now();
             LogWriter writer = new LogWriter(out, every);
             write(now, writer);
-            if (writer.failure() instanceof IOException e) {
-                throw e;
-            }
+            writer.requireWritten("the log cannot begin");
             hashEvery = every;
             sinceHash = 0;
             logged = 0;
