@@ -4,6 +4,8 @@ import io.github.circles2d.calibration.CachePlace;
 import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.CurvesByRatio;
+import io.github.circles2d.calibration.FrameTimes;
+import io.github.circles2d.calibration.MeasuredRow;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.TimingsFile;
@@ -23,12 +25,10 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.function.IntToDoubleFunction;
-import java.util.function.ToDoubleFunction;
+import java.util.function.Function;
+import java.util.function.IntFunction;
 
 /**
  * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
@@ -71,13 +71,16 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute a device, and as much memory as
-     * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
-     * it measures the JVM.
+     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute for the JVM and for each device, and as
+     * much memory as 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL
+     * device it measures the JVM. Times that are not clean are taken again, up to three times.
      *
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
+     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
+     *     figures. Nothing is kept then, and an older calibration stays
      */
     public static Calibration run() {
         CachePlace.findToWrite();
@@ -104,6 +107,9 @@ public final class Calibration {
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
+     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
+     *     figures. Nothing is kept then, and an older calibration stays
      */
     public static Calibration run(Collection<Device> devices) {
         return run(devices, new FrameMeter(), WORLD_SIZES, CIRCLES2D_SIZES);
@@ -148,6 +154,7 @@ public final class Calibration {
             Runner runner = Runners.circles2d(device, indexing);
             Curve loops = curve(
                     Workload.CIRCLES2D,
+                    "Circles2D by " + indexing + " on " + runner.name(),
                     circles2dSizes,
                     FrameMeter.LOOPS_IN_ALL,
                     circles -> meter.loop(device, indexing, circles));
@@ -156,35 +163,38 @@ public final class Calibration {
         return entries;
     }
 
-    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, ToDoubleFunction<Crowd> millis) {
+    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, Function<Crowd, FrameTimes> meter) {
         List<Timings.Entry> entries = new ArrayList<>();
         for (double ratio : RATIOS) {
+            String variant = CurvesByRatio.variant(ratio);
             Curve frames = curve(
                     Workload.WORLD,
+                    "World with " + (variant.isEmpty() ? "like radii" : "radii of " + variant) + " on " + runner.name(),
                     sizes,
                     FrameMeter.WORLD_FRAMES_IN_ALL,
-                    circles -> millis.applyAsDouble(new Crowd(circles, ratio)));
-            entries.add(new Timings.Entry(Workload.WORLD, CurvesByRatio.variant(ratio), runner, frames));
+                    circles -> meter.apply(new Crowd(circles, ratio)));
+            entries.add(new Timings.Entry(Workload.WORLD, variant, runner, frames));
         }
         return entries;
     }
 
-    private static Curve curve(Workload workload, List<Integer> sizes, int frames, IntToDoubleFunction millis) {
-        Map<Integer, Double> measured = new TreeMap<>();
+    private static Curve curve(
+            Workload workload, String name, List<Integer> sizes, int frames, IntFunction<FrameTimes> meter) {
+        MeasuredRow row = new MeasuredRow(workload, name, meter);
         for (int circles : sizes) {
             try {
-                if (!measured.isEmpty() && frames * new Curve(workload, measured).millis(circles) > MOST_MILLIS) {
+                if (!row.isEmpty() && frames * row.curve().millis(circles) > MOST_MILLIS) {
                     break;
                 }
-                measured.put(circles, millis.applyAsDouble(circles));
+                row.measure(circles);
             } catch (DeviceMemoryException e) {
-                if (measured.isEmpty()) {
+                if (row.isEmpty()) {
                     throw e;
                 }
                 break;
             }
         }
-        return new Curve(workload, measured);
+        return row.curve();
     }
 
     /** Saves and returns the file; none where there is none or it cannot be written. */

@@ -1,7 +1,6 @@
 package io.github.circles2d;
 
 import io.github.circles2d.world.Journal;
-import io.github.circles2d.world.log.LogWriter;
 import io.github.circles2d.world.model.Limits;
 import java.io.Closeable;
 import java.io.IOException;
@@ -94,18 +93,10 @@ public final class Recording implements AutoCloseable {
     public void close() throws IOException {
         if (!closed) {
             closed = true;
-            Closeable stream = this::closeStream;
+            Closeable stream = () -> Journal.closeStream(out);
             try (stream) {
                 journal.stop();
             }
-        }
-    }
-
-    private void closeStream() throws IOException {
-        try {
-            out.close();
-        } catch (IOException | RuntimeException e) {
-            throw new IOException("the stream of the log cannot be closed: " + LogWriter.reason(e), e);
         }
     }
 }

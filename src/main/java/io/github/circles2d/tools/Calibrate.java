@@ -41,12 +41,15 @@ public final class Calibrate {
             out.println("PairIndexing.AUTO to choose by, or forgets what was measured");
             return help ? 0 : 2;
         }
-        out.println("measuring: about half a minute a device, best with nothing else to do");
+        out.println("measuring: about half a minute for the JVM and for each device, best with nothing else to do");
         Calibration calibration;
         try {
             calibration = Calibration.run();
         } catch (IllegalArgumentException e) {
             out.println(e.getMessage());
+            return 1;
+        } catch (IllegalStateException e) {
+            out.println("not saved: " + e.getMessage());
             return 1;
         }
         out.println(calibration);

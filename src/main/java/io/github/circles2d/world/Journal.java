@@ -118,6 +118,15 @@ public final class Journal {
         }
     }
 
+    /** Closes the stream that a log has been written to. */
+    public static void closeStream(OutputStream out) throws IOException {
+        try {
+            out.close();
+        } catch (IOException | RuntimeException e) {
+            throw LogWriter.failed("the stream of the log cannot be closed", e);
+        }
+    }
+
     /** Writes the commands that wait and are not in the log. */
     void writeCommands() {
         if (log != null) {

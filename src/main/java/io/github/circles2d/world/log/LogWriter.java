@@ -58,14 +58,15 @@ public final class LogWriter {
      */
     public void requireWritten(String what) throws IOException {
         if (failure != null) {
-            throw new IOException(what + ": " + reason(failure), failure);
+            throw failed(what, failure);
         }
     }
 
-    /** What a failure says; its kind if it says nothing. */
-    public static String reason(Throwable failure) {
+    /** The exception that tells of a failure: by its message, or by its class if it has none. */
+    public static IOException failed(String what, Throwable failure) {
         String message = failure.getMessage();
-        return message == null || message.isBlank() ? failure.getClass().getName() : message;
+        boolean silent = message == null || message.isBlank();
+        return new IOException(what + ": " + (silent ? failure.getClass().getName() : message), failure);
     }
 
     /** Takes note of a failure, after which no more is written. */
