@@ -56,8 +56,10 @@ import java.nio.LongBuffer;
  * ({@link Builder#greatestPushOutSpeed}). Shallow ones
  * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
  *
- * <p><b>Masses:</b> a circle can carry about a hundred times its own mass. What is heavier sinks into it: a thousand times its mass
- * by 0.4 radii. From about ten thousand times its mass on, it sinks through.
+ * <p><b>Masses:</b> a circle can carry about a hundred times its own mass, whatever its radius and kind. What is heavier sinks into
+ * it: a thousand times its mass by 0.4 radii. From about ten thousand times its mass on, it sinks through. So in a pile the light
+ * circles under a heavy one overlap with it and are squeezed out. Masses by the square of the radius stay within a hundred for
+ * radii of 1:10. Masses that double from kind to kind reach 1:1024 with the eleventh kind.
  *
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
@@ -148,7 +150,8 @@ public final class World implements AutoCloseable {
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
-     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
+     *     whatever its radius and kind: see <b>Masses</b> above
      * @return its handle
      * @throws IllegalArgumentException where a value is out of range
      */
@@ -162,7 +165,8 @@ public final class World implements AutoCloseable {
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
-     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
+     *     whatever its radius and kind: see <b>Masses</b> above
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
      * @return its handle
@@ -178,7 +182,8 @@ public final class World implements AutoCloseable {
      * @param x x of the centre, within the bounds; a circle that crosses a wall is moved inside by the next step
      * @param y y of the centre, within the bounds
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
-     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass
+     * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
+     *     whatever its radius and kind: see <b>Masses</b> above
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
      * @param kind the number of its kind, 0 to 255
