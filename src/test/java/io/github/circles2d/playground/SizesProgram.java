@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -27,6 +28,9 @@ import javax.swing.SwingUtilities;
 final class SizesProgram {
     private static final List<Dimension> SIZES = List.of(
             new Dimension(420, 320), new Dimension(600, 700), new Dimension(1000, 800), new Dimension(1600, 1000));
+
+    private static final String MESSAGE =
+            "a message of some length, as that of a back end that goes on with the same hash";
 
     private final Path folder;
     private SessionLoop loop;
@@ -81,9 +85,7 @@ final class SizesProgram {
             window.setBounds(0, 0, size.width, size.height);
             window.validate();
         });
-        loop.ask(session ->
-                session.say("a message of some length, as that of a back end that goes on with the same hash"));
-        Thread.sleep(500);
+        becomesShown(MESSAGE);
         say(name + ", the window has its size", onEventThread(() -> window.getSize()
                 .equals(size)));
         say(name + ", all buttons are in the bar", onEventThread(this::areButtonsInTheBar));
@@ -99,8 +101,7 @@ final class SizesProgram {
                 onEventThread(() -> apart(canvas.hudLayout().panels())));
         System.out.println(name + ", graphs are shown: " + (canvas.hudLayout().steps() != null));
         save(name + " message");
-        loop.ask(session -> session.say(""));
-        Thread.sleep(300);
+        becomesShown("");
         say(
                 name + ", the figures are there",
                 onEventThread(() -> canvas.hudLayout().figures() != null));
@@ -116,6 +117,28 @@ final class SizesProgram {
             save(name + " help, its end");
         }
         SwingUtilities.invokeAndWait(canvas::hideHelp);
+    }
+
+    /** Waits until a frame with that message is painted. */
+    private void becomesShown(String message) throws Exception {
+        loop.ask(session -> session.say(message));
+        boolean shown = becomesTrue(() -> onEventThread(() -> {
+            boolean come = canvas.refresh().message.equals(message);
+            canvas.paintImmediately(0, 0, canvas.getWidth(), canvas.getHeight());
+            return come;
+        }));
+        say("the message '" + message + "' is shown", shown);
+    }
+
+    private static boolean becomesTrue(Callable<Boolean> condition) throws Exception {
+        long deadline = System.nanoTime() + TimeUnit.SECONDS.toNanos(30);
+        while (!condition.call()) {
+            if (System.nanoTime() > deadline) {
+                return false;
+            }
+            Thread.sleep(20);
+        }
+        return true;
     }
 
     private boolean areButtonsInTheBar() {
@@ -148,15 +171,13 @@ final class SizesProgram {
     }
 
     private void menus() throws Exception {
-        say("the scene is marked", marked(1).equals(List.of("pegs")));
+        say("the scene is marked", becomesTrue(() -> marked(1).equals(List.of("pegs"))));
         SwingUtilities.invokeAndWait(() -> item(1, "marbles").doClick());
-        Thread.sleep(500);
-        say("the next scene is marked", marked(1).equals(List.of("marbles")));
+        say("the next scene is marked", becomesTrue(() -> marked(1).equals(List.of("marbles"))));
         say("the back end is marked", marked(3).equals(List.of("JVM")));
         System.out.println("keys of the menus: " + keys());
         int step = onEventThread(() -> loop.latest().step);
-        Thread.sleep(300);
-        say("time runs", onEventThread(() -> loop.latest().step > step));
+        say("time runs", becomesTrue(() -> onEventThread(() -> loop.latest().step > step)));
         for (int menu = 0; menu < window.getJMenuBar().getMenuCount(); menu++) {
             for (JMenuItem item : items(menu)) {
                 if (!item.isEnabled()) {
