@@ -136,7 +136,9 @@ void listAll(World *w, local Local *l) {
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     // Several work-items a circle: there are more of them than circles.
-    EACH(item, SEEKERS * w->circles) seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), &l->findings);
+    EACH(item, SEEKERS * w->circles) {
+        seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), w->levels->haveSheets != 0, &l->findings);
+    }
     recordFindings(w, &l->findings, hasOneLevel(w));
     deviceBarrier(arrivals);
     scanAll(w, w->tally, w->groupStart, groups + 1, l->cells);

@@ -195,8 +195,26 @@ int inBlock(int column, int side, int most) {
     return min(min(blockEnd, side) - column, most + 1);
 }
 
-// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block.
-void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, Look look) {
+// Looks at so many columns of a row of cells, in one block or up to the seam, which are of one sheet.
+void lookAtCells(const World *w, const Runner *s, float reach, int level, int row, int column, int columns, const Sheets *sheets,
+                 int overX, int overY, Look look) {
+    global const int *start = w->bucketStart + w->levels->first[level] + (row << w->levels->columnsLog[level]) + column;
+    int width = sheets->known ? 1 : columns;
+    int key = sheets->known ? sheetKeyBeside(w, level, sheets, overX, overY) : 0;
+    for (int u = 0; u < columns; u += width) {
+        int2 slots = (int2)(start[u], start[u + width]);
+        if (sheets->known) slots = slotsOfSheet(w, slots.x, slots.y, key, true);
+        if (look == STOPS) {
+            meetNear(w, s, reach, slots.x, slots.y);
+        } else {
+            meetCarriers(w, s, slots.x, slots.y, look == CARRIERS);
+        }
+    }
+}
+
+// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block. sheets: of the first of them.
+void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets,
+            Look look) {
     int cl = w->levels->columnsLog[level];
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
@@ -210,13 +228,10 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
             float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
             if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
+                int overX = onRing(c0, columns) + (u - c0) >= columns ? 1 : 0;
+                int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
                 for (int r = row; r < row + rowsOfBlock; r++) {
-                    global const int *start = w->bucketStart + first + (r << cl) + column;
-                    if (look == STOPS) {
-                        meetNear(w, s, reach, start[0], start[columnsOfBlock]);
-                    } else {
-                        meetCarriers(w, s, start[0], start[columnsOfBlock], look == CARRIERS);
-                    }
+                    lookAtCells(w, s, reach, level, r, column, columnsOfBlock, sheets, overX, overY, look);
                 }
             }
             u += columnsOfBlock;
@@ -226,16 +241,16 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
 }
 
 // The same for stops, row by row: where there are several levels, few circles of a block move alike.
-void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1) {
+void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets) {
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
     int column = onRing(c0, columns);
     int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
     for (int v = r0; v <= r1; v++) {
-        int row = onRing(v, rows) << w->levels->columnsLog[level];
-        global const int *start = w->bucketStart + w->levels->first[level] + row;
-        meetNear(w, s, reach, start[column], start[beyond > 0 ? columns : columns + beyond]);
-        if (beyond > 0) meetNear(w, s, reach, start[0], start[beyond]);
+        int row = onRing(v, rows);
+        int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
+        lookAtCells(w, s, reach, level, row, column, (beyond > 0 ? columns : columns + beyond) - column, sheets, 0, overY, STOPS);
+        if (beyond > 0) lookAtCells(w, s, reach, level, row, 0, beyond, sheets, 1, overY, STOPS);
     }
 }
 
@@ -252,6 +267,8 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level,
     int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
     int r0 = rowFrom(w, level, below);
     int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
+    Sheets sheets = sheetsAt(w, level, left, below);
+    sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
     c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
     r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
 #ifdef BY_LANES
@@ -261,9 +278,9 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level,
     }
 #endif
     if (hasOneLevel(w)) {
-        lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
+        lookAt(w, s, reach, level, c0, c1, r0, r1, &sheets, STOPS);
     } else {
-        lookAtRows(w, s, reach, level, c0, c1, r0, r1);
+        lookAtRows(w, s, reach, level, c0, c1, r0, r1, &sheets);
     }
 }
 
@@ -354,8 +371,11 @@ void lookForCarriers(const World *w, int slot, Look look) {
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
             int c0 = columnFrom(w, level, left);
             int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
+            Sheets sheets = sheetsAt(w, level, left, below);
+            if (byPieces) sheets.y = v / rows;
+            sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
             c1 = min(c1, c0 + columns - 1);
-            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), look);
+            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), &sheets, look);
         }
     }
 }

@@ -306,7 +306,7 @@ public final class Simulation implements AutoCloseable {
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
             events.prepare(kindTable, constants);
-            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            levels.layOut(bounds, handles.greatestRadius(), handles.population(), handles.hasStatics());
             pipeline.step(constants, levels, steps);
         } else if (events.isOn()) {
             finishSteps();

@@ -57,6 +57,9 @@ public final class Contacts {
     /** By worker: the pairs that it has found. */
     private final FoundPairs[] found;
 
+    /** By worker: the circles around the one that it looks at. */
+    private final Nearby[] nearby;
+
     /** Number of contacts: those of circles of one level, and behind them the cross contacts. */
     int count;
 
@@ -95,7 +98,8 @@ public final class Contacts {
         impulseCache = new ImpulseCache(state);
         candidates = new Candidates(state, grid, levels);
         pairs = new Pairs(state, grid, levels, candidates);
-        cross = new CrossContacts(state, grid, levels, candidates, team);
+        nearby = Nearby.ofWorkers(grid, levels, team);
+        cross = new CrossContacts(state, grid, levels, candidates, team, nearby);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
@@ -148,7 +152,8 @@ public final class Contacts {
     /** Finds the pairs, but only a share of those in a crowd. */
     void findShare(int worker) {
         team.sync(worker); // all have asked for crowds before that changes
-        found[worker].most = candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
+        found[worker].most =
+                candidates.countAll(nearby[worker], team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         if (worker == 0) {
             wereCrowded = false;

@@ -29,6 +29,7 @@ final class CrossContacts {
     private final Team team;
     private final Sums sums;
     private final FoundCross[] found;
+    private final Nearby[] nearby;
 
     /** The circles that are heavy in some contact. */
     final HeavyCircles heavyCircles;
@@ -51,12 +52,13 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
-    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
+    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team, Nearby[] nearby) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.candidates = candidates;
         this.team = team;
+        this.nearby = nearby;
         sums = new Sums(team);
         heavyCircles = new HeavyCircles(state, team);
         found = new FoundCross[team.most()];
@@ -137,7 +139,7 @@ final class CrossContacts {
         for (int round = 0; round < team.rounds(); round++) {
             int end = team.to(state.n, worker, round);
             for (int slot = team.from(state.n, worker, round); slot < end && !f.overflowed; slot++) {
-                find(f, slot);
+                find(f, nearby[worker], slot);
             }
         }
         team.sync(worker);
@@ -244,12 +246,12 @@ final class CrossContacts {
     }
 
     /** Finds the contacts of a circle with those of coarser levels. */
-    private void find(FoundCross f, int slot) {
+    private void find(FoundCross f, Nearby near, int slot) {
         int before = f.count;
         int level = grid.level[slot];
         int fromFiner = 0;
         for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
-            findInCoarserLevel(f, slot, levels.used[k]);
+            findInCoarserLevel(f, near, slot, levels.used[k]);
         }
         if (f.hitCount == 0) {
             f.most = Math.max(f.most, candidates.countFound(slot, 0));
@@ -284,53 +286,22 @@ final class CrossContacts {
     }
 
     /** Looks in the cells of a coarser level in which a circle may lie whose speculative distance meets that of this one. */
-    private void findInCoarserLevel(FoundCross f, int slot, int level) {
+    private void findInCoarserLevel(FoundCross f, Nearby near, int slot, int level) {
         float x = state.circle[CircleRow.of(slot) + X];
         float y = state.circle[CircleRow.of(slot) + Y];
-        int columns = levels.columnCount[level];
-        int rows = levels.rowCount[level];
-        if (!levels.bounds.isWalled()) {
-            int column = GridLevels.neighbour(levels.column(x, level), -1, columns);
-            int row = GridLevels.neighbour(levels.row(y, level), -1, rows);
-            scan(f, slot, level, column, 3, row, 3);
-            return;
+        boolean withStatics = !state.isStatic(slot);
+        if (levels.bounds.isWalled()) {
+            float far = grid.speculativeDistance[slot] + reach[level];
+            near.begin(level, x - far, x + far, y - far, y + far, withStatics);
+        } else {
+            near.beginAround(level, x, y, withStatics);
         }
-        float far = grid.speculativeDistance[slot] + reach[level];
-        int column = levels.columnFrom(x - far, level);
-        int row = levels.rowFrom(y - far, level);
-        scan(
-                f,
-                slot,
-                level,
-                GridLevels.onRing(column, columns),
-                Math.min(levels.columnTo(x - far, x + far, level) - column + 1, columns),
-                GridLevels.onRing(row, rows),
-                Math.min(levels.rowTo(y - far, y + far, level) - row + 1, rows));
-    }
-
-    /** Looks in so many columns and rows of a level, from a first one of each on. */
-    private void scan(FoundCross f, int slot, int level, int firstColumn, int manyColumns, int firstRow, int manyRows) {
-        int[] start = grid.start;
-        int columns = levels.columnCount[level];
-        int rows = levels.rowCount[level];
-        int behindSeam = firstColumn + manyColumns - columns;
-        int row = firstRow;
-        for (int k = 0; k < manyRows; k++) {
-            int b = levels.rowStart(level, row);
-            if (behindSeam <= 0) {
-                scan(f, slot, start[b + firstColumn], start[b + firstColumn + manyColumns]);
-            } else {
-                scan(f, slot, start[b + firstColumn], start[b + columns]);
-                scan(f, slot, start[b], start[b + behindSeam]);
-            }
-            row = row + 1 < rows ? row + 1 : 0;
+        while (near.next()) {
+            scan(f, slot, near.from, near.to);
         }
     }
 
     private void scan(FoundCross f, int slot, int from, int to) {
-        if (from == to) {
-            return;
-        }
         int[] hits = f.ensureHits(to - from);
         float[] speculativeDistance = grid.speculativeDistance;
         float own = speculativeDistance[slot];

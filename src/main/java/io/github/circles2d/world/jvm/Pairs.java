@@ -35,6 +35,14 @@ public final class Pairs {
 
     /** Gathers the pairs of a group. */
     void find(FoundPairs f, int level, int column, int row) {
+        if (grid.hasSheets()) {
+            gather(f, findBySheet(f, level, column, row));
+        } else {
+            gather(f, findInAll(f, level, column, row));
+        }
+    }
+
+    private int findInAll(FoundPairs f, int level, int column, int row) {
         int[] start = grid.start;
         int nextColumn = GridLevels.neighbour(column, 1, levels.columnCount[level]);
         int own = levels.rowStart(level, row);
@@ -63,7 +71,77 @@ public final class Pairs {
                 count = scan(f, count, slot, start[above], start[above + 1]);
             }
         }
-        gather(f, count);
+        return count;
+    }
+
+    /** The same sheet by sheet. Static circles, the last of a sheet, are tested against those that are not alone. */
+    private int findBySheet(FoundPairs f, int level, int column, int row) {
+        int[] start = grid.start;
+        int nextColumn = GridLevels.neighbour(column, 1, levels.columnCount[level]);
+        int nextRow = GridLevels.neighbour(row, 1, levels.rowCount[level]);
+        int own = levels.rowStart(level, row);
+        int from = start[own + column];
+        int to = start[own + column + 1];
+        int rightFrom = start[own + nextColumn];
+        int rightTo = start[own + nextColumn + 1];
+        if (from == to && rightFrom == rightTo) {
+            return 0; // every pair has a circle in the group's own row
+        }
+        int overX = nextColumn == 0 ? 1 : 0;
+        int overY = nextRow == 0 ? 1 : 0;
+        int above = levels.rowStart(level, nextRow);
+        int aboveFrom = start[above + column];
+        int aboveTo = start[above + column + 1];
+        int beyondFrom = start[above + nextColumn];
+        int beyondTo = start[above + nextColumn + 1];
+        int count = 0;
+        for (int slot = from; slot < to; ) {
+            int moving = grid.movingEnd(slot, to, grid.sheet(slot));
+            int end = grid.sheetEnd(moving, to, grid.sheet(slot));
+            int rightSheet = grid.sheetBeside(slot, overX, 0);
+            int right = grid.sheetStart(rightFrom, rightTo, rightSheet);
+            int rightMoving = grid.movingEnd(right, rightTo, rightSheet);
+            int rightEnd = grid.sheetEnd(rightMoving, rightTo, rightSheet);
+            int aboveSheet = grid.sheetBeside(slot, 0, overY);
+            int up = grid.sheetStart(aboveFrom, aboveTo, aboveSheet);
+            int upMoving = grid.movingEnd(up, aboveTo, aboveSheet);
+            int upEnd = grid.sheetEnd(upMoving, aboveTo, aboveSheet);
+            int beyondSheet = grid.sheetBeside(slot, overX, overY);
+            int beyond = grid.sheetStart(beyondFrom, beyondTo, beyondSheet);
+            int beyondMoving = grid.movingEnd(beyond, beyondTo, beyondSheet);
+            int beyondEnd = grid.sheetEnd(beyondMoving, beyondTo, beyondSheet);
+            for (; slot < moving; slot++) {
+                count = scanBoth(f, count, slot, slot + 1, end, right, rightEnd);
+                count = scanBoth(f, count, slot, up, upEnd, beyond, beyondEnd);
+            }
+            for (; slot < end; slot++) {
+                count = scan(f, count, slot, right, rightMoving);
+                count = scanBoth(f, count, slot, up, upMoving, beyond, beyondMoving);
+            }
+        }
+        for (int slot = rightFrom; slot < rightTo; ) {
+            int moving = grid.movingEnd(slot, rightTo, grid.sheet(slot));
+            int end = grid.sheetEnd(moving, rightTo, grid.sheet(slot));
+            int sheet = grid.sheetBeside(slot, -overX, overY);
+            int up = grid.sheetStart(aboveFrom, aboveTo, sheet);
+            int upMoving = grid.movingEnd(up, aboveTo, sheet);
+            int upEnd = grid.sheetEnd(upMoving, aboveTo, sheet);
+            for (; slot < moving; slot++) {
+                count = scan(f, count, slot, up, upEnd);
+            }
+            for (; slot < end; slot++) {
+                count = scan(f, count, slot, up, upMoving);
+            }
+        }
+        return count;
+    }
+
+    /** Tests a circle against slots of two ranges, together if the second lies behind the first. */
+    private int scanBoth(FoundPairs f, int hitsBefore, int slot, int from, int to, int nextFrom, int nextTo) {
+        if (to == nextFrom) {
+            return scan(f, hitsBefore, slot, from, nextTo);
+        }
+        return scan(f, scan(f, hitsBefore, slot, from, to), slot, nextFrom, nextTo);
     }
 
     /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */

@@ -96,6 +96,11 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Number of circles. */
+    int size() {
+        return simulations[0].circles().size();
+    }
+
     void step(float dt, int steps) {
         for (Simulation simulation : simulations) {
             simulation.step(dt, steps);

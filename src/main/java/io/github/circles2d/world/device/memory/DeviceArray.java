@@ -39,6 +39,8 @@ public enum DeviceArray {
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
     RANK("int", "rank", Index.RANK, "by slot at home; later, where crowds are thinned, candidates by working slot"),
     ORDER("int2", "order", Index.SLOT, "id and slot at home, bucket by bucket"),
+    LISTED_SHEET("int", "listedSheet", Index.SLOT, "where there are sheets: as sheetKey, in the same order"),
+    SHEET_KEY("int", "sheetKey", Index.SLOT, "where there are sheets: see sheetKeyOf; 1 more of a static circle"),
     BUCKET_START("int", "bucketStart", Index.BUCKET, "first working slot"),
     BUCKET_OF("int", "bucketOf", Index.SLOT, "bucket of the working slot"),
     SIGHT(

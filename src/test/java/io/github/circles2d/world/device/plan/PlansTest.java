@@ -109,7 +109,7 @@ class PlansTest {
         // Three size classes apart, so that the levels do not join.
         counts[3 * (sizes - 1)] = circles;
         GridLevels levels = new GridLevels();
-        levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts);
+        levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
         return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false);
     }
