@@ -120,11 +120,24 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
         int first = onRing(c0, columns);
         int width = min(c1 - c0, columns - 1) + 1;
         int beforeEnd = min(width, columns - first);
+        Sheets sheets = sheetsAt(&w, level, left, below);
+        sheets.known = areSheetsKnown(&w, level, c1 - c0, r1 - r0);
         for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
             global const int *row =
                 w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
-            senseIn(&w, start, seeking, records, recordRoom, &s, row[first], row[first + beforeEnd]);
-            senseIn(&w, start, seeking, records, recordRoom, &s, row[0], row[width - beforeEnd]);
+            int overY = onRing(r0, rows) + v >= rows ? 1 : 0;
+            int many;
+            for (int u = 0; u < width; u += many) {
+                bool over = u >= beforeEnd;
+                many = sheets.known ? 1 : over ? width - u : beforeEnd;
+                global const int *cell_ = row + (over ? u - beforeEnd : first + u);
+                int2 slots_ = (int2)(cell_[0], cell_[many]);
+                if (sheets.known) {
+                    int key = sheetKeyBeside(&w, level, &sheets, over ? 1 : 0, overY);
+                    slots_ = slotsOfSheet(&w, slots_.x, slots_.y, key, !s.isStatic);
+                }
+                senseIn(&w, start, seeking, records, recordRoom, &s, slots_.x, slots_.y);
+            }
         }
     }
 }
