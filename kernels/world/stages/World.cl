@@ -225,8 +225,9 @@ int sheetKeyOf(const World *w, int atLevel, int sheetX, int sheetY) {
 }
 
 // Those of the slots [from, to) of a bucket that are of a sheet: all, or without static circles. A sheet has few in a bucket, or the
-// caller looks at each of them anyway.
+// caller looks at each of them anyway. If the bucket has few, all.
 int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics) {
+    if (withStatics && to - from <= FEW) return (int2)(from, to);
     int low = from;
     int high = to;
     while (low < high) {

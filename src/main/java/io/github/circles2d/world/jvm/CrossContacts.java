@@ -287,6 +287,10 @@ final class CrossContacts {
 
     /** Looks in the cells of a coarser level in which a circle may lie whose speculative distance meets that of this one. */
     private void findInCoarserLevel(FoundCross f, Nearby near, int slot, int level) {
+        if (!levels.folded[level] && !(grid.hasSheets() && state.isStatic(slot))) {
+            findInRows(f, slot, level);
+            return;
+        }
         float x = state.circle[CircleRow.of(slot) + X];
         float y = state.circle[CircleRow.of(slot) + Y];
         boolean withStatics = !state.isStatic(slot);
@@ -301,7 +305,54 @@ final class CrossContacts {
         }
     }
 
+    /** The same row by row: a walk that knows of sheets takes longer. */
+    private void findInRows(FoundCross f, int slot, int level) {
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        if (!levels.bounds.isWalled()) {
+            int column = GridLevels.neighbour(levels.column(x, level), -1, columns);
+            int row = GridLevels.neighbour(levels.row(y, level), -1, rows);
+            scan(f, slot, level, column, 3, row, 3);
+            return;
+        }
+        float far = grid.speculativeDistance[slot] + reach[level];
+        int column = levels.columnFrom(x - far, level);
+        int row = levels.rowFrom(y - far, level);
+        scan(
+                f,
+                slot,
+                level,
+                GridLevels.onRing(column, columns),
+                Math.min(levels.columnTo(x - far, x + far, level) - column + 1, columns),
+                GridLevels.onRing(row, rows),
+                Math.min(levels.rowTo(y - far, y + far, level) - row + 1, rows));
+    }
+
+    /** Looks in so many columns and rows of a level, from a first one of each on. */
+    private void scan(FoundCross f, int slot, int level, int firstColumn, int manyColumns, int firstRow, int manyRows) {
+        int[] start = grid.start;
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int behindSeam = firstColumn + manyColumns - columns;
+        int row = firstRow;
+        for (int k = 0; k < manyRows; k++) {
+            int b = levels.rowStart(level, row);
+            if (behindSeam <= 0) {
+                scan(f, slot, start[b + firstColumn], start[b + firstColumn + manyColumns]);
+            } else {
+                scan(f, slot, start[b + firstColumn], start[b + columns]);
+                scan(f, slot, start[b], start[b + behindSeam]);
+            }
+            row = row + 1 < rows ? row + 1 : 0;
+        }
+    }
+
     private void scan(FoundCross f, int slot, int from, int to) {
+        if (from == to) {
+            return;
+        }
         int[] hits = f.ensureHits(to - from);
         float[] speculativeDistance = grid.speculativeDistance;
         float own = speculativeDistance[slot];

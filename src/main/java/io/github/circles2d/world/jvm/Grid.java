@@ -115,9 +115,6 @@ public final class Grid {
         Arrays.fill(start, team.part(buckets, worker), team.part(buckets, worker + 1), 0);
         team.sync(worker);
         count(team.part(n, worker), team.part(n, worker + 1));
-        if (sheets) {
-            setSheets(team.part(n, worker), team.part(n, worker + 1));
-        }
         team.sync(worker);
         sums.sumUp(worker, start, buckets);
         scatter(team.part(n, worker), team.part(n, worker + 1));
@@ -139,27 +136,37 @@ public final class Grid {
     private void count(int from, int to) {
         float[] circle = state.circle;
         boolean shared = team.size() > 1;
+        boolean bySheet = sheets;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
-            int bucket = bucket(circle[s + X], circle[s + Y], levels.level(circle[s + RADIUS]));
+            int atLevel = levels.level(circle[s + RADIUS]);
+            int bucket;
+            if (bySheet) {
+                bucket = bucketAndSheet(slot, circle[s + X], circle[s + Y], atLevel);
+            } else {
+                bucket = bucket(circle[s + X], circle[s + Y], atLevel);
+            }
             bucketBefore[slot] = bucket;
             rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
     }
 
-    private void setSheets(int from, int to) {
-        for (int slot = from; slot < to; slot++) {
-            int s = CircleRow.of(slot);
-            int atLevel = levels.level(state.circle[s + RADIUS]);
-            sheetKeyBefore[slot] =
-                    sheetKey(state.circle[s + X], state.circle[s + Y], atLevel) + (state.isStatic(slot) ? 1 : 0);
+    /** The bucket of a place; notes the sheet. With walls one division gives both. */
+    private int bucketAndSheet(int slot, float x, float y, int atLevel) {
+        int isStatic = state.isStatic(slot) ? 1 : 0;
+        if (!levels.folded[atLevel] || !levels.bounds.isWalled()) {
+            sheetKeyBefore[slot] = levels.sheetKey(x, y, atLevel) + isStatic;
+            return bucket(x, y, atLevel);
         }
-    }
-
-    private int sheetKey(float x, float y, int atLevel) {
-        return levels.folded[atLevel]
-                ? levels.sheetKey(atLevel, levels.sheetX(x, atLevel), levels.sheetY(y, atLevel))
-                : 0;
+        int cellX = CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]);
+        int cellY = CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]);
+        int sheetX = cellX / levels.columnCount[atLevel];
+        int sheetY = cellY / levels.rowCount[atLevel];
+        sheetKeyBefore[slot] = levels.sheetKey(atLevel, sheetX, sheetY) + isStatic;
+        int row = cellY - sheetY * levels.rowCount[atLevel];
+        return levels.first[atLevel]
+                + (cellX - sheetX * levels.columnCount[atLevel])
+                + (row << levels.columnsLog[atLevel]);
     }
 
     private int bucket(float x, float y, int atLevel) {
@@ -321,6 +328,44 @@ public final class Grid {
             low++;
         }
         return low;
+    }
+
+    /** Whether all circles look at the slots [from, to) of a bucket as a whole: few, or of a level that is not folded, and none static. */
+    boolean isPlain(int from, int to, int ofLevel) {
+        boolean fewSheets = to - from <= GridLevels.FEW || !levels.folded[ofLevel];
+        return fewSheets && (from == to || !levels.hasStatics || ((sheetKey[from] | sheetKey[to - 1]) & 1) == 0);
+    }
+
+    /**
+     * What a circle that is not static looks at of the slots [from, to) of a bucket: those of the sheet that its own has behind (1) or
+     * before (-1) the seams, or not behind any (0); all of them if they are few. {@link #from} and {@link #to} unpack it.
+     */
+    long slotsBeside(int slot, int overX, int overY, int from, int to) {
+        if (to - from <= GridLevels.FEW) {
+            return range(from, to);
+        }
+        int sheet = sheetBeside(slot, overX, overY);
+        int start = sheetStart(from, to, sheet);
+        return range(start, sheetEnd(start, to, sheet));
+    }
+
+    /** The same for a static circle. */
+    long movingBeside(int slot, int overX, int overY, int from, int to) {
+        int sheet = sheetBeside(slot, overX, overY);
+        int start = sheetStart(from, to, sheet);
+        return range(start, movingEnd(start, to, sheet));
+    }
+
+    private static long range(int from, int to) {
+        return (long) from << 32 | to;
+    }
+
+    static int from(long range) {
+        return (int) (range >>> 32);
+    }
+
+    static int to(long range) {
+        return (int) range;
     }
 
     /** The end of a sheet's slots that begin at one, up to the end of its bucket. */

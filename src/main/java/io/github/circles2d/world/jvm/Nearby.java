@@ -162,7 +162,7 @@ final class Nearby {
             columnsSeen += width;
             from = grid.start[bucket];
             to = grid.start[bucket + width];
-            if (bySheet && from < to) {
+            if (bySheet && (withStatics ? to - from > GridLevels.FEW : from < to)) {
                 int own = sheet[beyond | (isBeyond ? 1 : 0) | (row < firstRow ? 2 : 0)];
                 from = grid.sheetStart(from, to, own);
                 to = withStatics ? grid.sheetEnd(from, to, own) : grid.movingEnd(from, to, own);

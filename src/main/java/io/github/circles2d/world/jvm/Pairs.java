@@ -35,14 +35,6 @@ public final class Pairs {
 
     /** Gathers the pairs of a group. */
     void find(FoundPairs f, int level, int column, int row) {
-        if (grid.hasSheets()) {
-            gather(f, findBySheet(f, level, column, row));
-        } else {
-            gather(f, findInAll(f, level, column, row));
-        }
-    }
-
-    private int findInAll(FoundPairs f, int level, int column, int row) {
         int[] start = grid.start;
         int nextColumn = GridLevels.neighbour(column, 1, levels.columnCount[level]);
         int own = levels.rowStart(level, row);
@@ -53,6 +45,14 @@ public final class Pairs {
         int rightTo = start[own + nextColumn + 1];
         int aboveFrom = start[above + column];
         int aboveTo = start[above + column + 1];
+        if (grid.hasSheets()
+                && !(grid.isPlain(from, to, level)
+                        && grid.isPlain(rightFrom, rightTo, level)
+                        && grid.isPlain(aboveFrom, aboveTo, level)
+                        && grid.isPlain(start[above + nextColumn], start[above + nextColumn + 1], level))) {
+            gather(f, findBySheet(f, level, column, row));
+            return;
+        }
         int count = 0;
         for (int slot = rightFrom; slot < rightTo; slot++) {
             count = scan(f, count, slot, aboveFrom, aboveTo);
@@ -71,7 +71,7 @@ public final class Pairs {
                 count = scan(f, count, slot, start[above], start[above + 1]);
             }
         }
-        return count;
+        gather(f, count);
     }
 
     /** The same sheet by sheet. Static circles, the last of a sheet, are tested against those that are not alone. */
@@ -95,42 +95,47 @@ public final class Pairs {
         int beyondFrom = start[above + nextColumn];
         int beyondTo = start[above + nextColumn + 1];
         int count = 0;
+        int restTo = to - from <= GridLevels.FEW ? to : 0;
         for (int slot = from; slot < to; ) {
             int moving = grid.movingEnd(slot, to, grid.sheet(slot));
-            int end = grid.sheetEnd(moving, to, grid.sheet(slot));
-            int rightSheet = grid.sheetBeside(slot, overX, 0);
-            int right = grid.sheetStart(rightFrom, rightTo, rightSheet);
-            int rightMoving = grid.movingEnd(right, rightTo, rightSheet);
-            int rightEnd = grid.sheetEnd(rightMoving, rightTo, rightSheet);
-            int aboveSheet = grid.sheetBeside(slot, 0, overY);
-            int up = grid.sheetStart(aboveFrom, aboveTo, aboveSheet);
-            int upMoving = grid.movingEnd(up, aboveTo, aboveSheet);
-            int upEnd = grid.sheetEnd(upMoving, aboveTo, aboveSheet);
-            int beyondSheet = grid.sheetBeside(slot, overX, overY);
-            int beyond = grid.sheetStart(beyondFrom, beyondTo, beyondSheet);
-            int beyondMoving = grid.movingEnd(beyond, beyondTo, beyondSheet);
-            int beyondEnd = grid.sheetEnd(beyondMoving, beyondTo, beyondSheet);
-            for (; slot < moving; slot++) {
-                count = scanBoth(f, count, slot, slot + 1, end, right, rightEnd);
-                count = scanBoth(f, count, slot, up, upEnd, beyond, beyondEnd);
+            int end = levels.hasStatics ? grid.sheetEnd(moving, to, grid.sheet(slot)) : moving;
+            if (slot < moving) {
+                int restEnd = Math.max(end, restTo);
+                long right = grid.slotsBeside(slot, overX, 0, rightFrom, rightTo);
+                long up = grid.slotsBeside(slot, 0, overY, aboveFrom, aboveTo);
+                long beyond = grid.slotsBeside(slot, overX, overY, beyondFrom, beyondTo);
+                for (; slot < moving; slot++) {
+                    count = scanBoth(f, count, slot, slot + 1, restEnd, Grid.from(right), Grid.to(right));
+                    count = scanBoth(f, count, slot, Grid.from(up), Grid.to(up), Grid.from(beyond), Grid.to(beyond));
+                }
             }
-            for (; slot < end; slot++) {
-                count = scan(f, count, slot, right, rightMoving);
-                count = scanBoth(f, count, slot, up, upMoving, beyond, beyondMoving);
+            if (slot < end) {
+                long right = grid.movingBeside(slot, overX, 0, rightFrom, rightTo);
+                long up = grid.movingBeside(slot, 0, overY, aboveFrom, aboveTo);
+                long beyond = grid.movingBeside(slot, overX, overY, beyondFrom, beyondTo);
+                for (; slot < end; slot++) {
+                    count = scan(f, count, slot, Grid.from(right), Grid.to(right));
+                    count = scanBoth(f, count, slot, Grid.from(up), Grid.to(up), Grid.from(beyond), Grid.to(beyond));
+                }
             }
+        }
+        if (aboveFrom == aboveTo) {
+            return count;
         }
         for (int slot = rightFrom; slot < rightTo; ) {
             int moving = grid.movingEnd(slot, rightTo, grid.sheet(slot));
-            int end = grid.sheetEnd(moving, rightTo, grid.sheet(slot));
-            int sheet = grid.sheetBeside(slot, -overX, overY);
-            int up = grid.sheetStart(aboveFrom, aboveTo, sheet);
-            int upMoving = grid.movingEnd(up, aboveTo, sheet);
-            int upEnd = grid.sheetEnd(upMoving, aboveTo, sheet);
-            for (; slot < moving; slot++) {
-                count = scan(f, count, slot, up, upEnd);
+            int end = levels.hasStatics ? grid.sheetEnd(moving, rightTo, grid.sheet(slot)) : moving;
+            if (slot < moving) {
+                long up = grid.slotsBeside(slot, -overX, overY, aboveFrom, aboveTo);
+                for (; slot < moving; slot++) {
+                    count = scan(f, count, slot, Grid.from(up), Grid.to(up));
+                }
             }
-            for (; slot < end; slot++) {
-                count = scan(f, count, slot, up, upMoving);
+            if (slot < end) {
+                long up = grid.movingBeside(slot, -overX, overY, aboveFrom, aboveTo);
+                for (; slot < end; slot++) {
+                    count = scan(f, count, slot, Grid.from(up), Grid.to(up));
+                }
             }
         }
         return count;

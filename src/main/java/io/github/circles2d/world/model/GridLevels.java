@@ -18,9 +18,9 @@ package io.github.circles2d.world.model;
  * Other patterns remain, as in every torus: a line of circles goes round in a few buckets.
  *
  * <p>So a bucket keeps the circles of different cells apart. The torus lies on the arena in sheets: the sheet of a cell is its column
- * div W and its row div H. A bucket of such a level, which is <em>folded</em>, has its circles in the order of {@link #sheetKey}, and
- * within a sheet those that are not static come first. So a circle looks at those of its own cell and of the cells around it alone,
- * and a static one stops where static ones begin.
+ * div W and its row div H. A level of many sheets is {@link #folded}: there a bucket has its circles in the order of {@link #sheetKey}.
+ * A circle looks at the sheet of a cell alone, or at the whole bucket if that has {@link #FEW}. Static circles come last in a sheet, of
+ * any level, and a static circle stops where they begin.
  *
  * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number
  * of times as many cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has
@@ -38,6 +38,9 @@ public final class GridLevels {
 
     private static final int GREATEST_SIDE_LOG = 15;
 
+    /** A circle that is not static looks at a bucket of no more circles as a whole, which is faster than to look for its sheet. */
+    public static final int FEW = 2;
+
     /** A number of sheets: they never begin again. */
     public static final int ENDLESS = 0;
 
@@ -49,7 +52,7 @@ public final class GridLevels {
     /** The same along y. */
     public static final int SHEET_Y_FACTOR = 0x85ebca77;
 
-    /** How many times as many columns (or rows) as the torus an arena has before their number is made for lattices. */
+    /** How many times as many columns (or rows) as the torus an arena has before it is made for lattices and lines. */
     private static final int WRAPS = 4;
 
     /** Sides below this are powers of two in any case. */
@@ -116,7 +119,10 @@ public final class GridLevels {
     /** The same along y. */
     public final int[] unitsY = new int[COUNT];
 
-    /** Whether far cells share buckets, by level. */
+    /**
+     * Whether many far cells share a bucket, by level: along some axis the torus goes round more than {@link #WRAPS} times. Otherwise a
+     * bucket has few circles unless they lie close anyway, and to keep them apart would cost more than to look at them.
+     */
     public final boolean[] folded = new boolean[COUNT];
 
     /** Number of sheets along x after which they begin again, by level; {@link #ENDLESS} but for an axis that wraps. */
@@ -251,9 +257,9 @@ public final class GridLevels {
 
     private boolean isFolded(AxisEdge edge, float min, float max, int level, int side, int sheets) {
         return switch (edge) {
-            case WALL -> CircleMath.cell(max, min, inverseEdge[level]) >= side;
+            case WALL -> CircleMath.cell(max, min, inverseEdge[level]) >= WRAPS * side;
             case OPEN -> true;
-            case WRAP -> sheets > 1;
+            case WRAP -> sheets > WRAPS;
         };
     }
 
@@ -395,6 +401,11 @@ public final class GridLevels {
      */
     public int sheetKey(int level, int sheetX, int sheetY) {
         return folded[level] ? 2 * (sheetX * SHEET_X_FACTOR + sheetY * SHEET_Y_FACTOR) : 0;
+    }
+
+    /** The same of the sheet of a place. */
+    public int sheetKey(float x, float y, int level) {
+        return folded[level] ? sheetKey(level, sheetX(x, level), sheetY(y, level)) : 0;
     }
 
     /** The column of a coordinate where a range begins; {@link #onRing} gives that of the torus. */

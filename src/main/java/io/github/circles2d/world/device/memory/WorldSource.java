@@ -38,6 +38,7 @@ public final class WorldSource {
                 .define("EDGE_WALL", AxisEdge.WALL.ordinal())
                 .define("EDGE_OPEN", AxisEdge.OPEN.ordinal())
                 .define("LEVELS", GridLevels.COUNT)
+                .define("FEW", GridLevels.FEW)
                 .define("ENDLESS", GridLevels.ENDLESS)
                 .define("SHEET_X_FACTOR", GridLevels.SHEET_X_FACTOR)
                 .define("SHEET_Y_FACTOR", GridLevels.SHEET_Y_FACTOR)
