@@ -216,15 +216,19 @@ class SheetsTest {
         }
     }
 
-    /** A circle that moves or is static or both, some so fast that it looks ahead; one in thirty is several times as large. */
+    /**
+     * A circle that moves or is static or both, some so fast that they look ahead; one in thirty is several times as large. Static ones
+     * may cross half of the torus in a step.
+     */
     private static void addAny(Twins twins, Random random, int large, float x, float y) {
         float radius = SparseArena.RADIUS * (0.8f + 0.2f * random.nextFloat()) * (random.nextInt(30) == 0 ? large : 1);
-        float speed = radius * (random.nextInt(8) == 0 ? 500 : 5);
+        boolean isStatic = random.nextInt(4) == 0;
+        float speed = radius * (random.nextInt(8) == 0 ? isStatic ? 3000 : 500 : 5);
         twins.add(
                 x,
                 y,
                 radius,
-                random.nextInt(4) == 0 ? STATIC : 1,
+                isStatic ? STATIC : 1,
                 0.5f,
                 speed * (random.nextFloat() - 0.5f),
                 speed * (random.nextFloat() - 0.5f));
