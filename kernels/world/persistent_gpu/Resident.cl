@@ -136,7 +136,9 @@ void listAll(World *w, local Local *l) {
     if (get_local_id(0) == 0) l->findings.count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
     // Several work-items a circle: there are more of them than circles.
-    EACH(item, SEEKERS * w->circles) seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), &l->findings);
+    EACH(item, SEEKERS * w->circles) {
+        seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), w->levels->haveSheets != 0, &l->findings);
+    }
     recordFindings(w, &l->findings, hasOneLevel(w));
     deviceBarrier(arrivals);
     scanAll(w, w->tally, w->groupStart, groups + 1, l->cells);
@@ -224,24 +226,62 @@ void solveAll(World *w, local Tile *t) {
 }
 
 #ifdef RECORDING
-// Records what touches after a step, and waits for it: the next step would take its place.
-void recordAll(const World *w) {
-    int tiles = w->levels->tileCount;
-    bool all = recordsAll(w);
-    int held = 0;
-    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) held += recordTile(w, tile, all);
-    endRecords(w, all, held + recordCrossContacts(w, all));
-    recordWallsOfSlots(w, (int) get_global_id(0), (int) get_global_size(0));
-    deviceBarrier(w->status + ARRIVALS);
+// Work-items that find the place of an event.
+#define RANKERS 16
+
+// Counts the events of a step that come before one of them, in one of several parts.
+void rankEvent(const World *w, int k, int part, int drafts) {
+    const Reporting *r = &w->reporting;
+    int4 own = r->drafts[3 * k];
+    int before = 0;
+    for (int i = part; i < drafts; i += RANKERS) before += comesBefore(r->drafts[3 * i], own);
+    if (before > 0) atomic_add(&r->eventOrder[k], before);
 }
+
+// Decides what a step reports: the phases of Events.cl, but the place of each event is found by comparing it with all: there are so few
+// that this costs less than barriers. sensing: whether the host has pairs looked for that are only sensed, and the phases behind that
+// made. Returns whether the step waits for the host.
+bool reportAll(const World *w, bool sensing) {
+    volatile global int *arrivals = w->status + ARRIVALS;
+    const Reporting *r = &w->reporting;
+    int first = (int) get_global_id(0);
+    int each = (int) get_global_size(0);
+    int tiles = w->levels->tileCount;
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) tellOfTile(w, tile);
+    tellOfCrossContacts(w, first, each);
+    tellOfWalls(w, first, each);
+    deviceBarrier(arrivals);
+    EACH(place, sensing ? 0 : r->mask + 1) tellOfEnds(w, place);
+    deviceBarrier(arrivals);
+    bool lacks = !sensing && lacksEventRoom(w);
+    int drafts = sensing ? 0 : min(w->status[DRAFTS], r->room);
+    int settled = lacks ? 0 : drafts;
+    if (lacks && first == 0) noteLackOfEventRoom(w);
+    EACH(item, RANKERS * settled) rankEvent(w, item / RANKERS, item % RANKERS, drafts);
+    EACH(k, lacks || sensing ? 0 : w->status[NEWCOMERS]) addTouching(w, r->newcomers[k]);
+    deviceBarrier(arrivals);
+    EACH(k, drafts) r->eventTally[r->drafts[3 * k].x] = 0;
+    EACH(k, settled) writeEventAt(w, k, r->eventOrder[k]);
+    if (!lacks && !sensing && first == 0) writeHeader(w);
+    return lacks;
+}
+#endif
+
+#ifdef RECORDING
+#define DECIDING_PARAMETERS RECORDING_PARAMETERS REPORTING_PARAMETERS, int sensing
+#else
+#define DECIDING_PARAMETERS
 #endif
 
 // Index space: no more work-groups than run at once, of RESIDENT_GROUP. steps: how many to make, unless one is out of room. No
 // reqd_work_group_size: NVIDIA's compiler would make room for two work-groups on a compute unit, with 128 registers and many
 // spills. One is all that runs there.
-kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS) {
+kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps DECIDING_PARAMETERS) {
     World w = WORLD;
+#ifdef RECORDING
     RECORD_IN(w);
+    REPORT_IN(w);
+#endif
     local Local l;
     w.k.sweeping = 1; // these steps take fast circles
     w.k.tiled = 1;
@@ -252,14 +292,20 @@ kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps RECORDING_PARAMETERS
     for (int step = 0; step < steps; step++) {
         listAll(&w, &l);
         if (refused(&w)) break;
+#ifdef RECORDING
+        // All have left the events of the step before, and many barriers follow.
+        if (get_global_id(0) == 0 && !sensing) startEvents(&w);
+#endif
         int contacts = likeContacts(&w);
         solveAll(&w, &l.tile);
-#ifdef RECORDING
-        recordAll(&w);
-#endif
-        // Shares the barrier of the next step's beginning, or of the end of the launch.
+        // Shares a barrier that follows: of events, of the next step's beginning, or of the end of the launch.
         EACH(c, contacts) storeHeldImpulse(&w, c);
         if (get_global_id(0) == 0) status[STEPS_DONE]++;
+#ifdef RECORDING
+        if (reportAll(&w, sensing != 0)) steps = 0;
+        w.reporting.step++;
+        w.reporting.starting = 0;
+#endif
         w.slots = w.circles;
         w.warmScale = 1.0f;
     }

@@ -1,4 +1,4 @@
-// uses: world/shared/Real.cl world/stages/Scan.cl
+// uses: world/shared/Arithmetic.cl world/stages/Scan.cl
 // A tree of boxes over the circles at home, for queries, as the Java class CircleTree has on the host: sixteen circles in a row share
 // a box, four boxes in a row share a box of the next level, up to one. The circles are sorted by cells of a grid over all of them,
 // in the order of a Hilbert curve. Within a cell they lie in the order in which work-items met; no query's answer depends on it.

@@ -1,4 +1,4 @@
-// uses: world/shared/Real.cl
+// uses: world/shared/Arithmetic.cl
 // Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
 // only + - * / sqrt floor, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
 

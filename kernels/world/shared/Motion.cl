@@ -2,9 +2,9 @@
 // The motion of a circle through a sub-step, walls included: velocities, then, after the biased pass over the contacts,
 // positions; and its state at the end of the step.
 
-// The velocity before any impulse. m: motion; driving: whether that of the step is not 0.
-INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m, bool driving) {
-    if (driving) return drivenVelocity(w, w->id[slot], invMass, m);
+// The velocity before any impulse. m: motion.
+INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
+    if (w->k.driving != 0) return drivenVelocity(w, w->id[slot], invMass, m);
     return (float2)(m.z + w->k.gravityStepX, m.w + w->k.gravityStepY);
 }
 
@@ -20,7 +20,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
         *loaded = false;
         return;
     }
-    *before = beforeImpulses(w, slot, t->x, *m, k->driving != 0);
+    *before = beforeImpulses(w, slot, t->x, *m);
     *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
     // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
     // fewer work-groups at once, although few circles are at walls.
@@ -45,12 +45,11 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
 }
 
 // integrateVelocities for a circle that no wall pushes, as long as none begins to: gives the velocities, and returns false if a
-// wall may have to be visited. m: its motion; impulses: their sum; driving: whether that of the step is not 0, so that a loop over
-// circles can decide that once.
-INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, bool driving,
-                              float2 *before, float2 *v) {
+// wall may have to be visited. m: its motion; impulses: their sum.
+INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
+                              float2 *v) {
     const StepConstants *k = &w->k;
-    *before = beforeImpulses(w, slot, invMass, m, driving);
+    *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
     // Adding zeros, as the visits would: the signs of zeros are part of the state.
     *v = next + noWalls(k, c);
@@ -165,18 +164,6 @@ void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2
     bool isStatic = t->x == 0.0f;
     *m = integratePositions(w, slot, c, *m, isStatic);
     if (!isStatic) relaxAtWalls(w, c, m, t, bounce, loaded);
-}
-
-// moveCircle for a circle that has no impulse of walls and bounces off none, as long as it stays within its motion clamp and away
-// from the walls: returns false if it may not.
-INLINE bool moveOffWalls(const World *w, int slot, float4 c, float4 m, float4 *moved) {
-    const StepConstants *k = &w->k;
-    *moved = movedFreely(k, m);
-    float allowance = allowanceOf(w, slot, c.z);
-    float x = c.x + moved->x;
-    float y = c.y + moved->y;
-    return (x >= k->minX + c.z) & (x <= k->maxX - c.z) & (y >= k->minY + c.z) & (y <= k->maxY - c.z) &
-           (moved->x * moved->x + moved->y * moved->y <= allowance * fabs(allowance)) & wallsAreApart(k, c, *moved);
 }
 
 #ifdef EDGES

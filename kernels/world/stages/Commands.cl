@@ -49,6 +49,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeTraits[slot].z = 0.0f;
             w.homeTraits[slot].w = 0.0f;
             break;
+        case COMMAND_GROW:
+            w.homeCircle[slot].z = a;
+            break;
         case COMMAND_MASS:
             w.homeCircle[slot].w = a;
             w.homeTraits[slot].x = inverseMass(a);

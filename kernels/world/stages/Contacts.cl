@@ -117,6 +117,34 @@ Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
     return pieceOfRanges(from, to);
 }
 
+// The slots of the cell that is u columns and v rows from the seeker's own: of its sheet alone, and for a static seeker without static
+// circles.
+int2 slotsBeside(const World *w, const Seeker *s, const Sheets *sheets, int u, int v) {
+    int columns = w->levels->columnCount[s->level];
+    int rows = w->levels->rowCount[s->level];
+    int column = neighbour(s->column, u, columns);
+    int row = neighbour(s->row, v, rows);
+    int overX = (s->column + u >= columns) - (s->column + u < 0);
+    int overY = (s->row + v >= rows) - (s->row + v < 0);
+    global const int *start = w->bucketStart + w->levels->first[s->level] + (row << w->levels->columnsLog[s->level]) + column;
+    return slotsOfSheet(w, start[0], start[1], sheetKeyBeside(w, s->level, sheets, overX, overY), s->inverseMass != 0.0f);
+}
+
+// As pieceOf by sheets: the three cells v rows above the seeker; or what is left of its own one and the next.
+Piece pieceOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
+    Sheets sheets = sheetsAt(w, s->level, s->x, s->y);
+    int2 left = isOwnRow ? (int2)(0) : slotsBeside(w, s, &sheets, -1, v);
+    int2 middle = slotsBeside(w, s, &sheets, 0, v);
+    int2 right = slotsBeside(w, s, &sheets, 1, v);
+    if (isOwnRow) middle.x = s->slot + 1;
+    return pieceOfRanges((int4)(left.x, middle.x, right.x, 0), (int4)(left.y, middle.y, right.y, 0));
+}
+
+// Whether a seeker looks at each cell of a level by itself. haveSheets: whether there are any, which the kernel may know.
+bool looksBySheet(const World *w, const Seeker *s, bool haveSheets) {
+    return haveSheets && (w->levels->folded[s->level] || s->inverseMass == 0.0f);
+}
+
 // Looks at a piece of the neighbourhood, in one loop. found: null where it is but to be known how many there are.
 void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
     int count = piece->end.w;
@@ -165,25 +193,32 @@ void seekIn(const World *w, Seeker *s, int atLevel) {
 }
 
 // Looks in the cells around a circle. In its own level, half of them, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
-void seekAround(const World *w, Seeker *s, int atLevel, int own, local Findings *found) {
+// haveSheets: whether there are any, which kernels know: those of worlds without have registers less.
+INLINE void seekAround(const World *w, Seeker *s, int atLevel, int own, bool haveSheets, local Findings *found) {
     seekIn(w, s, atLevel);
     bool inOwnLevel = atLevel == own;
+    bool bySheet = looksBySheet(w, s, haveSheets);
 #pragma unroll 1
-    for (int v = inOwnLevel ? 1 : -1; v <= 1; v++) {
-        Piece piece = pieceOf(w, s, v, inOwnLevel);
+    for (int v = inOwnLevel ? (bySheet ? 0 : 1) : -1; v <= 1; v++) {
+        Piece piece;
+        if (bySheet) {
+            piece = pieceOfSheets(w, s, v, inOwnLevel && v == 0);
+        } else {
+            piece = pieceOf(w, s, v, inOwnLevel);
+        }
         seek(w, s, &piece, found);
     }
 }
 
 // Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
-void seekAll(const World *w, int slot, int part, int parts, bool oneLevel, local Findings *found) {
+INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel, bool haveSheets, local Findings *found) {
     Seeker s = seekerOf(w, slot, oneLevel);
     s.part = part;
     s.parts = parts;
     int own = levelOfSlot(w, slot);
 #pragma unroll 1
     for (int l = w->levels->usedCount - 1; l >= 0 && w->levels->used[l] <= own; l--) {
-        seekAround(w, &s, w->levels->used[l], own, found);
+        seekAround(w, &s, w->levels->used[l], own, haveSheets, found);
     }
 }
 
@@ -209,12 +244,16 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     int sum = 0;
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
         seekIn(&w, &s, levels->used[l]);
+        bool bySheet = looksBySheet(&w, &s, levels->haveSheets != 0);
+        Sheets sheets = sheetsAt(&w, s.level, s.x, s.y);
         int cl = levels->columnsLog[s.level];
         for (int v = -1; v <= 1; v++) {
             int row = levels->first[s.level] + (neighbour(s.row, v, levels->rowCount[s.level]) << cl);
             for (int u = -1; u <= 1; u++) {
                 int b = row + neighbour(s.column, u, levels->columnCount[s.level]);
-                sum += candidatesIn(&w, &s, w.bucketStart[b], w.bucketStart[b + 1]);
+                int2 slots = (int2)(w.bucketStart[b], w.bucketStart[b + 1]);
+                if (bySheet) slots = slotsBeside(&w, &s, &sheets, u, v);
+                sum += candidatesIn(&w, &s, slots.x, slots.y);
             }
         }
     }
@@ -222,35 +261,58 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out. Index
-// space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out.
+INLINE void countContacts(const World *w, bool haveSheets, local Findings *found) {
+    int slot = (int) get_global_id(0);
+    if (get_local_id(0) == 0) found->count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (slot < w->circles && !tooFast(w) && !gridIsEmpty(w)) {
+        seekAll(w, slot, 0, 1, true, haveSheets, found);
+    }
+    recordFindings(w, found, true);
+}
+
+// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells.
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    int slot = (int) get_global_id(0);
-    if (get_local_id(0) == 0) found.count = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (slot < circles && !tooFast(&w) && !gridIsEmpty(&w)) {
-        seekAll(&w, slot, 0, 1, true, &found);
-    }
-    recordFindings(&w, &found, true);
+    countContacts(&w, false, &found);
 }
 
-// The same, if there are several levels. Index space: a working slot and a level a work-item, level after level: a circle that looked in
-// all levels by itself would take several times as long.
+// The same, where there are sheets.
+kernel void contacts_countBySheet(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Findings found;
+    countContacts(&w, true, &found);
+}
+
+// The same, if there are several levels.
+INLINE void countContactsOfLevel(const World *w, bool haveSheets, local Findings *found) {
+    int l = (int) get_global_id(0) / w->circles;
+    int slot = (int) get_global_id(0) - l * w->circles;
+    if (get_local_id(0) == 0) found->count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    if (l < w->levels->usedCount && !tooFast(w) && !gridIsEmpty(w)) {
+        Seeker s = seekerOf(w, slot, false);
+        int own = levelOfSlot(w, slot);
+        if (w->levels->used[l] <= own) seekAround(w, &s, w->levels->used[l], own, haveSheets, found);
+    }
+    recordFindings(w, found, false);
+}
+
+// Index space: a working slot and a level a work-item, level after level: a circle that looked in all levels by itself would take
+// several times as long. Cost: the circles of 3 x 3 cells.
 kernel void contacts_countByLevel(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    int l = (int) get_global_id(0) / circles;
-    int slot = (int) get_global_id(0) - l * circles;
-    if (get_local_id(0) == 0) found.count = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (l < levels->usedCount && !tooFast(&w) && !gridIsEmpty(&w)) {
-        Seeker s = seekerOf(&w, slot, false);
-        int own = levelOfSlot(&w, slot);
-        if (levels->used[l] <= own) seekAround(&w, &s, levels->used[l], own, &found);
-    }
-    recordFindings(&w, &found, false);
+    countContactsOfLevel(&w, false, &found);
+}
+
+// The same, where there are sheets.
+kernel void contacts_countByLevelAndSheet(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Findings found;
+    countContactsOfLevel(&w, true, &found);
 }
 
 // Whether the contacts that were counted do not fit.
@@ -445,7 +507,7 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
     w.rank[slot] = 0;
-    seekAll(&w, slot, 0, 1, hasOneLevel(&w), 0);
+    seekAll(&w, slot, 0, 1, hasOneLevel(&w), levels->haveSheets != 0, 0);
 }
 
 // How many contacts each circle had in the last step. Index space: a contact a work-item.

@@ -195,8 +195,26 @@ int inBlock(int column, int side, int most) {
     return min(min(blockEnd, side) - column, most + 1);
 }
 
-// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block.
-void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, Look look) {
+// Looks at so many columns of a row of cells, in one block or up to the seam, which are of one sheet.
+void lookAtCells(const World *w, const Runner *s, float reach, int level, int row, int column, int columns, const Sheets *sheets,
+                 int overX, int overY, Look look) {
+    global const int *start = w->bucketStart + w->levels->first[level] + (row << w->levels->columnsLog[level]) + column;
+    int width = sheets->known ? 1 : columns;
+    int key = sheets->known ? sheetKeyBeside(w, level, sheets, overX, overY) : 0;
+    for (int u = 0; u < columns; u += width) {
+        int2 slots = (int2)(start[u], start[u + width]);
+        if (sheets->known) slots = slotsOfSheet(w, slots.x, slots.y, key, true);
+        if (look == STOPS) {
+            meetNear(w, s, reach, slots.x, slots.y);
+        } else {
+            meetCarriers(w, s, slots.x, slots.y, look == CARRIERS);
+        }
+    }
+}
+
+// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block. sheets: of the first of them.
+void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets,
+            Look look) {
     int cl = w->levels->columnsLog[level];
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
@@ -210,13 +228,10 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
             float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
             if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
+                int overX = onRing(c0, columns) + (u - c0) >= columns ? 1 : 0;
+                int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
                 for (int r = row; r < row + rowsOfBlock; r++) {
-                    global const int *start = w->bucketStart + first + (r << cl) + column;
-                    if (look == STOPS) {
-                        meetNear(w, s, reach, start[0], start[columnsOfBlock]);
-                    } else {
-                        meetCarriers(w, s, start[0], start[columnsOfBlock], look == CARRIERS);
-                    }
+                    lookAtCells(w, s, reach, level, r, column, columnsOfBlock, sheets, overX, overY, look);
                 }
             }
             u += columnsOfBlock;
@@ -226,25 +241,21 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
 }
 
 // The same for stops, row by row: where there are several levels, few circles of a block move alike.
-void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1) {
+void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets) {
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
     int column = onRing(c0, columns);
     int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
     for (int v = r0; v <= r1; v++) {
-        int row = onRing(v, rows) << w->levels->columnsLog[level];
-        global const int *start = w->bucketStart + w->levels->first[level] + row;
-        meetNear(w, s, reach, start[column], start[beyond > 0 ? columns : columns + beyond]);
-        if (beyond > 0) meetNear(w, s, reach, start[0], start[beyond]);
+        int row = onRing(v, rows);
+        int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
+        lookAtCells(w, s, reach, level, row, column, (beyond > 0 ? columns : columns + beyond) - column, sheets, 0, overY, STOPS);
+        if (beyond > 0) lookAtCells(w, s, reach, level, row, 0, beyond, sheets, 1, overY, STOPS);
     }
 }
 
-#ifdef BY_LANES
-void lookAtRowsByLanes(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1); // LaneSweep.cl
-#endif
-
-// Looks at the circles of a level around the path of a fast one. byLanes: four circles at a time.
-INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level, bool byLanes) {
+// Looks at the circles of a level around the path of a fast one.
+INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
     float left = least(s->x, s->x + s->px) - margin;
     float below = least(s->y, s->y + s->py) - margin;
@@ -252,18 +263,14 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level,
     int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
     int r0 = rowFrom(w, level, below);
     int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
+    Sheets sheets = sheetsAt(w, level, left, below);
+    sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
     c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
     r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
-#ifdef BY_LANES
-    if (byLanes) {
-        lookAtRowsByLanes(w, s, reach, level, c0, c1, r0, r1);
-        return;
-    }
-#endif
     if (hasOneLevel(w)) {
-        lookAt(w, s, reach, level, c0, c1, r0, r1, STOPS);
+        lookAt(w, s, reach, level, c0, c1, r0, r1, &sheets, STOPS);
     } else {
-        lookAtRows(w, s, reach, level, c0, c1, r0, r1);
+        lookAtRows(w, s, reach, level, c0, c1, r0, r1, &sheets);
     }
 }
 
@@ -309,12 +316,12 @@ bool hasPartOfLook(const World *w, int slot, int part) {
     return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
 }
 
-INLINE void lookForStops(const World *w, const Runner *s, int part, bool byLanes) {
+INLINE void lookForStops(const World *w, const Runner *s, int part) {
     float reach = w->reach[s->slot].z;
     if (part == w->levels->usedCount) {
         lookForReaching(w, s, reach, w->reach[s->slot].w != 0.0f);
     } else {
-        lookInLevel(w, s, reach, w->levels->used[part], byLanes);
+        lookInLevel(w, s, reach, w->levels->used[part]);
     }
 }
 
@@ -326,7 +333,7 @@ void makePartOfLook(const World *w, int number) {
     int slot = number - part * w->circles;
     if (!hasPartOfLook(w, slot, part)) return;
     Runner s = runnerOf(w, slot);
-    lookForStops(w, &s, part, false);
+    lookForStops(w, &s, part);
 }
 
 // A fast circle looks for those that it may take along, or that may take it along.
@@ -354,8 +361,11 @@ void lookForCarriers(const World *w, int slot, Look look) {
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
             int c0 = columnFrom(w, level, left);
             int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
+            Sheets sheets = sheetsAt(w, level, left, below);
+            if (byPieces) sheets.y = v / rows;
+            sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
             c1 = min(c1, c0 + columns - 1);
-            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), look);
+            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), &sheets, look);
         }
     }
 }

@@ -1,8 +1,8 @@
-// uses: world/stages/World.cl world/stages/TouchRecords.cl world/shared/Wall.cl world/shared/Drive.cl
-// Stage Grid: copies the circles into the working arrays, sorted by (level, bucket) and by id within a bucket. A counting
-// sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes whatever
-// order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is
-// too fast for it.
+// uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
+// Stage Grid: copies the circles into the working arrays, sorted by (level, bucket), and within a bucket by sheet, if there are sheets, and
+// by id. A counting sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes
+// whatever order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is too fast for
+// it.
 
 // What a step that takes fast circles, or crowds, or tiles, tells the host is about the last one alone.
 void startStep(const World *w) {
@@ -16,9 +16,6 @@ void startStep(const World *w) {
     w->status[TILES_LISTED] = 0;
     w->status[TILES_CUT] = 0;
     w->status[FOUND] = 0;
-#ifdef RECORDING
-    startRecords(w);
-#endif
 }
 
 // The bucket of a circle of a level.
@@ -45,9 +42,20 @@ kernel void grid_count(WORLD_PARAMETERS) {
     if (slot < slots && !refused(&w)) countSlot(&w, slot);
 }
 
+// The key of a circle in a slot at home.
+int sheetKeyOfSlot(const World *w, int slot) {
+    float4 c = w->homeCircle[slot];
+    int level = levelOf(w, c.z);
+    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetXOf(w, level, c.x), sheetYOf(w, level, c.y)) : 0;
+    return key + (w->homeTraits[slot].x == 0.0f ? 1 : 0);
+}
+
 void scatterSlot(const World *w, int slot) {
     int bucket = w->bucketBefore[slot];
-    if (bucket >= 0) w->order[w->bucketStart[bucket] + w->rank[slot]] = (int2)(w->homeId[slot], slot);
+    if (bucket < 0) return;
+    int place = w->bucketStart[bucket] + w->rank[slot];
+    w->order[place] = (int2)(w->homeId[slot], slot);
+    if (w->levels->haveSheets) w->listedSheet[place] = sheetKeyOfSlot(w, slot);
 }
 
 // Lists the circles of each bucket. Index space: a slot at home a work-item.
@@ -66,6 +74,16 @@ int countLower(const World *w, int from, int to, int id) {
         int c = w->order[min(i + 2, to - 1)].x;
         int d = w->order[min(i + 3, to - 1)].x;
         sum += (a < id) + (i + 1 < to && b < id) + (i + 2 < to && c < id) + (i + 3 < to && d < id);
+    }
+    return sum;
+}
+
+// How many of the circles [from, to) of a bucket come before one: of a lower key, or of its own and with a lower id.
+int countBefore(const World *w, int from, int to, int key, int id) {
+    int sum = 0;
+    for (int i = from; i < to; i++) {
+        int other = w->listedSheet[i];
+        sum += other < key || (other == key && w->order[i].x < id);
     }
     return sum;
 }
@@ -92,7 +110,15 @@ bool gatherCircle(const World *w, int i) {
     float4 t = w->homeTraits[from];
     int firstCached = w->homeFirstCached[from];
     int start = w->bucketStart[bucket];
-    int slot = start + countLower(w, start, w->bucketStart[bucket + 1], listed.x);
+    int end = w->bucketStart[bucket + 1];
+    int slot;
+    if (w->levels->haveSheets) {
+        int key = w->listedSheet[i];
+        slot = start + countBefore(w, start, end, key, listed.x);
+        w->sheetKey[slot] = key;
+    } else {
+        slot = start + countLower(w, start, end, listed.x);
+    }
     bool isStatic = t.x == 0.0f;
     float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
     float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
@@ -149,7 +175,9 @@ bool gatherCircle(const World *w, int i) {
 }
 
 // Whether nothing has been counted: the step was refused before.
-bool gridIsEmpty(const World *w) { return w->bucketStart[w->levels->first[LEVELS]] == 0; }
+bool gridIsEmpty(const World *w) {
+    return w->bucketStart[w->levels->first[LEVELS]] == 0 || w->status[EVENTS_LACK] != 0;
+}
 
 // Index space: a circle a work-item. Cost: the circles of its bucket.
 kernel void grid_gather(WORLD_PARAMETERS) {

@@ -11,13 +11,9 @@ int responseOf(const World *w, int id, int otherId) {
 }
 
 // Whether the circles of two working slots may meet: of two static ones neither moves, and kinds and groups may keep others apart.
-// The caller has their inverse masses. filtering: whether that of the step is not 0, so that a loop can decide that once.
-INLINE bool mayMeetIf(const World *w, bool filtering, int slot, float invMassA, int other, float invMassB) {
+// The caller has their inverse masses.
+bool mayMeet(const World *w, int slot, float invMassA, int other, float invMassB) {
     if (invMassA == 0.0f && invMassB == 0.0f) return false;
     // Pairs that are only sensed end here, too: Sensing.cl finds them.
-    return !filtering || responseOf(w, w->id[slot], w->id[other]) == PAIR_SOLID;
-}
-
-bool mayMeet(const World *w, int slot, float invMassA, int other, float invMassB) {
-    return mayMeetIf(w, w->k.filtering != 0, slot, invMassA, other, invMassB);
+    return w->k.filtering == 0 || responseOf(w, w->id[slot], w->id[other]) == PAIR_SOLID;
 }

@@ -1,13 +1,8 @@
 // uses: world/shared/Reach.cl world/shared/PairRule.cl world/stages/World.cl
 // The fast circles that reach far, by their reach. The Java class world.jvm.ReachGrid explains it. Stage Grid empties the buckets.
 
-// A circle reaches far in a level if it does so over more than so many of its cells. It changes the time alone; by lanes, to look at many
-// cells is cheap.
-#ifdef BY_LANES
-#define FAR_CELLS 12.0f
-#else
+// A circle reaches far in a level if it does so over more than so many of its cells. It changes the time alone.
 #define FAR_CELLS 3.0f
-#endif
 
 // By bucket, the slot that came last, or NONE.
 volatile global int *lastReached(const World *w) { return (volatile global int *) w->lastReached; }

@@ -34,12 +34,15 @@ kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(
     if (get_local_id(0) == 0) blockSums[get_group_id(0)] = total;
 }
 
-// Writes the sums, and clears the counts. Every work-group sums up by itself what stands before its block: cheaper than a
+// Writes the sums, and clears the counts, unless the step before waits for the host and may need the sums that are there once more. Every
+// work-group sums up by itself what stands before its block: cheaper than a
 // launch. Index space: a work-group a block.
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_starts(global int *counts, int count,
                                                                                 global const int *blockSums,
-                                                                                global int *starts) {
+                                                                                global int *starts,
+                                                                            global const int *status) {
     local int cells[2 * SCAN_GROUP];
+    if (status[EVENTS_LACK]) return;
     int i = (int) get_global_id(0);
     int4 own = SCAN_EACH * i < count ? vload4(i, counts) : (int4)(0);
     int part = 0;

@@ -1,11 +1,10 @@
-// uses: world/stages/World.cl
-// Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it. The Java classes
-// world.jvm.Sensing and world.model.SensorRule are the same; what touches, and when, the host decides for each record
-// (world.events.SensedPair).
+// uses: world/stages/Events.cl
+// Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
+// (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
 //
 // start: by id: x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
-// records: by record, three int4: both ids, start of the circle of lower id x, y; its path x, y, its radius, start of the other x; y, its
-// path x, y, its radius.
+
+#ifdef REPORTING
 
 #define SEEKING_KINDS (256 * 16) // where the numbers by kind begin
 #define SENSED_BY_ANY 1
@@ -13,16 +12,12 @@
 #define NOT_SOUGHT 0
 #define SEEKS 2
 #define BOTH_SEEK 3
-#define SENSING_ROOM 1.01f // the host has the last word
 
 // Notes where circles are. Index space: a slot at home a work-item.
-kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global int *status,
+kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global const int *status,
                           global float2 *start) {
     int slot = (int) get_global_id(0);
-    if (slot == 0) {
-        status[SENSED] = 0;
-        status[SENSED_AFTER] = status[STEPS_DONE];
-    }
+    if (status[OUT_OF_ROOM]) return; // the step before may need what is there once more
     if (slot < slots && homeId[slot] >= 0) start[homeId[slot]] = homeCircle[slot].xy;
 }
 
@@ -61,23 +56,45 @@ bool findsSensed(int row, const Sensed *s, const Sensed *o) {
     return row == SEEKS || (row == BOTH_SEEK && s->id < o->id);
 }
 
-void recordSensed(const World *w, global int4 *records, int recordRoom, const Sensed *a, const Sensed *b) {
+// The share of the step after which two circles touch first that do touch. dx, dy: between them at the start; ux, uy: of the paths.
+float timeSensed(float dx, float dy, float ux, float uy, float sum) {
+    float b = -(dx * ux + dy * uy);
+    float gap = (dx * dx + dy * dy) - sum * sum;
+    float disc = greatest(b * b - (ux * ux + uy * uy) * gap, 0.0f);
+    return gap > 0.0f && b > 0.0f ? least(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
+}
+
+// Tells of a pair, if it is in touch. a: the lower id.
+void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float dx = ACROSS_X(w, b->x - a->x);
     float dy = ACROSS_Y(w, b->y - a->y);
     float ux = b->px - a->px;
     float uy = b->py - a->py;
+    float sum = a->r + b->r;
     float uu = ux * ux + uy * uy;
-    float t = uu > 0.0f ? bounded(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
-    if (isLonger(dx + t * ux, dy + t * uy, SENSING_ROOM * (a->r + b->r))) return;
-    int k = atomic_inc(&w->status[SENSED]);
-    if (k >= recordRoom) return;
-    records[3 * k] = (int4)(a->id, b->id, as_int(a->x), as_int(a->y));
-    records[3 * k + 1] = (int4)(as_int(a->px), as_int(a->py), as_int(a->r), as_int(b->x));
-    records[3 * k + 2] = (int4)(as_int(b->y), as_int(b->px), as_int(b->py), as_int(b->r));
+    float closest = uu > 0.0f ? bounded(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
+    float least_ = norm(dx + closest * ux, dy + closest * uy) - sum;
+    bool touching = touches(NO_TOUCH, least_);
+    Told told;
+    if (!staysInTouch(NO_TOUCH, least_, sum) || !concerns(w, a->id, b->id, touching, 0.0f, 0.0f, INFINITY, &told)) return;
+    float t = touching ? timeSensed(dx, dy, ux, uy, sum) : closest;
+    float mx = dx + t * ux;
+    float my = dy + t * uy;
+    float distance_ = norm(mx, my);
+    bool apart = distance_ > COINCIDENT * sum;
+    int hash = pairHash(a->id, b->id);
+    float towardsX = apart ? mx : partingX(hash);
+    float towardsY = apart ? my : partingY(hash);
+    float length_ = norm(towardsX, towardsY);
+    float nx = towardsX / length_;
+    float ny = towardsY / length_;
+    float vn = along(nx, ny, ux / w->k.dt, uy / w->k.dt);
+    float separation = distance_ - sum;
+    float2 point = (float2)(touchPoint(a->x, t * a->px, nx, a->r, separation), touchPoint(a->y, t * a->py, ny, a->r, separation));
+    tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point);
 }
 
-void senseIn(const World *w, global const float2 *start, global const int *seeking, global int4 *records, int recordRoom,
-             const Sensed *s, int from, int to) {
+void senseIn(const World *w, global const float2 *start, global const int *seeking, const Sensed *s, int from, int to) {
     for (int slot = from; slot < to; slot++) {
         CircleFields fields = w->fields[w->homeId[slot]];
         int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
@@ -86,20 +103,20 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
         Sensed o = sensedAt(w, start, slot);
         if ((s->isStatic && o.isStatic) || !findsSensed(row, s, &o)) continue;
         if (s->id < o.id) {
-            recordSensed(w, records, recordRoom, s, &o);
+            tellOfSensed(w, s, &o);
         } else {
-            recordSensed(w, records, recordRoom, &o, s);
+            tellOfSensed(w, &o, s);
         }
     }
 }
 
 // Index space: a slot at home a work-item. Cost: the cells around its path, for a circle that looks for others.
-kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global const int *seeking, global int4 *records,
-                         int recordRoom) {
+kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global const int *seeking REPORTING_PARAMETERS) {
     World w = WORLD;
+    REPORT_IN(w);
     int slot = (int) get_global_id(0);
     // A step that has not been made has left home in another order than the grid's.
-    if (slot >= circles || status[STEPS_DONE] == status[SENSED_AFTER]) return;
+    if (slot >= circles || !isMade(&w)) return;
     int part = seeking[SEEKING_KINDS + w.fields[w.homeId[slot]].kind];
     if (part == 0) return;
     Sensed s = sensedAt(&w, start, slot);
@@ -120,11 +137,25 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
         int first = onRing(c0, columns);
         int width = min(c1 - c0, columns - 1) + 1;
         int beforeEnd = min(width, columns - first);
+        Sheets sheets = sheetsAt(&w, level, left, below);
+        sheets.known = areSheetsKnown(&w, level, c1 - c0, r1 - r0);
         for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
             global const int *row =
                 w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
-            senseIn(&w, start, seeking, records, recordRoom, &s, row[first], row[first + beforeEnd]);
-            senseIn(&w, start, seeking, records, recordRoom, &s, row[0], row[width - beforeEnd]);
+            int overY = onRing(r0, rows) + v >= rows ? 1 : 0;
+            int many;
+            for (int u = 0; u < width; u += many) {
+                bool over = u >= beforeEnd;
+                many = sheets.known ? 1 : over ? width - u : beforeEnd;
+                global const int *cell_ = row + (over ? u - beforeEnd : first + u);
+                int2 slots_ = (int2)(cell_[0], cell_[many]);
+                if (sheets.known) {
+                    int key = sheetKeyBeside(&w, level, &sheets, over ? 1 : 0, overY);
+                    slots_ = slotsOfSheet(&w, slots_.x, slots_.y, key, !s.isStatic);
+                }
+                senseIn(&w, start, seeking, &s, slots_.x, slots_.y);
+            }
         }
     }
 }
+#endif

@@ -1,4 +1,4 @@
-// uses: world/stages/TouchRecords.cl world/stages/Solver.cl
+// uses: world/stages/Events.cl world/stages/Solver.cl
 // Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
 // wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
 // first world that reports.
@@ -44,12 +44,10 @@ void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounc
     noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
 }
 
-// Begins a step for a contact that is filled. Returns whether it held before.
-bool beginTouch(const World *w, global float4 *touch, int c) {
-    float2 normal = noNormal(w, w->contact[c].w, (int) (w->key[c] >> 32));
-    touch[2 * c] = (float4)(NO_TOUCH, 0.0f, normal.x, normal.y);
+// Begins a step for a contact.
+void beginTouch(global float4 *touch, int c) {
+    touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     touch[2 * c + 1] = (float4)(0.0f);
-    return heldBefore(normal);
 }
 
 // Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
@@ -59,9 +57,7 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     if (refused(&w)) return;
     int first = (int) get_global_id(0);
     int contacts = contactsListed(&w);
-    int met = 0;
-    for (int c = first; c < contacts; c += (int) get_global_size(0)) met += beginTouch(&w, touch, c);
-    if (met > 0) atomic_add(&status[TOUCHES_MET], met);
+    for (int c = first; c < contacts; c += (int) get_global_size(0)) beginTouch(touch, c);
     for (int k = first; k < 2 * circles; k += (int) get_global_size(0)) {
         wallTouch[k] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     }
@@ -190,8 +186,8 @@ kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 
     for (int c = w.groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
-// The wall of an axis. c, m: circle and motion after the step.
-void recordWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m) {
+// Tells of the wall of an axis. c, m: circle and motion after the step.
+void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m) {
     float x = axis == 0 ? c.x : c.y;
     float dx = axis == 0 ? m.x : m.y;
     float v = axis == 0 ? m.z : m.w;
@@ -213,43 +209,67 @@ void recordWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m
         float vn = side * v - speedFor(w, wall, c.z);
         float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
         float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
-        int says = first || touches(NO_TOUCH, gap) ? TOUCHING : 0;
-        writeRecord(w, w->homeId[slot], FIRST_WALL + wall, says, first ? t.x : 0.0f, first ? c.w * t.y : 0.0f, vn, threshold,
-                    normal, point);
+        float approach = first ? t.x : 0.0f;
+        float impulse = first ? c.w * t.y : 0.0f;
+        Told told;
+        if (concerns(w, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), approach, impulse, threshold, &told)) {
+            tell(w, &told, approach, impulse, vn, normal, point);
+        }
     }
 }
 
-// Records the walls that a circle is in touch with after the step.
-void recordWalls(const World *w, int slot) {
+// Tells of the walls that a circle is in touch with after the step.
+void tellOfWallsOf(const World *w, int slot) {
     if (w->homeTraits[slot].x == 0.0f) return;
     global const float4 *t = w->recording.wallTouch + 2 * slot;
-    recordWall(w, t[0], slot, 0, w->homeCircle[slot], w->homeMotion[slot]);
-    recordWall(w, t[1], slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
+    tellOfWall(w, t[0], slot, 0, w->homeCircle[slot], w->homeMotion[slot]);
+    tellOfWall(w, t[1], slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
 }
 
-// Records contacts from one on, every so many. Returns how many of them hold.
-int recordContactsFrom(const World *w, bool all, int first, int step) {
+bool isKnown(float2 normal) { return normal.x != 0.0f || normal.y != 0.0f; }
+
+// Tells of a pair of circles after a step, if it is in touch. pr: slots; n: contact; approach, impulse: of the step; normal, point: where
+// it touched, if that is known; else it is where it touches now.
+void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point) {
+    if (!staysInTouch(approach, n.z, radii)) return;
+    float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
+    float fastest = greatest(approach, 0.0f);
+    Told told;
+    if (!concerns(w, w->id[pr.x], w->id[pr.y], touches(approach, n.z), fastest, impulse, threshold, &told)) return;
+    if (!isKnown(normal)) {
+        float4 lower = w->homeCircle[pr.x];
+        normal = n.xy;
+        point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
+    }
+    float4 mi = w->homeMotion[pr.x];
+    float4 mj = w->homeMotion[pr.y];
+    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    tell(w, &told, fastest, impulse, vn, normal, point);
+}
+
+// Tells of contacts from one on, every so many.
+void tellOfContacts(const World *w, int first, int each) {
     int contacts = contactsListed(w);
-    int holding = 0;
-    for (int c = first; c < contacts; c += step) {
+    for (int c = first; c < contacts; c += each) {
         global const float4 *touch = w->recording.touch + 2 * c;
         float4 t = touch[0];
-        float4 n = w->contact[c];
-        recordPair(w, all, w->pair[c], n, n.w, w->base[c].z, t.x, t.y, t.zw, touch[1].xy);
-        holding += n.w > 0.0f;
+        tellOfPair(w, w->pair[c], w->contact[c], w->base[c].z, t.x, t.y, t.zw, touch[1].xy);
     }
-    return holding;
 }
 
-// Records what pairs and, if they are reported, walls did in the step. Index space: any number of work-items, which take contacts and
-// slots in turn.
-kernel void touches_end(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+// Tells of the walls that circles are in touch with, if they are reported. first, each: which circles.
+void tellOfWalls(const World *w, int first, int each) {
+    int circles = w->recording.walls ? w->circles : 0;
+    for (int slot = first; slot < circles; slot += each) tellOfWallsOf(w, slot);
+}
+
+// Tells of pairs and walls after the step. Index space: any number of work-items, which take contacts and slots in turn.
+kernel void touches_tell(WORLD_PARAMETERS RECORDING_PARAMETERS REPORTING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    if (refused(&w)) return;
-    bool all = recordsAll(&w);
-    endRecords(&w, all, recordContactsFrom(&w, all, (int) get_global_id(0), (int) get_global_size(0)));
-    if (!w.recording.walls) return;
-    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) recordWalls(&w, slot);
+    REPORT_IN(w);
+    if (!isMade(&w)) return;
+    tellOfContacts(&w, (int) get_global_id(0), (int) get_global_size(0));
+    tellOfWalls(&w, (int) get_global_id(0), (int) get_global_size(0));
 }
 #endif

@@ -159,10 +159,27 @@ int rowTo(const World *w, int atLevel, float from, float to) {
 
 bool rowsHaveWalls(const World *w) { return w->levels->edgeY == EDGE_WALL; }
 
+int sheetAlong(int edge, float x, float min_, float scale, int units, int side, int sheets) {
+    long cell_ = cellAlong(edge, x, min_, scale, units);
+    long sheet = cell_ / side;
+    if (cell_ < 0 && sheet * side != cell_) sheet--;
+    return sheets == ENDLESS ? (int) sheet : longOnRing(sheet, sheets);
+}
+
+int sheetXOf(const World *w, int atLevel, float x) {
+    constant Levels *l = w->levels;
+    if (l->edgeX == EDGE_WALL) return cell(x, l->minX, l->inverseEdge[atLevel]) / l->columnCount[atLevel];
+    return sheetAlong(l->edgeX, x, l->minX, l->scaleX[atLevel], l->unitsX[atLevel], l->columnCount[atLevel], l->sheetsX[atLevel]);
+}
+
+int sheetYOf(const World *w, int atLevel, float y) {
+    constant Levels *l = w->levels;
+    if (l->edgeY == EDGE_WALL) return cell(y, l->minY, l->inverseEdge[atLevel]) / l->rowCount[atLevel];
+    return sheetAlong(l->edgeY, y, l->minY, l->scaleY[atLevel], l->unitsY[atLevel], l->rowCount[atLevel], l->sheetsY[atLevel]);
+}
+
 #define ACROSS_X(w, d) shortWay(d, (w)->levels->periodX)
 #define ACROSS_Y(w, d) shortWay(d, (w)->levels->periodY)
-#define ACROSS_X4(w, d) shortWay4(d, (w)->levels->periodX)
-#define ACROSS_Y4(w, d) shortWay4(d, (w)->levels->periodY)
 #else
 int columnOf(const World *w, int atLevel, float x) {
     return onRing(cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]), w->levels->columnCount[atLevel]);
@@ -170,6 +187,14 @@ int columnOf(const World *w, int atLevel, float x) {
 
 int rowOf(const World *w, int atLevel, float y) {
     return onRing(cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]), w->levels->rowCount[atLevel]);
+}
+
+int sheetXOf(const World *w, int atLevel, float x) {
+    return cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]) / w->levels->columnCount[atLevel];
+}
+
+int sheetYOf(const World *w, int atLevel, float y) {
+    return cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]) / w->levels->rowCount[atLevel];
 }
 
 #define columnFrom(w, atLevel, x) cell(x, (w)->levels->minX, (w)->levels->inverseEdge[atLevel])
@@ -181,9 +206,61 @@ int rowOf(const World *w, int atLevel, float y) {
 // A difference of two bases, the short way round.
 #define ACROSS_X(w, d) (d)
 #define ACROSS_Y(w, d) (d)
-#define ACROSS_X4(w, d) (d)
-#define ACROSS_Y4(w, d) (d)
 #endif
+
+// The sheets of a folded level (the Java class GridLevels).
+
+// The sheet that is at (0), behind (1) or before (-1) another.
+int sheetBeside(int sheet, int offset, int sheets) {
+    return sheets == ENDLESS ? sheet + offset : neighbour(sheet, offset, sheets);
+}
+
+// What the circles of a bucket are ordered by: an even number for each sheet; static circles have the odd number behind it.
+int sheetKeyOf(const World *w, int atLevel, int sheetX, int sheetY) {
+    return w->levels->folded[atLevel] ? (int) (2u * ((uint) sheetX * (uint) SHEET_X_FACTOR + (uint) sheetY * (uint) SHEET_Y_FACTOR)) : 0;
+}
+
+// Those of the slots [from, to) of a bucket that are of a sheet: all, or without static circles. A sheet has few in a bucket, or the
+// caller looks at each of them anyway. If the bucket has few, all.
+int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics) {
+    if (withStatics && to - from <= FEW) return (int2)(from, to);
+    int low = from;
+    int high = to;
+    while (low < high) {
+        int middle = (low + high) >> 1;
+        if (w->sheetKey[middle] < sheet) {
+            low = middle + 1;
+        } else {
+            high = middle;
+        }
+    }
+    int last = sheet + (withStatics ? 1 : 0);
+    while (high < to && w->sheetKey[high] <= last) high++;
+    return (int2)(low, high);
+}
+
+// The sheets of a cell, and of those beside it.
+typedef struct {
+    int x, y;
+    bool known; // not where a range goes round the whole torus, or a level is not folded
+} Sheets;
+
+// Those of the cell of a place.
+Sheets sheetsAt(const World *w, int atLevel, float x, float y) {
+    Sheets sheets = {sheetXOf(w, atLevel, x), sheetYOf(w, atLevel, y), true};
+    return sheets;
+}
+
+// Whether each cell of a range is of one sheet: so many columns and rows lie behind the first ones.
+bool areSheetsKnown(const World *w, int atLevel, int columns, int rows) {
+    return w->levels->folded[atLevel] && columns < w->levels->columnCount[atLevel] && rows < w->levels->rowCount[atLevel];
+}
+
+// The key of the cell that is over, behind (1) or before (-1), or not over (0) the seams of the torus along x and y.
+int sheetKeyBeside(const World *w, int atLevel, const Sheets *sheets, int overX, int overY) {
+    return sheetKeyOf(w, atLevel, sheetBeside(sheets->x, overX, w->levels->sheetsX[atLevel]),
+                      sheetBeside(sheets->y, overY, w->levels->sheetsY[atLevel]));
+}
 
 bool hasOneLevel(const World *w) { return w->levels->usedCount == 1; }
 

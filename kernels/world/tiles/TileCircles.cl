@@ -41,7 +41,7 @@ bool hasWalls(const World *w, float4 c, float2 walls) {
 // that is not all. c, m: circle, motion; sum: of the impulses of its contacts; carried: whether one of them carries.
 bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum, bool carried) {
     float2 before, next;
-    if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, w->k.driving != 0, &before, &next)) return false;
+    if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
     w->motion[slot] = (float4)(m.x, m.y, 0.0f, 0.0f);

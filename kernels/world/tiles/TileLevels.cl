@@ -26,12 +26,9 @@ void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
         w->heavySum[slot] = (long4)(0);
     }
 #ifdef RECORDING
-    World cross = crossWorld(*w);
-    int met = 0;
     for (int c = w->groupStart[crossGroupOf(w, slot)]; c < w->groupStart[crossGroupOf(w, slot) + 1]; c++) {
-        met += beginTouch(&cross, w->recording.touch, c);
+        beginTouch(w->recording.touch, c);
     }
-    if (met > 0) atomic_add(&w->status[TOUCHES_MET], met);
 #endif
 }
 

@@ -338,9 +338,6 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
 // Copies what passes read of the contacts of a region, in the tile's order.
 void copyContacts(const World *w, local const Arrangement *a, int contacts) {
     global int2 *placed = placedFrom(w, a->firstCopy);
-#ifdef RECORDING
-    int met = 0;
-#endif
     TILE_TOGETHER(first, contacts, ARRANGED) {
         int2 contact[MOST_TOGETHER];
         float4 normal[MOST_TOGETHER];
@@ -367,14 +364,11 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             placed[place].x = number;
             w->held[number] = normal[n].w;
 #ifdef RECORDING
-            met += clearTouch(w, number, normal[n].w, a->of.circle.slot[i]);
+            clearTouch(w, number);
 #endif
             w->ordered[number] = (uint2)((uint) a->of.circle.slot[i], (uint) a->of.circle.slot[j]);
         }
     }
-#ifdef RECORDING
-    if (met > 0) atomic_add(&w->status[TOUCHES_MET], met);
-#endif
 }
 
 // Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
@@ -433,6 +427,7 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int cut RECORDING_PARAMETERS) {
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
+    if (status[EVENTS_LACK]) return; // the records of the step before are read once more
     // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
     if (get_local_id(0) == 0) {
         if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact

@@ -18,12 +18,10 @@ global float2 *touchSoFar(const World *w) { return touchNow(w) + w->recording.nu
 
 global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->recording.numbers); }
 
-// Begins a step for a contact. held: its impulse; slot: of the lower id. Returns whether it held before.
-bool clearTouch(const World *w, int number, float held, int slot) {
-    float2 normal = noNormal(w, held, w->id[slot]);
+// Begins a step for a contact.
+void clearTouch(const World *w, int number) {
     touchSoFar(w)[number] = (float2)(NO_TOUCH, 0.0f);
-    touchPlace(w)[number] = (float4)(normal.x, normal.y, 0.0f, 0.0f);
-    return heldBefore(normal);
+    touchPlace(w)[number] = (float4)(0.0f);
 }
 
 // Begins a step for the walls of a circle.
@@ -71,50 +69,39 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     }
 }
 
-// Records those contacts of a tile that have to be, once all tiles have made the step. Returns how many of a work-item's hold.
-int recordTile(const World *w, int tile, bool all) {
+// Tells of the contacts of a tile, once all tiles have made the step.
+void tellOfTile(const World *w, int tile) {
     global int *record = recordOf(w, tile);
     int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
     int firstCopy = contacts > 0 ? record[RECORD_COPIES] : 0;
     global const int2 *placed = placedFrom(w, firstCopy);
-    int held = 0;
     TILE_EACH(place, contacts) {
         int number = placed[place].x;
         if (number < 0) continue;
         int copy = firstCopy + place;
-        float holds = w->held[number];
         float2 t = touchSoFar(w)[number];
         float4 at = touchPlace(w)[number];
-        recordPair(w, all, w->ordered[number], w->contact[copy], holds, w->shape[copy].x, t.x, t.y, at.xy, at.zw);
-        held += holds > 0.0f;
+        tellOfPair(w, w->ordered[number], w->contact[copy], w->shape[copy].x, t.x, t.y, at.xy, at.zw);
     }
-    return held;
 }
 
-// Records those cross contacts that have to be, as recordTile.
-int recordCrossContacts(const World *w, bool all) {
-    if (hasOneLevel(w)) return 0;
+// Tells of cross contacts.
+void tellOfCrossContacts(const World *w, int first, int each) {
+    if (hasOneLevel(w)) return;
     World cross = crossWorld(*w);
-    return recordContactsFrom(&cross, all, likeContacts(w) + (int) get_global_id(0), (int) get_global_size(0));
-}
-
-// Records the walls that circles are in touch with. first, step: which circles.
-void recordWallsOfSlots(const World *w, int first, int step) {
-    int circles = w->recording.walls ? w->circles : 0;
-    for (int slot = first; slot < circles; slot += step) {
-        recordWalls(w, slot);
-    }
+    tellOfContacts(&cross, likeContacts(w) + first, each);
 }
 
 // Index space: a work-group a tile.
-TILE_KERNEL touches_recordTile(WORLD_PARAMETERS RECORDING_PARAMETERS) {
+TILE_KERNEL touches_tellByTile(WORLD_PARAMETERS RECORDING_PARAMETERS REPORTING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
-    if (refused(&w)) return;
+    REPORT_IN(w);
+    if (!isMade(&w)) return;
     SET_TOUCH_NUMBERS(w);
-    bool all = recordsAll(&w);
-    endRecords(&w, all, recordTile(&w, (int) get_group_id(0), all) + recordCrossContacts(&w, all));
-    recordWallsOfSlots(&w, (int) get_global_id(0), (int) get_global_size(0));
+    tellOfTile(&w, (int) get_group_id(0));
+    tellOfCrossContacts(&w, (int) get_global_id(0), (int) get_global_size(0));
+    tellOfWalls(&w, (int) get_global_id(0), (int) get_global_size(0));
 }
 #else
 #define SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w)

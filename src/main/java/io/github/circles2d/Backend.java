@@ -4,15 +4,18 @@ package io.github.circles2d;
 public enum Backend {
     /**
      * The one that is likely to be the fastest for a world with the {@link World.Builder#capacity} and the {@link
-     * World.Builder#radii} given. Where a {@link Calibration} has measured the JVM and the devices, it is the one with the shortest
-     * frame, a step and a read of all circles. Elsewhere, by rule, it is a GPU from a capacity of 1,250 circles on, where there is one, else the JVM; never
-     * OpenCL on a CPU, which compiles for seconds at its first start. Devices that do not round correctly are never taken.
+     * World.Builder#radii} given: the JVM or a GPU, never OpenCL on a CPU. If a {@link Calibration} has measured both, it is the one
+     * with the shortest frame, a step and a read of all circles. Without one it is a GPU, if there is one, from a capacity of 1,250
+     * circles on, else the JVM. Devices that do not round correctly are never taken.
      * {@link World#stats()} says which one was taken, and why; the log says it the first time.
      */
     AUTO,
-    /** Plain Java threads: runs everywhere, needs no driver. */
+    /** Plain Java threads, the fast way on processors: runs everywhere, needs no driver. */
     JVM,
-    /** OpenCL on a CPU. */
+    /**
+     * OpenCL on a CPU: the kernels that GPUs run, for tests and for people who write kernels. A step takes several times as long as
+     * with {@link #JVM}, which is the fast way on processors.
+     */
     OPENCL_CPU,
     /** OpenCL on a GPU; {@link World#stats()} calls other accelerators so, too. */
     OPENCL_GPU

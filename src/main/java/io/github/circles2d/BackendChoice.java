@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.CurvesByRatio;
+import io.github.circles2d.calibration.Pick;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.OpenCl;
@@ -30,8 +31,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
     /**
      * Where nothing has been calibrated, worlds with room for fewer circles run on the JVM, which needs no read-back and starts at
      * once. On an NVIDIA H200 a step of packed circles takes 0.16 ms for 1,250 circles, the fewest of the benchmarks, and 0.21 ms for
-     * 15,000; on 16 threads of its host's JVM 0.3 and 1.2 ms. OpenCL on a CPU is never taken by this rule, though its steps may take
-     * half as long as those of the JVM: it compiles for seconds at its first start, and its threads never sleep while they wait.
+     * 15,000; on 16 threads of its host's JVM 0.3 and 1.2 ms.
      */
     private static final int LEAST_FOR_GPU = 1250;
 
@@ -71,7 +71,7 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         // Below the rule's threshold no device is looked for, which takes a while, unless one promises to be faster.
         boolean jvmIsFastest = isFastest(jvm.get(), timings, crowd);
         if (crowd.circles() >= LEAST_FOR_GPU || !jvmIsFastest) {
-            for (Device device : usable()) {
+            for (Device device : candidates()) {
                 Optional<CurvesByRatio> curves = curvesOf(device, timings);
                 curves.ifPresent(found -> known.put(Optional.of(device), found));
                 if (curves.isEmpty() && isTheGpuOfTheRule(device)) {
@@ -81,21 +81,15 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
                 }
             }
         }
-        Map<Optional<Device>, Curve> candidates = CurvesByRatio.at(crowd.ratio(), known);
-        boolean byLikeRadii =
-                crowd.isMixed() && CurvesByRatio.common(known.values()).size() == 1;
-        Crowd measured = byLikeRadii ? Crowd.like(crowd.circles()) : crowd;
-        String why = Timings.words(
-                        candidates, measured, device -> device.map(Device::name).orElse("JVM"))
-                + (byLikeRadii ? "; mixed radii are not calibrated: Calibration.run() would measure them" : "")
-                + (jvmIsFastest ? "; nothing that was measured is faster" : "");
-        Optional<Device> taken = Timings.fastest(candidates, crowd.circles());
+        Pick<Optional<Device>> pick =
+                Pick.among(known, crowd, device -> device.map(Device::name).orElse("JVM"));
+        String why = pick.reason() + (jvmIsFastest ? "; nothing that was measured is faster" : "");
         try {
-            if (taken.isPresent()) {
-                return openCl(taken.get(), wish, why);
+            if (pick.taken().isPresent()) {
+                return openCl(pick.taken().get(), wish, why);
             }
         } catch (OpenClException e) {
-            why = taken.get().name() + " cannot be used: " + e.getMessage();
+            why = pick.taken().get().name() + " cannot be used: " + e.getMessage();
         }
         return jvm(wish, why);
     }
@@ -120,9 +114,14 @@ record BackendChoice(Backend backend, Pipeline pipeline, String reason) {
         }
     }
 
-    private static List<Device> usable() {
+    /** Whether a device may be taken unasked, if it is fast. On a processor the JVM is faster than OpenCL. */
+    static boolean isCandidate(Device device) {
+        return device.kind() != Device.Kind.CPU && device.correctlyRounded();
+    }
+
+    private static List<Device> candidates() {
         try {
-            return OpenCl.devices().stream().filter(Device::correctlyRounded).toList();
+            return OpenCl.devices().stream().filter(BackendChoice::isCandidate).toList();
         } catch (OpenClException e) {
             return List.of();
         }

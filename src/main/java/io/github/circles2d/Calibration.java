@@ -4,6 +4,8 @@ import io.github.circles2d.calibration.CachePlace;
 import io.github.circles2d.calibration.Crowd;
 import io.github.circles2d.calibration.Curve;
 import io.github.circles2d.calibration.CurvesByRatio;
+import io.github.circles2d.calibration.FrameTimes;
+import io.github.circles2d.calibration.MeasuredRow;
 import io.github.circles2d.calibration.Runner;
 import io.github.circles2d.calibration.Timings;
 import io.github.circles2d.calibration.TimingsFile;
@@ -23,12 +25,10 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
-import java.util.function.IntToDoubleFunction;
-import java.util.function.ToDoubleFunction;
+import java.util.function.Function;
+import java.util.function.IntFunction;
 
 /**
  * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
@@ -41,8 +41,9 @@ import java.util.function.ToDoubleFunction;
  * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
  * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
  *
- * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World at 250, 1,000, 3,000, 10,000, 30,000 and 100,000 circles, with
- * like radii and with radii of 1:3, 1:10 and 1:100, Circles2D at 1,000 and 8,000 with each exact indexing, fewer where it would take long.
+ * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World, on the JVM and on GPUs, at 250, 1,000, 3,000, 10,000, 30,000
+ * and 100,000 circles, with like radii and with radii of 1:3, 1:10 and 1:100; Circles2D, on every OpenCL device, at 1,000 and 8,000 with
+ * each exact indexing; fewer where it would take long.
  * What lies between is interpolated; beyond, the order at the last size and ratio holds. {@link World.Builder#capacity} and {@link
  * World.Builder#radii} say which of these times count for a world. A world unlike those crowds (a thousand circles in one point, one
  * boulder in sand) may be faster elsewhere.
@@ -71,13 +72,17 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and every OpenCL device, and keeps the times. Takes about half a minute a device, and as much memory as
-     * 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device
-     * it measures the JVM.
+     * Measures World on the JVM and on GPUs, and Circles2D on every OpenCL device, and keeps the times. World is not timed by OpenCL
+     * on a CPU, which {@link Backend#AUTO} never takes. Takes about half a minute for the JVM and for each device, and as much memory
+     * as 100,000 circles in a World or 8,000 in a Circles2D; the machine should have nothing else to do. Without any OpenCL device it
+     * measures the JVM. Times that are not clean are taken again, up to three times.
      *
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
+     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
+     *     figures. Nothing is kept then, and an older calibration stays
      */
     public static Calibration run() {
         CachePlace.findToWrite();
@@ -97,13 +102,16 @@ public final class Calibration {
     }
 
     /**
-     * Measures the JVM and some OpenCL devices, and keeps the times; those of other devices stay. A device that fails is left
-     * out, with a warning in the log.
+     * Measures the JVM and some OpenCL devices, as {@link #run()} does all, and keeps the times; those of other devices stay. A device
+     * that fails is left out, with a warning in the log.
      *
      * @param devices the devices; may be empty
      * @return the times
      * @throws IllegalArgumentException if the system property {@code circles2d.calibration} or {@code circles2d.kernels} names what
      *     cannot be used; nothing has been measured then
+     * @throws IllegalStateException if times are not clean, also after they were taken again: frames of a size that are far apart, or
+     *     a time that jumps or falls between two sizes, as on a machine that has other work. The message names the row and the
+     *     figures. Nothing is kept then, and an older calibration stays
      */
     public static Calibration run(Collection<Device> devices) {
         return run(devices, new FrameMeter(), WORLD_SIZES, CIRCLES2D_SIZES);
@@ -129,7 +137,7 @@ public final class Calibration {
             }
         }
         Timings measured = new Timings(entries);
-        return new Calibration(measured, save(measured, place));
+        return new Calibration(measured, save(others(devices).and(measured), place));
     }
 
     private static void requireKernels(Device device) {
@@ -140,7 +148,7 @@ public final class Calibration {
     private static List<Timings.Entry> measure(
             Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
         List<Timings.Entry> entries = new ArrayList<>();
-        if (device.correctlyRounded()) {
+        if (BackendChoice.isCandidate(device)) {
             Runner runner = Runners.world(device);
             entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
         }
@@ -148,6 +156,7 @@ public final class Calibration {
             Runner runner = Runners.circles2d(device, indexing);
             Curve loops = curve(
                     Workload.CIRCLES2D,
+                    "Circles2D by " + indexing + " on " + runner.name(),
                     circles2dSizes,
                     FrameMeter.LOOPS_IN_ALL,
                     circles -> meter.loop(device, indexing, circles));
@@ -156,40 +165,51 @@ public final class Calibration {
         return entries;
     }
 
-    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, ToDoubleFunction<Crowd> millis) {
+    private static List<Timings.Entry> worlds(Runner runner, List<Integer> sizes, Function<Crowd, FrameTimes> meter) {
         List<Timings.Entry> entries = new ArrayList<>();
         for (double ratio : RATIOS) {
+            String variant = CurvesByRatio.variant(ratio);
             Curve frames = curve(
                     Workload.WORLD,
+                    "World with " + (variant.isEmpty() ? "like radii" : "radii of " + variant) + " on " + runner.name(),
                     sizes,
                     FrameMeter.WORLD_FRAMES_IN_ALL,
-                    circles -> millis.applyAsDouble(new Crowd(circles, ratio)));
-            entries.add(new Timings.Entry(Workload.WORLD, CurvesByRatio.variant(ratio), runner, frames));
+                    circles -> meter.apply(new Crowd(circles, ratio)));
+            entries.add(new Timings.Entry(Workload.WORLD, variant, runner, frames));
         }
         return entries;
     }
 
-    private static Curve curve(Workload workload, List<Integer> sizes, int frames, IntToDoubleFunction millis) {
-        Map<Integer, Double> measured = new TreeMap<>();
+    private static Curve curve(
+            Workload workload, String name, List<Integer> sizes, int frames, IntFunction<FrameTimes> meter) {
+        MeasuredRow row = new MeasuredRow(workload, name, meter);
         for (int circles : sizes) {
             try {
-                if (!measured.isEmpty() && frames * new Curve(workload, measured).millis(circles) > MOST_MILLIS) {
+                if (!row.isEmpty() && frames * row.curve().millis(circles) > MOST_MILLIS) {
                     break;
                 }
-                measured.put(circles, millis.applyAsDouble(circles));
+                row.measure(circles);
             } catch (DeviceMemoryException e) {
-                if (measured.isEmpty()) {
+                if (row.isEmpty()) {
                     throw e;
                 }
                 break;
             }
         }
-        return new Curve(workload, measured);
+        return row.curve();
+    }
+
+    /** What is known without the times of World on devices that it is not timed on: versions that did so have left them. */
+    private static Timings others(Collection<Device> devices) {
+        Timings known = timings();
+        for (Device device : devices) {
+            known = BackendChoice.isCandidate(device) ? known : known.without(Workload.WORLD, Runners.name(device));
+        }
+        return known;
     }
 
     /** Saves and returns the file; none where there is none or it cannot be written. */
-    private static Optional<Path> save(Timings measured, Optional<Path> place) {
-        Timings all = timings().and(measured);
+    private static Optional<Path> save(Timings all, Optional<Path> place) {
         if (place.isPresent()) {
             try {
                 TimingsFile.write(place.get(), all);

@@ -93,6 +93,10 @@ public final class Events {
         return this;
     }
 
+    EventRows rows() {
+        return rows;
+    }
+
     /**
      * The number of events.
      *

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
+import java.util.Arrays;
 
 /**
  * A game loop with steps of one length, whatever the rate of frames: it makes the steps that are due, and gives a renderer positions
@@ -31,7 +32,7 @@ import java.nio.FloatBuffer;
  * <p><b>Positions</b> lie on the straight line from where a circle was before the last step to where it was after it, as far as
  * {@link #alpha} says. So they are up to a step old, and move evenly. Both ends are taken with no change in between: a circle that a
  * call moves elsewhere, or that is new, appears where it is and is not drawn across the screen. What a call does shows from the next
- * step on, except for {@link World#remove}: a removed circle is gone at once.
+ * step on, except for {@link World#remove}: a removed circle is gone at once. {@link #radii} are those of circles that grow, likewise.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -73,6 +74,18 @@ public final class FixedStep {
     private float[] to = new float[0];
     private FloatBuffer shown = ByteBuffer.allocateDirect(0).asFloatBuffer();
     private FloatBuffer view = shown.asReadOnlyBuffer();
+
+    /** Whether the radii before and after each last step are kept, which is so from the first call of {@link #radii} on. */
+    private boolean keepsRadii;
+
+    /** Whether those of the last step are kept. */
+    private boolean hasRadii;
+
+    // By id: the radii before the last step, and after it.
+    private float[] radiiBefore = new float[0];
+    private float[] radiiAfter = new float[0];
+    private FloatBuffer shownRadii = ByteBuffer.allocateDirect(0).asFloatBuffer();
+    private FloatBuffer viewOfRadii = shownRadii.asReadOnlyBuffer();
 
     /** Whether {@link #advance} is running. */
     private boolean advancing;
@@ -218,15 +231,33 @@ public final class FixedStep {
     private void makeLast() {
         forget();
         world.requestPositions();
+        keepRadiiBefore();
         world.step(timeStep);
+        keepRadiiAfter();
         takeBoth();
     }
 
     /** The same with the next step of a replay, the changes before which have been made. */
     private void makeLast(Replay replay) throws IOException {
         world.requestPositions();
+        keepRadiiBefore();
         replay.makeStep();
+        keepRadiiAfter();
         takeBoth();
+    }
+
+    private void keepRadiiBefore() {
+        if (keepsRadii) {
+            ensureRadii(world.idLimit());
+            world.readRadiiById(radiiBefore, null);
+        }
+    }
+
+    private void keepRadiiAfter() {
+        if (keepsRadii) {
+            world.readRadiiById(radiiAfter, null);
+            hasRadii = true;
+        }
     }
 
     private void takeBoth() {
@@ -245,6 +276,7 @@ public final class FixedStep {
         before = null;
         after = null;
         requested = false;
+        hasRadii = false;
     }
 
     /**
@@ -304,8 +336,35 @@ public final class FixedStep {
             }
         }
         shown.put(0, to, 0, length);
-        world.markGone(shown, living);
+        world.markGone(shown, 2, living);
         return view.clear().limit(length);
+    }
+
+    /**
+     * The radii to draw, by id: element k is the radius of the circle with the id k. A radius that {@link World#grow} changes lies on the
+     * way from before the last step to after it, as far as {@link #alpha} says; one that {@link World#setRadius} has set changes at
+     * once, with the next step. NaN are the same ids as in {@link #positions}. The loop keeps radii from the first call of this method
+     * on. That call, and those before the first step, give the radii of now.
+     *
+     * @return an element an id, from position 0 to the limit, in direct memory of the loop's own. Read-only, and often the same object:
+     *     the next call overwrites it
+     * @throws IllegalStateException where the game has requested positions of its own since the last step
+     */
+    public FloatBuffer radii() {
+        take();
+        keepsRadii = true;
+        ensureRadii(world.idLimit());
+        if (!hasRadii) {
+            world.readRadiiById(radiiBefore, null);
+            world.readRadiiById(radiiAfter, null);
+        }
+        int length = after.limit() / 2;
+        float alpha = alpha();
+        for (int k = 0; k < length; k++) {
+            shownRadii.put(k, radiiBefore[k] + (radiiAfter[k] - radiiBefore[k]) * alpha);
+        }
+        world.markGone(shownRadii, 1, null);
+        return viewOfRadii.clear().limit(length);
     }
 
     /** A circle that has crossed the seam is drawn on its way across, on one side or the other. */
@@ -344,13 +403,29 @@ public final class FixedStep {
     private void ensure(int length) {
         if (to.length < length) {
             int room = length + (length >> 1);
-            FloatBuffer larger = ByteBuffer.allocateDirect(Float.BYTES * room)
-                    .order(ByteOrder.nativeOrder())
-                    .asFloatBuffer();
+            FloatBuffer larger = direct(room);
             from = new float[room];
             view = larger.asReadOnlyBuffer();
             shown = larger;
             to = new float[room];
         }
+    }
+
+    /** Makes room for radii, and keeps those that are there. The length of the array that grows last tells whether there is room. */
+    private void ensureRadii(int ids) {
+        if (radiiAfter.length < ids) {
+            int room = ids + (ids >> 1);
+            FloatBuffer larger = direct(room);
+            radiiBefore = Arrays.copyOf(radiiBefore, room);
+            viewOfRadii = larger.asReadOnlyBuffer();
+            shownRadii = larger;
+            radiiAfter = Arrays.copyOf(radiiAfter, room);
+        }
+    }
+
+    private static FloatBuffer direct(int floats) {
+        return ByteBuffer.allocateDirect(Float.BYTES * floats)
+                .order(ByteOrder.nativeOrder())
+                .asFloatBuffer();
     }
 }

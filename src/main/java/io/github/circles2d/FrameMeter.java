@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.calibration.Crowd;
+import io.github.circles2d.calibration.FrameTimes;
 import io.github.circles2d.opencl.Device;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -48,7 +49,7 @@ final class FrameMeter implements Meter {
     private final Set<Boolean> compiled = new HashSet<>();
 
     @Override
-    public double world(Optional<Device> device, Crowd crowd) {
+    public FrameTimes world(Optional<Device> device, Crowd crowd) {
         World.Builder builder =
                 World.builder().gravity(0, GRAVITY).restitution(RESTITUTION).capacity(crowd.circles());
         device.ifPresentOrElse(builder::device, () -> builder.backend(Backend.JVM));
@@ -68,7 +69,7 @@ final class FrameMeter implements Meter {
     }
 
     @Override
-    public double loop(Device device, PairIndexing indexing, int circles) {
+    public FrameTimes loop(Device device, PairIndexing indexing, int circles) {
         try (Circles2D engine = new Circles2D(device)) {
             float[] crowd = like(circles);
             for (int i = 0; i < circles; i++) {
@@ -82,8 +83,8 @@ final class FrameMeter implements Meter {
         }
     }
 
-    /** Runs at least so many frames for at least so long, and returns the median in milliseconds: a pause is no frame's fault. */
-    private static double repeat(Runnable frame, int frames, long nanos) {
+    /** Runs at least so many frames for at least so long, and says what they took. */
+    private static FrameTimes repeat(Runnable frame, int frames, long nanos) {
         long[] times = new long[Math.max(frames, 16)];
         int count = 0;
         long start = System.nanoTime();
@@ -97,8 +98,7 @@ final class FrameMeter implements Meter {
             times[count++] = now - last;
             last = now;
         }
-        Arrays.sort(times, 0, count);
-        return Math.max(1, times[count / 2]) / 1e6;
+        return FrameTimes.of(times, count);
     }
 
     /** x, y, radius and mass of each: the same circles every time. */

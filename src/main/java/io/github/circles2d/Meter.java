@@ -1,6 +1,7 @@
 package io.github.circles2d;
 
 import io.github.circles2d.calibration.Crowd;
+import io.github.circles2d.calibration.FrameTimes;
 import io.github.circles2d.opencl.Device;
 import java.util.Optional;
 
@@ -11,9 +12,9 @@ interface Meter {
      *
      * @param device what to run on; the JVM where it is empty
      * @param crowd the circles
-     * @return milliseconds
+     * @return what frames took
      */
-    double world(Optional<Device> device, Crowd crowd);
+    FrameTimes world(Optional<Device> device, Crowd crowd);
 
     /**
      * Times a loop of Circles2D.
@@ -21,7 +22,7 @@ interface Meter {
      * @param device what to run on
      * @param indexing one of the indexings, not {@link PairIndexing#AUTO}
      * @param circles number of circles
-     * @return milliseconds
+     * @return what loops took
      */
-    double loop(Device device, PairIndexing indexing, int circles);
+    FrameTimes loop(Device device, PairIndexing indexing, int circles);
 }

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.Journal;
 import io.github.circles2d.world.model.Limits;
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 
@@ -42,7 +43,7 @@ public final class Recording implements AutoCloseable {
      * @param out takes the log; {@link #close} closes it. It must not call the world
      * @param hashEvery steps between two hashes, at least 1: 60 names the second in which a replay differs, 1 the step. {@link
      *     World#step(float, int)} writes at most one hash, at its end
-     * @throws IOException where the beginning cannot be written
+     * @throws IOException if the beginning cannot be written, whatever the stream has thrown, which is the cause. The stream stays open
      * @throws IllegalArgumentException where the number of steps is out of range
      * @throws IllegalStateException where the world is being recorded already
      */
@@ -85,13 +86,15 @@ public final class Recording implements AutoCloseable {
      * Ends the log, with a hash of the state as of now, and closes the stream. If the world has been closed before, the changes that were
      * still waiting for a step are not in the log. Closing it again does nothing.
      *
-     * @throws IOException where the log could not be written to its end
+     * @throws IOException if the log could not be written to its end, or the stream could not be closed, whatever the stream has
+     *     thrown, which is the cause
      */
     @Override
     public void close() throws IOException {
         if (!closed) {
             closed = true;
-            try (out) {
+            Closeable stream = () -> Journal.closeStream(out);
+            try (stream) {
                 journal.stop();
             }
         }

@@ -2,16 +2,12 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.opencl.Device;
-import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import java.util.Arrays;
-import java.util.List;
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.MethodSource;
 
 /** Steps on a machine with as many other busy threads as processors. */
 @Timeout(120)
@@ -22,21 +18,15 @@ class BusyMachineTest {
     private static final int PROCESSORS = Runtime.getRuntime().availableProcessors();
     private static final Scene SCENE = Scenes.packed(1250, 1);
 
-    private static World world(Backend backend) {
-        return WorldScenes.world(SCENE, WorldScenes.builder(SCENE).backend(backend));
+    private static World world() {
+        return WorldScenes.world(SCENE, WorldScenes.builder(SCENE).backend(Backend.JVM));
     }
 
-    private static List<Backend> backends() {
-        boolean openCl = TestDevices.all().stream().anyMatch(device -> device.kind() == Device.Kind.CPU);
-        return openCl ? List.of(Backend.JVM, Backend.OPENCL_CPU) : List.of(Backend.JVM);
-    }
-
-    @ParameterizedTest
-    @MethodSource("backends")
-    void stepsBesideBusyThreadsHaveTheSameBits(Backend backend) {
+    @Test
+    void stepsBesideBusyThreadsHaveTheSameBits() {
         BusyMachine.Others others = new BusyMachine.Others(PROCESSORS);
-        try (World expected = world(Backend.JVM);
-                World world = world(backend)) {
+        try (World expected = world();
+                World world = world()) {
             expected.step(SCENE.timeStep(), 40);
             for (int step = 0; step < 20; step++) {
                 world.step(SCENE.timeStep());
@@ -53,12 +43,11 @@ class BusyMachineTest {
      * This measures time, so it asks only that steps are not tens of times as long, in the middle one of several rounds: threads
      * that wait in a wrong way make them a hundred times as long.
      */
-    @ParameterizedTest
-    @MethodSource("backends")
+    @Test
     @Tag("exhaustive")
-    void stepsBesideBusyThreadsTakeFewTimesAsLong(Backend backend) {
+    void stepsBesideBusyThreadsTakeFewTimesAsLong() {
         double[] factors = new double[ROUNDS];
-        try (World world = world(backend)) {
+        try (World world = world()) {
             BusyMachine.round(world, SCENE.timeStep(), 0);
             for (int round = 0; round < ROUNDS; round++) {
                 double idle = BusyMachine.round(world, SCENE.timeStep(), 0).mean();

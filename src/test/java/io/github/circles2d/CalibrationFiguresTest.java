@@ -132,7 +132,7 @@ class CalibrationFiguresTest {
         return loops;
     }
 
-    /** Mean ms of a step of World by machine, back end and n. A machine that was measured with and without its GPU is one. */
+    /** Mean ms of a step of World by machine, back end that AUTO may take, and n. A machine that was measured with and without its GPU is one. */
     private static Map<String, Map<String, NavigableMap<Integer, Double>>> worlds() throws IOException {
         Map<String, Map<String, NavigableMap<Integer, Double>>> worlds = new TreeMap<>();
         for (String machine : machines()) {
@@ -141,7 +141,9 @@ class CalibrationFiguresTest {
                     .map(row -> row.get("value"))
                     .collect(Collectors.joining(", "));
             for (Map<String, String> row : rows(machine, "peers.csv")) {
-                if (row.get("scene").equals("packed") && row.get("engine").startsWith("world")) {
+                boolean isCandidate = row.get("engine").startsWith("world")
+                        && !row.get("engine").startsWith("world@cpu");
+                if (row.get("scene").equals("packed") && isCandidate) {
                     put(worlds, name, row.get("engine"), row);
                 }
             }

@@ -43,7 +43,7 @@ public final class CalibrationPicks {
         Map<String, Double> millis = new LinkedHashMap<>();
         millis.put("JVM", median(meter, Optional.empty(), crowd));
         for (Device device : Calibration.devices()) {
-            if (device.correctlyRounded()) {
+            if (BackendChoice.isCandidate(device)) {
                 millis.put(device.toString(), median(meter, Optional.of(device), crowd));
             }
         }
@@ -62,7 +62,7 @@ public final class CalibrationPicks {
     private static double median(FrameMeter meter, Optional<Device> device, Crowd crowd) {
         double[] millis = new double[ROUNDS];
         for (int round = 0; round < ROUNDS; round++) {
-            millis[round] = meter.world(device, crowd);
+            millis[round] = meter.world(device, crowd).median();
         }
         return Arrays.stream(millis).sorted().toArray()[ROUNDS / 2];
     }

@@ -256,6 +256,120 @@ class FixedStepTest {
         }
     }
 
+    // ---- radii
+    // -----------------------------------------------------------------------------------------------------
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aCircleGrowsEvenlyAtAnyRateOfFrames(Backend backend) {
+        try (World world = world(backend)) {
+            long a = world.add(2, 5, 0.5f, 1);
+            long b = world.add(6, 5, 1, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.radii()).isEqualTo(FloatBuffer.wrap(new float[] {0.5f, 1}));
+            world.grow(a, 0.9f, 40);
+            loop.advance(STEP, null);
+            SplittableRandom random = new SplittableRandom(5);
+            float time = 0;
+            while (time < 45) {
+                float steps = random.nextInt(1, 30) / 16f;
+                loop.advance(steps * STEP, null);
+                time += steps;
+                assertThat(loop.radii().get(World.id(a))).isCloseTo(0.5f + 0.01f * Math.min(time, 40), ROUNDING);
+                assertThat(loop.radii().get(World.id(b))).isEqualTo(1);
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void aRadiusThatIsSetShowsAtOnceWithTheNextStep(Backend backend) {
+        try (World world = world(backend)) {
+            long a = world.add(2, 5, 0.5f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
+            loop.advance(1.5f * STEP, null);
+            world.setRadius(a, 0.75f);
+            assertThat(loop.radii().get(0)).isEqualTo(0.5f);
+            loop.advance(STEP, null);
+            assertThat(loop.alpha()).isEqualTo(0.5f);
+            assertThat(loop.radii().get(0)).isEqualTo(0.75f);
+        }
+    }
+
+    @ParameterizedTest
+    @MethodSource(BACKENDS)
+    void theSameIdsHaveRadiiAsHavePositions(Backend backend) {
+        try (World world = world(backend)) {
+            FixedStep loop = new FixedStep(world, STEP);
+            assertThat(loop.radii().remaining()).isZero();
+            SplittableRandom random = new SplittableRandom(7);
+            for (int frame = 0; frame < 120; frame++) {
+                world.grow(world.add(1 + 8 * (float) random.nextDouble(), 5, 0.1f, 1), 0.2f, 9);
+                if (frame % 40 == 39) {
+                    world.clear();
+                }
+                loop.advance(random.nextInt(1, 40) * STEP / 16, null);
+                if (frame % 3 == 0) {
+                    world.remove(world.add(5, 5, 0.1f, 1)); // an id that the positions may lack
+                }
+                long removed = world.handle(random.nextInt(world.idLimit()));
+                if (removed != 0 && frame % 2 == 0) {
+                    world.remove(removed);
+                }
+                FloatBuffer positions = loop.positions(null);
+                FloatBuffer radii = loop.radii();
+                assertThat(2 * radii.limit()).isEqualTo(positions.limit());
+                for (int id = 0; id < radii.limit(); id++) {
+                    assertThat(Float.isNaN(radii.get(id))).isEqualTo(Float.isNaN(positions.get(2 * id)));
+                    assertThat(radii.get(id)).satisfiesAnyOf(r -> assertThat(r).isNaN(), r -> assertThat(r)
+                            .isBetween(0.1f, 0.2f));
+                }
+            }
+        }
+    }
+
+    @Test
+    void aResetShowsTheRadiiOfNow() {
+        try (World world = world()) {
+            long a = world.add(2, 5, 0.5f, 1);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
+            world.grow(a, 1, 10);
+            loop.advance(3.5f * STEP, null);
+            world.setRadius(a, 2);
+            loop.reset();
+            assertThat(loop.radii().get(0)).isEqualTo(2);
+        }
+    }
+
+    @Test
+    void aReplayShowsCirclesThatGrowAsTheGameDid() throws IOException {
+        ByteArrayOutputStream log = new ByteArrayOutputStream();
+        float[] shown = new float[12];
+        try (World world = world();
+                Recording recording = new Recording(world, log, 1)) {
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
+            world.grow(world.add(2, 5, 0.5f, 1), 1, 10);
+            for (int frame = 0; frame < shown.length; frame++) {
+                loop.advance(0.75f * STEP, null);
+                shown[frame] = loop.radii().get(0);
+            }
+            assertThat(recording.steps()).isEqualTo(9);
+        }
+        try (World world = world()) {
+            Replay replay = new Replay(new ByteArrayInputStream(log.toByteArray()), world);
+            FixedStep loop = new FixedStep(world, STEP);
+            loop.radii();
+            loop.advanceReplay(0.75f * STEP, replay);
+            for (int frame = 1; frame < shown.length; frame++) {
+                loop.advanceReplay(0.75f * STEP, replay);
+                assertThat(loop.radii().get(0)).isEqualTo(shown[frame]);
+            }
+        }
+    }
+
     @Test
     void beforeTheFirstStepThePositionsAreThoseOfNow() {
         try (World world = world()) {

@@ -46,6 +46,13 @@ final class MemoryEnds {
                             world.takePositions();
                         },
                 "stats", World::stats));
+        calls.put("clear", World::clear);
+        calls.put("a step in which circles grow", world -> {
+            for (int id = 0; id < CIRCLES; id += 2) {
+                world.grow(1L << 32 | id, 0.6f, 3);
+            }
+            world.step(STEP);
+        });
         calls.put("queries", world -> world.queries().overlapBox(0, 0, 100, 100, new long[0]));
         calls.forEach((name, call) -> {
             for (int spare : SPARES) {

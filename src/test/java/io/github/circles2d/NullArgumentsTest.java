@@ -25,6 +25,17 @@ import org.junit.jupiter.api.Test;
 
 /** An argument that is null and must not be is refused by the name of its public parameter, and nothing has changed. */
 class NullArgumentsTest {
+    private static final Rollback.Game NO_GAME = new Rollback.Game() {
+        @Override
+        public void beforeStep(int frame, long[] inputs) {}
+
+        @Override
+        public void save(ByteBuffer to) {}
+
+        @Override
+        public void restore(ByteBuffer from) {}
+    };
+
     private final World world = WorldScenes.jvm().threads(1).build();
 
     @AfterEach
@@ -98,6 +109,7 @@ class NullArgumentsTest {
         calls.put("World.readById", Map.of("circles", () -> world.readById(null, null)));
         calls.put("World.readVelocitiesById", Map.of("velocities", () -> world.readVelocitiesById(null, null)));
         calls.put("World.readKindsById", Map.of("kinds", () -> world.readKindsById(null, null)));
+        calls.put("World.readRadiiById", Map.of("radii", () -> world.readRadiiById(null, null)));
         calls.put("World.readTagsById", Map.of("tags", () -> world.readTagsById(null, null)));
         calls.put("World.snapshot", Map.of("to", () -> world.snapshot(null)));
         calls.put("World.restore", Map.of("from", () -> world.restore(null)));
@@ -106,6 +118,11 @@ class NullArgumentsTest {
         calls.put("FixedStep.FixedStep", Map.of("world", () -> new FixedStep(null, 1)));
         calls.put("FixedStep.advanceReplay", Map.of("replay", () -> loop.advanceReplay(1, null)));
         calls.put("Rewind.Rewind", Map.of("world", () -> new Rewind(null, 1)));
+        calls.put(
+                "Rollback.Rollback",
+                Map.of(
+                        "world", () -> new Rollback(null, NO_GAME, 1, 1, 1),
+                        "game", () -> new Rollback(world, null, 1, 1, 1)));
         calls.put(
                 "Recording.Recording",
                 Map.of(
@@ -145,6 +162,7 @@ class NullArgumentsTest {
                         Kind.class,
                         FixedStep.class,
                         Rewind.class,
+                        Rollback.class,
                         Recording.class,
                         Replay.class)
                 .flatMap(type -> Stream.of(type.getConstructors(), type.getDeclaredMethods())

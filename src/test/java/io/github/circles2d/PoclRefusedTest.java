@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.github.circles2d.calibration.Crowd;
+import io.github.circles2d.calibration.FrameTimes;
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.ForkedJvm;
 import io.github.circles2d.opencl.OpenCl;
@@ -82,13 +83,13 @@ class PoclRefusedTest {
     /** Takes no time. */
     private static final class NoMeter implements Meter {
         @Override
-        public double world(Optional<Device> device, Crowd crowd) {
-            return 1;
+        public FrameTimes world(Optional<Device> device, Crowd crowd) {
+            return FrameTimes.steady(1);
         }
 
         @Override
-        public double loop(Device device, PairIndexing indexing, int circles) {
-            return 1;
+        public FrameTimes loop(Device device, PairIndexing indexing, int circles) {
+            return FrameTimes.steady(1);
         }
     }
 

@@ -15,6 +15,8 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Random;
 import java.util.zip.CRC32C;
 import org.junit.jupiter.api.Test;
@@ -315,6 +317,76 @@ class RecordingTest {
                     .isThrownBy(() -> new Recording(world, OutputStream.nullOutputStream(), 0))
                     .withMessageContaining("the number of steps between two hashes");
             assertThat(recordFalls(world, 1)).isNotEmpty();
+        }
+    }
+
+    /** A stream that throws as soon as it has taken so many bytes, when it is flushed, or when it is closed. */
+    private static final class Failing extends OutputStream {
+        private final Exception failure;
+        private long left;
+
+        Failing(Exception failure, long left) {
+            this.failure = failure;
+            this.left = left;
+        }
+
+        private void fail() throws IOException {
+            if (failure instanceof IOException e) {
+                throw e;
+            }
+            throw (RuntimeException) failure;
+        }
+
+        @Override
+        public void write(int b) throws IOException {
+            if (left-- == 0) {
+                fail();
+            }
+        }
+
+        @Override
+        public void flush() throws IOException {
+            fail();
+        }
+
+        @Override
+        public void close() throws IOException {
+            fail();
+        }
+    }
+
+    @Test
+    void aFailureOfTheStreamIsToldAsAnIoExceptionWithATextWhateverWasThrownAndWhenever() throws IOException {
+        Map<Exception, String> failures = new LinkedHashMap<>();
+        failures.put(new IOException("no room"), "no room");
+        failures.put(new IOException(), "java.io.IOException");
+        failures.put(new IllegalStateException("not now"), "not now");
+        failures.put(new UnsupportedOperationException(), "java.lang.UnsupportedOperationException");
+        failures.put(new IllegalArgumentException(" "), "java.lang.IllegalArgumentException");
+        try (World world = world()) {
+            for (Map.Entry<Exception, String> failure : failures.entrySet()) {
+                Exception thrown = failure.getKey();
+                for (int left : new int[] {0, HEADER - 1, HEADER, HEADER + BLOCK_HEAD + 5}) {
+                    assertThatExceptionOfType(IOException.class)
+                            .isThrownBy(() -> new Recording(world, new Failing(thrown, left), 1))
+                            .withMessage("the log cannot begin: " + failure.getValue())
+                            .withCause(thrown);
+                }
+                Recording recording = new Recording(world, new Failing(thrown, Long.MAX_VALUE), 1);
+                world.step(1 / 60f);
+                assertThatExceptionOfType(IOException.class)
+                        .isThrownBy(recording::close)
+                        .withMessage("the log ends early: " + failure.getValue())
+                        .withCause(thrown)
+                        .satisfies(e -> assertThat(e.getSuppressed())
+                                .singleElement()
+                                .extracting(Throwable::getMessage)
+                                .isEqualTo("the stream of the log cannot be closed: " + failure.getValue()));
+                assertThat(recording.hasFailed()).isTrue();
+                assertThat(recordFalls(world, 1))
+                        .as("the world can be recorded")
+                        .isNotEmpty();
+            }
         }
     }
 

@@ -106,7 +106,7 @@ class ReferenceFuzzTest {
         }
 
         private void call() {
-            switch (random.nextInt(34)) {
+            switch (random.nextInt(38)) {
                 case 0 -> addSome(1 + random.nextInt(8));
                 case 1 -> withSome(this::remove);
                 case 2 -> withSome(this::setPosition);
@@ -134,6 +134,8 @@ class ReferenceFuzzTest {
                 case 24 -> readKindsAndTags();
                 case 25 -> touching();
                 case 26 -> requestEvents();
+                case 27, 28 -> withSome(this::grow);
+                case 29 -> clearAndAdd();
                 default -> step();
             }
         }
@@ -321,6 +323,23 @@ class ReferenceFuzzTest {
         private void setRadius(long handle) {
             float radius = radius();
             both("setRadius", c -> c.setRadius(handle, radius));
+        }
+
+        private void grow(long handle) {
+            float radius = radius();
+            int steps = 1 + random.nextInt(random.nextInt(4) == 0 ? 100 : 5);
+            both("grow", c -> c.grow(handle, radius, steps));
+        }
+
+        /** Now and then only: a program needs circles. */
+        private void clearAndAdd() {
+            if (random.nextInt(3) == 0) {
+                if (random.nextBoolean()) {
+                    addSome(2);
+                }
+                both("clear", WorldCalls::clear);
+                addSome(random.nextInt(8));
+            }
         }
 
         private void setMass(long handle) {

@@ -113,6 +113,8 @@ final class StackEnds {
                 Call.change("setKinds", world -> world.setKinds(one, 1, kind, StaleHandles.SKIP)),
                 Call.change("explode", world -> world.explode(5, 5, 3, 1, 1)),
                 Call.change("setRadius", world -> world.setRadius(1L << 32, 0.7f)),
+                Call.change("grow", world -> world.grow(1L << 32, 0.7f, 3)),
+                Call.change("clear", World::clear),
                 Call.change("setBounds", world -> world.setBounds(0, 0, 9, 9)),
                 Call.change("restore", world -> world.restore(snapshot.duplicate())));
         Call step = Call.change("step", world -> world.step(STEP, 2));

@@ -92,6 +92,7 @@ class WorldAllocationTest {
         long[] handles = new long[2];
         int[] kindsById = new int[2 * n];
         long[] tagsById = new long[2 * n];
+        float[] radii = new float[n];
         try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
             FixedStep loop = new FixedStep(world, scene.timeStep());
             Runnable before = () -> {
@@ -121,6 +122,9 @@ class WorldAllocationTest {
                 consume(world.takePositionsById(living).get(900));
                 loop.advance(1.5f * scene.timeStep(), before);
                 consume(loop.positions(living).get(900) + loop.alpha() + world.idLimit());
+                consume(loop.radii().get(900));
+                world.readRadiiById(radii, living);
+                world.grow(some[6], scene.radius(6) * (1.5f - loop.alpha()), 3);
                 Arrays.fill(velocities, 1e-4f);
             };
             assertAllocatesNothing(frame);
@@ -148,6 +152,56 @@ class WorldAllocationTest {
                 consume(rewind.size() + rewind.oldest() + rewind.newest());
             };
             assertAllocatesNothing(frame);
+        }
+    }
+
+    @Test
+    void rollingBackAllocatesNothingOnTheJvm() {
+        Scene scene = Scenes.thesis(1250, Scenes.SEED);
+        long[] handles = new long[scene.size()];
+        try (World world = WorldScenes.load(scene, WorldScenes.onThreads(1, true, WorldScenes.builder(scene)))) {
+            world.report(0, 1, Events.BEGIN | Events.HIT | Events.END);
+            world.readHandles(handles);
+            for (int k = 0; k < 5; k++) {
+                world.setKind(
+                        handles[k], 1); // the pairs that touch are few: to save many of them, Java's sort takes memory
+            }
+            Rollback rollback = new Rollback(
+                    world,
+                    new Rollback.Game() {
+                        @Override
+                        public void beforeStep(int frame, long[] inputs) {
+                            world.readHandles(handles);
+                            world.applyImpulse(handles[3], 1e-3f * inputs[1], 0);
+                        }
+
+                        @Override
+                        public void save(ByteBuffer to) {
+                            to.putInt(7);
+                        }
+
+                        @Override
+                        public void restore(ByteBuffer from) {
+                            consume(from.getInt());
+                        }
+
+                        @Override
+                        public void confirmed(int frame, Events events) {
+                            consume(events.size());
+                        }
+                    },
+                    scene.timeStep(),
+                    2,
+                    6);
+            assertAllocatesNothing(() -> {
+                int frame = rollback.frame();
+                rollback.setInput(0, frame, 1);
+                if (frame >= 4) {
+                    rollback.setInput(1, frame - 4, frame % 3);
+                }
+                rollback.advance();
+            });
+            assertThat(rollback.rollbacks()).isGreaterThan(10);
         }
     }
 

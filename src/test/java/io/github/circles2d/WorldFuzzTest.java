@@ -90,7 +90,7 @@ class WorldFuzzTest {
 
     /** What must live, and what is known of it. */
     private static final class Model {
-        /** Radius and mass by handle, in the order of the ids. */
+        /** Radius and mass by handle, in the order of the ids, and the radius to which the circle grows, in how many steps. */
         private final TreeMap<Long, float[]> circles =
                 new TreeMap<>((a, b) -> Integer.compare(a.intValue(), b.intValue()));
 
@@ -104,6 +104,15 @@ class WorldFuzzTest {
             circles.forEach((handle, values) -> copy.circles.put(handle, values.clone()));
             copy.walls(minX, minY, maxX, maxY);
             return copy;
+        }
+
+        void grow(int steps) {
+            for (float[] c : circles.values()) {
+                for (int k = 0; k < steps && c[3] > 0; k++) {
+                    c[0] = c[3] == 1 ? c[2] : c[0] + (c[2] - c[0]) / c[3];
+                    c[3]--;
+                }
+            }
         }
 
         void walls(float x0, float y0, float x1, float y1) {
@@ -240,7 +249,7 @@ class WorldFuzzTest {
         }
 
         private void call() throws IOException {
-            switch (random.nextInt(30)) {
+            switch (random.nextInt(33)) {
                 case 0, 1, 2, 3 -> add();
                 case 4, 5 -> addAll();
                 case 17 -> remove();
@@ -264,6 +273,8 @@ class WorldFuzzTest {
                 case 27 -> explode();
                 case 28 -> query();
                 case 29 -> report();
+                case 30, 31 -> grow();
+                case 32 -> clear();
                 default -> step();
             }
         }
@@ -309,7 +320,8 @@ class WorldFuzzTest {
 
         private void entered(long handle, float radius, float mass) {
             assertThat(stale).doesNotContain(handle);
-            assertThat(model.circles.put(handle, new float[] {radius, mass})).isNull();
+            assertThat(model.circles.put(handle, new float[] {radius, mass, 0, 0}))
+                    .isNull();
         }
 
         private void remove() {
@@ -353,7 +365,32 @@ class WorldFuzzTest {
             ask(unknown(handle) || bad(radius) || !(radius > 0), () -> {
                 world.setRadius(handle, radius);
                 model.circles.get(handle)[0] = radius;
+                model.circles.get(handle)[3] = 0;
             });
+        }
+
+        private void grow() {
+            long handle = handle();
+            float radius = radius();
+            int steps = random.nextInt(10) == 0 ? random.nextInt() : 1 + random.nextInt(6);
+            last = "grow " + radius + " " + steps;
+            ask(unknown(handle) || bad(radius) || !(radius > 0) || steps < 1 || steps > 100_000, () -> {
+                world.grow(handle, radius, steps);
+                model.circles.get(handle)[2] = radius;
+                model.circles.get(handle)[3] = steps;
+                assertThat(world.growthSteps(handle)).isEqualTo(steps);
+            });
+        }
+
+        private void clear() {
+            if (random.nextInt(4) == 0) {
+                last = "clear";
+                world.clear();
+                stale.addAll(model.circles.keySet());
+                model.circles.clear();
+                survivors.clear();
+                check();
+            }
         }
 
         private void setMass() {
@@ -719,6 +756,7 @@ class WorldFuzzTest {
             }
             ask(bad(dt) || !(dt > 0) || steps < 1, () -> {
                 world.step(dt, steps);
+                model.grow(steps);
                 if (twin != null) {
                     twin.step(dt, steps);
                 }
@@ -758,6 +796,8 @@ class WorldFuzzTest {
             float[] byId = new float[4 * world.idLimit()];
             long[] living = new long[world.idLimit() / 64 + 1];
             world.readById(byId, living);
+            float[] radii = new float[world.idLimit()];
+            world.readRadiiById(radii, null);
             assertThat(Arrays.stream(living).map(Long::bitCount).sum()).isEqualTo(n);
             int k = 0;
             for (Map.Entry<Long, float[]> entry : model.circles.entrySet()) {
@@ -771,6 +811,8 @@ class WorldFuzzTest {
                         && circles[4 * k + 1] >= model.minY
                         && circles[4 * k + 1] <= model.maxY
                         && circles[4 * k + 2] == entry.getValue()[0]
+                        && radii[id] == entry.getValue()[0]
+                        && world.growthSteps(handles[k]) == entry.getValue()[3]
                         && circles[4 * k + 3] == entry.getValue()[1]
                         && Math.abs(velocities[2 * k]) <= 1e9f
                         && Math.abs(velocities[2 * k + 1]) <= 1e9f;

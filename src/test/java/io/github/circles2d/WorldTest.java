@@ -56,6 +56,8 @@ class WorldTest {
                 refused(() -> world.setPosition(handle, 1, 1));
                 refused(() -> world.setVelocity(handle, 1, 1));
                 refused(() -> world.setRadius(handle, 1));
+                refused(() -> world.grow(handle, 1, 1));
+                refused(() -> world.growthSteps(handle));
                 refused(() -> world.setMass(handle, 1));
                 refused(() -> world.setRestitution(handle, 1));
                 refused(() -> world.applyImpulse(handle, 1, 1));
@@ -83,6 +85,7 @@ class WorldTest {
                 refused(() -> world.setPosition(a, bad, 1));
                 refused(() -> world.setVelocity(a, 1, bad));
                 refused(() -> world.setRadius(a, bad));
+                refused(() -> world.grow(a, bad, 1));
                 refused(() -> world.setRestitution(a, bad));
                 refused(() -> world.applyImpulse(a, bad, 0));
                 refused(() -> world.setGravity(0, bad));

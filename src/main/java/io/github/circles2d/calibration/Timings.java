@@ -120,6 +120,20 @@ public record Timings(List<Entry> entries) {
     }
 
     /**
+     * Leaves out what a workload took on a runner, in any version of it.
+     *
+     * @param workload what was timed
+     * @param runner the runner's name
+     * @return the others
+     */
+    public Timings without(Workload workload, String runner) {
+        return new Timings(entries.stream()
+                .filter(entry ->
+                        entry.workload != workload || !entry.runner.name().equals(runner))
+                .toList());
+    }
+
+    /**
      * Picks the candidate that takes the least time; of those within 5 % of it, the first.
      *
      * @param candidates their curves, the preferred ones first; not empty

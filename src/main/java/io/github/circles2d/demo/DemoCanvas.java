@@ -5,6 +5,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
+import java.util.List;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
@@ -12,8 +13,8 @@ import javax.swing.KeyStroke;
 /** Shows the latest frame of a loop and turns keys into its commands. */
 final class DemoCanvas extends JComponent {
     private static final long serialVersionUID = 1;
-    static final String KEYS =
-            "space pause   S step   R restart   digit or T strategy or back end   O overlay   Q quit";
+    static final List<String> KEYS =
+            List.of("space pause", "S step", "R restart", "digit or T strategy or back end", "O overlay", "Q quit");
 
     private final transient SimulationLoop loop;
     private final transient Painter painter = new Painter();

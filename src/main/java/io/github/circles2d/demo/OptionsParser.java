@@ -90,7 +90,8 @@ final class OptionsParser {
                 + "Shows circles that fall in a square, and how long the engine takes for each frame.%n%n"
                 + "Options (in brackets: what holds without them):%n"));
         new OptionsParser().table.forEach(option -> text.append(option.usage()));
-        return text.append(String.format("%nKeys: " + DemoCanvas.KEYS + "%n")).toString();
+        return text.append(String.format("%nKeys: " + String.join("   ", DemoCanvas.KEYS) + "%n"))
+                .toString();
     }
 
     /** What has been read so far. */

@@ -3,6 +3,7 @@ package io.github.circles2d.demo;
 import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
+import java.util.List;
 
 /**
  * Paints a frame: black ground, the outline of the arena, the discs, and the overlay where it is wanted. One thread at
@@ -17,9 +18,9 @@ final class Painter {
      * Paints over (0, 0) .. (width, height) of the graphics. Where its transform scales (a screen with small pixels),
      * the discs are filled in device pixels and stay sharp.
      *
-     * @param below a line of text under the arena; drawn with the overlay only
+     * @param keys what to press, under the arena; drawn with the overlay only
      */
-    void paint(Graphics2D g, int width, int height, Frame frame, boolean overlay, String below) {
+    void paint(Graphics2D g, int width, int height, Frame frame, boolean overlay, List<String> keys) {
         double scale = Math.max(g.getTransform().getScaleX(), 1e-3);
         fill((int) Math.ceil(width * scale), (int) Math.ceil(height * scale), scale, frame.circles());
         AffineTransform given = g.getTransform();
@@ -29,7 +30,7 @@ final class Painter {
         if (overlay) {
             Viewport arena = Viewport.fit(width, height, 1);
             Overlay.paint(g, arena, frame);
-            Overlay.paintBelow(g, arena, below);
+            Overlay.paintBelow(g, arena, width, height, keys);
         }
     }
 
@@ -37,7 +38,7 @@ final class Painter {
     BufferedImage picture(int width, int height, Frame frame, boolean overlay) {
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = picture.createGraphics();
-        paint(g, width, height, frame, overlay, "");
+        paint(g, width, height, frame, overlay, List.of());
         g.dispose();
         return picture;
     }

@@ -1,5 +1,6 @@
 package io.github.circles2d.opencl;
 
+import com.nativelibs4java.opencl.CLBuffer;
 import com.nativelibs4java.opencl.CLDevice;
 import com.nativelibs4java.opencl.CLEvent;
 import com.nativelibs4java.opencl.CLException;
@@ -28,7 +29,14 @@ public final class Kernel implements AutoCloseable {
     private final long[] globalSize = new long[1];
     private final long[] localSize = new long[1];
     private boolean hasRun;
+
+    /** By argument: the buffer; null of numbers. */
     private DeviceBuffer[] buffers = new DeviceBuffer[8];
+
+    /** By argument: the bits of the number, and the bytes that it has; 0 if none has been set. Calls into the driver cost more. */
+    private long[] numbers = new long[8];
+
+    private byte[] numberBytes = new byte[8];
 
     Kernel(Session session, String name, CLKernel kernel) {
         this.session = session;
@@ -72,15 +80,39 @@ public final class Kernel implements AutoCloseable {
         if (buffer.session() != session) {
             throw new IllegalArgumentException("argument " + index + " of " + name + " belongs to another session");
         }
+        CLBuffer<Byte> memory = buffer.buffer();
+        if (index >= 0 && index < buffers.length && buffers[index] == buffer) {
+            return this;
+        }
         try {
-            kernel.setArg(index, buffer.buffer());
+            kernel.setArg(index, memory);
         } catch (CLException e) {
             throw failedArgument(index, e);
         }
-        if (index >= buffers.length) {
-            buffers = Arrays.copyOf(buffers, Math.max(index + 1, 2 * buffers.length));
-        }
+        ensureArguments(index);
         buffers[index] = buffer;
+        numberBytes[index] = 0;
+        return this;
+    }
+
+    private void ensureArguments(int index) {
+        if (index >= buffers.length) {
+            int longer = Math.max(index + 1, 2 * buffers.length);
+            buffers = Arrays.copyOf(buffers, longer);
+            numbers = Arrays.copyOf(numbers, longer);
+            numberBytes = Arrays.copyOf(numberBytes, longer);
+        }
+    }
+
+    private boolean isSet(int index, long bits, int bytes) {
+        return index >= 0 && index < buffers.length && numberBytes[index] == bytes && numbers[index] == bits;
+    }
+
+    private Kernel noteNumber(int index, long bits, int bytes) {
+        ensureArguments(index);
+        buffers[index] = null;
+        numbers[index] = bits;
+        numberBytes[index] = (byte) bytes;
         return this;
     }
 
@@ -92,12 +124,16 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, int value) {
+        long bits = value;
+        if (isSet(index, bits, Integer.BYTES)) {
+            return this;
+        }
         try {
             kernel.setArg(index, value);
         } catch (CLException e) {
             throw failedArgument(index, e);
         }
-        return this;
+        return noteNumber(index, bits, Integer.BYTES);
     }
 
     /**
@@ -108,12 +144,16 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, long value) {
+        long bits = value;
+        if (isSet(index, bits, Long.BYTES)) {
+            return this;
+        }
         try {
             kernel.setArg(index, value);
         } catch (CLException e) {
             throw failedArgument(index, e);
         }
-        return this;
+        return noteNumber(index, bits, Long.BYTES);
     }
 
     /**
@@ -124,12 +164,16 @@ public final class Kernel implements AutoCloseable {
      * @return this kernel
      */
     public Kernel arg(int index, float value) {
+        long bits = Float.floatToRawIntBits(value);
+        if (isSet(index, bits, Float.BYTES)) {
+            return this;
+        }
         try {
             kernel.setArg(index, value);
         } catch (CLException e) {
             throw failedArgument(index, e);
         }
-        return this;
+        return noteNumber(index, bits, Float.BYTES);
     }
 
     /**

@@ -22,8 +22,7 @@ import java.util.regex.Pattern;
  * defines for them. Immutable.
  *
  * <p>A file names the files that it uses in lines such as {@code // uses: world/shared/Contact.cl world/stages/World.cl}. A
- * source has each file once. {@code Contact.cl*4} takes a file with the macro LANES defined as 4 instead of empty: one text that
- * serves several widths of vectors. {@code Contact.cl*LANES} takes it as the using file was taken.
+ * source has each file once.
  *
  * <p>The files come out of the library's jar. To develop kernels, name a folder that holds them by the system property
  * {@value #FOLDER_PROPERTY}.
@@ -33,9 +32,6 @@ public final class KernelSource {
     public static final String FOLDER_PROPERTY = "circles2d.kernels";
 
     private static final String RESOURCES = "/io/github/circles2d/kernels/";
-
-    /** What takes a file for several lanes, in front of their number; and what goes back to one lane, behind the file. */
-    private static final String LANES = "#undef LANES\n#define LANES ";
 
     private static final Pattern USES = Pattern.compile("^// uses: (.*)$", Pattern.MULTILINE);
 
@@ -84,21 +80,17 @@ public final class KernelSource {
         if (files.containsKey(file)) {
             return;
         }
-        int star = file.indexOf('*');
-        String path = star < 0 ? file : file.substring(0, star);
-        String lanes = star < 0 ? "" : file.substring(star + 1);
-        String text = read(path, users);
+        String text = read(file, users);
         users.add(file);
         Matcher uses = USES.matcher(text);
         while (uses.find()) {
             for (String used : uses.group(1).split(" ")) {
-                add(used.replace("*LANES", lanes.isEmpty() ? "" : "*" + lanes), files, users);
+                add(used, files, users);
             }
         }
         users.remove(users.size() - 1);
         // Joined, not included: #include would look in the current directory first.
-        String marked = "#line 1 \"" + path + "\"\n" + text + "\n";
-        files.put(file, lanes.isEmpty() ? marked : LANES + lanes + "\n" + marked + LANES + "\n");
+        files.put(file, "#line 1 \"" + file + "\"\n" + text + "\n");
     }
 
     /**

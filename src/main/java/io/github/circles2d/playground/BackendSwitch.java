@@ -10,27 +10,42 @@ import java.util.List;
 /** The back ends that this machine has, to switch between. */
 final class BackendSwitch {
     private final SessionLoop loop;
-    private final List<Backend> available;
+    private final List<Backend> available = new ArrayList<>(List.of(Backend.JVM));
+
+    /** Why a back end is missing; none if the device is. */
+    private String failure = "";
 
     BackendSwitch(SessionLoop loop) {
         this.loop = loop;
-        available = find();
+        find();
     }
 
-    private static List<Backend> find() {
-        List<Backend> found = new ArrayList<>(List.of(Backend.JVM));
+    private void find() {
         try {
             List<Device> devices = OpenCl.devices();
             if (devices.stream().anyMatch(device -> device.kind() == Device.Kind.CPU)) {
-                found.add(Backend.OPENCL_CPU);
+                available.add(Backend.OPENCL_CPU);
             }
             if (devices.stream().anyMatch(device -> device.kind() != Device.Kind.CPU)) {
-                found.add(Backend.OPENCL_GPU);
+                available.add(Backend.OPENCL_GPU);
             }
-        } catch (OpenClException e) {
-            return found; // World needs no driver
+            OpenCl.refusal().ifPresent(why -> failure = why);
+        } catch (OpenClException e) { // World needs no driver
+            failure = e.getMessage();
         }
-        return found;
+    }
+
+    /** Why a back end cannot be chosen, in a few words; empty if it can. */
+    String lack(Backend backend) {
+        if (has(backend)) {
+            return "";
+        }
+        return backend == Backend.OPENCL_GPU ? "no GPU with an OpenCL driver" : "no OpenCL driver for the processor";
+    }
+
+    /** What the search for devices has said; empty if nothing. */
+    String failure() {
+        return failure;
     }
 
     boolean has(Backend backend) {

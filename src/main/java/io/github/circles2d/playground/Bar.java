@@ -1,5 +1,7 @@
 package io.github.circles2d.playground;
 
+import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.FlowLayout;
 import java.util.EnumMap;
 import java.util.Locale;
@@ -10,14 +12,19 @@ import javax.swing.JPanel;
 /** The tools, the course of time and the colours, as buttons that show what is on. */
 final class Bar extends JPanel {
     private static final long serialVersionUID = 1;
+    private static final int GAP_X = 6;
+    private static final int GAP_Y = 7;
 
     private final transient Map<ToolKind, FlatButton> tools = new EnumMap<>(ToolKind.class);
     private final transient Map<PaintMode, FlatButton> paints = new EnumMap<>(PaintMode.class);
     private final FlatButton pause;
     private final FlatButton slow;
+    private final int width;
 
-    Bar(SessionLoop loop) {
-        super(new FlowLayout(FlowLayout.LEFT, 6, 7));
+    /** A bar in a window that is to have so many pixels across. */
+    Bar(SessionLoop loop, int width) {
+        super(new FlowLayout(FlowLayout.LEFT, GAP_X, GAP_Y));
+        this.width = width;
         setBackground(Theme.BAR);
         for (ToolKind kind : ToolKind.values()) {
             String tip = kind.purpose() + " (" + (kind.ordinal() + 1) + ")";
@@ -34,6 +41,27 @@ final class Bar extends JPanel {
                     + mode.label().substring(1);
             paints.put(mode, button(label, "paint by " + mode.label() + " (C)", () -> loop.ask(s -> s.setPaint(mode))));
         }
+    }
+
+    /** As high as its rows are, where the layout itself knows of one row only; and it asks for no width. */
+    @Override
+    public Dimension getPreferredSize() {
+        boolean placed = getParent() != null && getParent().getWidth() > 0;
+        int room = (placed ? getParent().getWidth() : width) - 2 * GAP_X;
+        int x = 0;
+        int row = 0;
+        int above = GAP_Y;
+        for (Component part : getComponents()) {
+            Dimension size = part.getPreferredSize();
+            if (x > 0 && x + GAP_X + size.width > room) {
+                above += row + GAP_Y;
+                x = 0;
+                row = 0;
+            }
+            x += (x > 0 ? GAP_X : 0) + size.width;
+            row = Math.max(row, size.height);
+        }
+        return new Dimension(0, above + row + GAP_Y);
     }
 
     private FlatButton button(String text, String tip, Runnable action) {

@@ -76,6 +76,9 @@ final class CanvasMouse extends MouseAdapter {
 
     @Override
     public void mouseWheelMoved(MouseWheelEvent event) {
+        if (canvas.scrollHelp(event.getPreciseWheelRotation())) {
+            return;
+        }
         if (event.isShiftDown()) {
             int notches = event.getPreciseWheelRotation() < 0 ? 1 : -1;
             loop.ask(session -> session.scaleBrush(notches));

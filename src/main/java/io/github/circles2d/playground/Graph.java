@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Path2D;
 import java.util.Arrays;
 
@@ -26,7 +27,11 @@ final class Graph {
         this.colour = colour;
     }
 
-    void paint(Graphics2D g, int left, int upper, int width, int height, float[] values, String now) {
+    void paint(Graphics2D g, Rectangle at, float[] values, String now) {
+        int left = at.x;
+        int upper = at.y;
+        int width = at.width;
+        int height = at.height;
         Hud.panel(g, left, upper, width, height);
         g.setFont(Theme.font(12));
         FontMetrics metrics = g.getFontMetrics();

@@ -29,43 +29,74 @@ final class Help {
         {"ctrl + O  S  P  C", "open, save, picture, copy"},
     };
 
-    private static final int ROW = 25;
-    private static final int KEY_WIDTH = 158;
-    private static final int TEXT_WIDTH = 262;
-    private static final int PAD = 28;
+    private static final int FIRST = firstColumn();
 
     private Help() {}
 
-    static void paint(Graphics2D g, int width, int height) {
+    private static int firstColumn() {
+        int count = 0;
+        while (LINES[count].length > 0) {
+            count++;
+        }
+        return count;
+    }
+
+    static HelpLayout layout(int width, int height) {
+        return HelpLayout.of(width, height, FIRST, LINES.length - FIRST - 1);
+    }
+
+    /** Paints the keys, scrolled up by so many pixels. */
+    static void paint(Graphics2D g, int width, int height, int scroll) {
         Hud.smooth(g);
         g.setColor(new Color(5, 7, 10, 150));
         g.fillRect(0, 0, width, height);
-        int column = KEY_WIDTH + TEXT_WIDTH;
-        int wide = 2 * column + 3 * PAD;
-        int high = 9 * ROW + 2 * PAD + 34;
-        double fit = Math.min(1, Math.min((double) width / (wide + 20), (double) height / (high + 20)));
+        HelpLayout layout = layout(width, height);
+        Hud.panel(g, layout.left(), layout.top(), layout.width(), layout.height());
         Graphics2D scaled = (Graphics2D) g.create();
-        scaled.translate((width - wide * fit) / 2, (height - high * fit) / 2);
-        scaled.scale(fit, fit);
-        Hud.panel(scaled, 0, 0, wide, high);
-        scaled.setColor(Theme.TEXT);
-        scaled.setFont(Theme.bold(17));
-        scaled.drawString("Playground", PAD, PAD + 14);
-        int left = PAD;
-        int y = PAD + 50;
-        for (String[] line : LINES) {
-            if (line.length == 0) {
-                left = 2 * PAD + column;
-                y = PAD + 50;
-                continue;
-            }
-            paintKey(scaled, line[0], left, y);
-            scaled.setFont(Theme.font(14));
-            scaled.setColor(Theme.TEXT);
-            scaled.drawString(line[1], left + KEY_WIDTH, y);
-            y += ROW;
-        }
+        scaled.clipRect(layout.left(), layout.top() + 1, layout.width(), layout.height() - 2);
+        scaled.translate(layout.left(), layout.top() - scroll);
+        scaled.scale(layout.scale(), layout.scale());
+        paintLines(scaled, layout);
         scaled.dispose();
+        if (layout.mostScroll() > 0) {
+            paintScrollBar(g, layout, scroll);
+        }
+    }
+
+    private static void paintLines(Graphics2D g, HelpLayout layout) {
+        int pad = HelpLayout.pad(layout.columns());
+        g.setColor(Theme.TEXT);
+        g.setFont(Theme.bold(17));
+        g.drawString("Playground", pad, 36);
+        if (layout.mostScroll() > 0) {
+            g.setColor(Theme.FAINT);
+            g.setFont(Theme.font(13));
+            g.drawString("scroll by wheel or arrows", pad + HelpLayout.KEY_WIDTH, 36);
+        }
+        int left = pad;
+        int row = 0;
+        for (String[] line : LINES) {
+            if (line.length > 0) {
+                int y = HelpLayout.HEAD + row * HelpLayout.ROW + 16;
+                paintKey(g, line[0], left, y);
+                g.setFont(Theme.font(14));
+                g.setColor(Theme.TEXT);
+                g.drawString(line[1], left + HelpLayout.KEY_WIDTH, y);
+                row++;
+            } else if (layout.columns() == 2) {
+                left = 2 * pad + HelpLayout.COLUMN;
+                row = 0;
+            }
+        }
+    }
+
+    private static void paintScrollBar(Graphics2D g, HelpLayout layout, int scroll) {
+        int track = layout.height() - 8;
+        int whole = layout.height() + layout.mostScroll();
+        int length = track * layout.height() / whole;
+        int from = (track - length) * scroll / layout.mostScroll();
+        g.setColor(Theme.FAINT);
+        g.fillRoundRect(layout.left() + layout.width() - 8, layout.top() + 4 + from, 4, length, 4, 4);
     }
 
     private static void paintKey(Graphics2D g, String keys, int left, int y) {

@@ -2,27 +2,29 @@ package io.github.circles2d.playground;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
 /** The text and the graphs over the circles. */
 final class Hud {
-    private static final int MARGIN = 14;
     private static final int PAD = 12;
     private static final int LINE = 19;
     private static final float SIZE = 13;
-    private static final int GRAPH_WIDTH = 240;
-    private static final int GRAPH_HEIGHT = 74;
+    private static final int LEGEND_BAR = 132;
 
     private final Graph steps = new Graph("ms a step", Theme.ACCENT, 0.97);
     private final Graph energy = new Graph("energy", Theme.WARM, 1);
     private final FrameRate rate = new FrameRate();
+    private HudLayout layout;
 
     /** Draws how far the tool in hand reaches. */
     void paintBrush(Graphics2D g, Point mouse, Camera camera, Frame frame) {
@@ -39,21 +41,34 @@ final class Hud {
     void paint(Graphics2D g, int width, int height, Frame frame, boolean graphs) {
         rate.tick(System.nanoTime());
         smooth(g);
-        int bottom = paintFigures(g, frame);
-        if (graphs) {
-            int left = width - MARGIN - GRAPH_WIDTH;
-            steps.paint(g, left, MARGIN, GRAPH_WIDTH, GRAPH_HEIGHT, frame.stepTimes, format("%.2f", frame.stepMillis));
-            energy.paint(
-                    g,
-                    left,
-                    MARGIN + GRAPH_HEIGHT + 8,
-                    GRAPH_WIDTH,
-                    GRAPH_HEIGHT,
-                    frame.energies,
-                    format("%.3g", frame.energy));
+        int room = width - 2 * HudLayout.MARGIN - 2 * PAD;
+        List<String> lines = lines(frame);
+        List<String> message = frame.message.isEmpty() ? List.of() : wrap(frame.message, metrics(g, SIZE), room);
+        layout = HudLayout.of(
+                width,
+                height,
+                figuresSize(g, lines, room),
+                legendSize(g, frame.paint),
+                message.isEmpty() ? null : messageSize(g, message),
+                graphs);
+        if (layout.figures() != null) {
+            paintFigures(g, layout.figures(), lines, frame);
         }
-        paintLegend(g, bottom + 8, frame.paint);
-        paintMessage(g, width, frame);
+        if (layout.steps() != null) {
+            steps.paint(g, layout.steps(), frame.stepTimes, format("%.2f", frame.stepMillis));
+            energy.paint(g, layout.energy(), frame.energies, format("%.3g", frame.energy));
+        }
+        if (layout.legend() != null) {
+            paintLegend(g, layout.legend(), frame.paint);
+        }
+        if (layout.message() != null) {
+            paintMessage(g, layout.message(), message);
+        }
+    }
+
+    /** Where the panels were when they were painted last; null before. */
+    HudLayout layout() {
+        return layout;
     }
 
     /** The lines of the panel. */
@@ -69,70 +84,87 @@ final class Hud {
                 format("hash %016x at step %,d", frame.hash, frame.hashStep));
     }
 
-    /** Returns where the panel ends. */
-    private int paintFigures(Graphics2D g, Frame frame) {
-        List<String> lines = lines(frame);
+    private static Dimension figuresSize(Graphics2D g, List<String> lines, int room) {
         int widest = 0;
         for (int k = 0; k < lines.size(); k++) {
-            g.setFont(font(k));
-            widest = Math.max(widest, g.getFontMetrics().stringWidth(lines.get(k)));
+            widest = Math.max(widest, g.getFontMetrics(font(k)).stringWidth(lines.get(k)));
         }
-        panel(g, MARGIN, MARGIN, widest + 2 * PAD, lines.size() * LINE + PAD + 2);
+        return new Dimension(Math.min(widest, room) + 2 * PAD, lines.size() * LINE + PAD + 2);
+    }
+
+    private static void paintFigures(Graphics2D g, Rectangle at, List<String> lines, Frame frame) {
+        panel(g, at.x, at.y, at.width, at.height);
         for (int k = 0; k < lines.size(); k++) {
             g.setFont(font(k));
             boolean remark = k == 1 && (frame.paused || frame.rewinding || frame.speed < 1);
             g.setColor(remark ? Theme.WARM : k < 2 ? Theme.TEXT : Theme.FAINT);
-            g.drawString(lines.get(k), MARGIN + PAD, MARGIN + PAD + 8 + k * LINE);
+            String line =
+                    wrap(lines.get(k), g.getFontMetrics(), at.width - 2 * PAD).get(0);
+            g.drawString(line, at.x + PAD, at.y + PAD + 8 + k * LINE);
         }
-        return MARGIN + lines.size() * LINE + PAD + 2;
     }
 
     private static Font font(int line) {
         return line == 0 ? Theme.bold(SIZE) : line == 3 ? Theme.digits(SIZE - 1) : Theme.font(SIZE);
     }
 
-    private static void paintLegend(Graphics2D g, int top, PaintMode mode) {
+    /** Null for colours without a meaning. */
+    private static Dimension legendSize(Graphics2D g, PaintMode mode) {
+        boolean none = Shades.legend(mode).length == 0;
+        int text = metrics(g, SIZE - 1).stringWidth(mode.label());
+        return none ? null : new Dimension(text + LEGEND_BAR + 3 * PAD, 26);
+    }
+
+    private static void paintLegend(Graphics2D g, Rectangle at, PaintMode mode) {
         int[] colours = Shades.legend(mode);
-        if (colours.length == 0) {
-            return;
-        }
         g.setFont(Theme.font(SIZE - 1));
-        FontMetrics metrics = g.getFontMetrics();
-        int bar = 132;
-        String label = mode.label();
-        panel(g, MARGIN, top, metrics.stringWidth(label) + bar + 3 * PAD, 26);
+        panel(g, at.x, at.y, at.width, at.height);
         g.setColor(Theme.FAINT);
-        g.drawString(label, MARGIN + PAD, top + 18);
-        int left = MARGIN + 2 * PAD + metrics.stringWidth(label);
+        g.drawString(mode.label(), at.x + PAD, at.y + 18);
+        int left = at.x + at.width - PAD - LEGEND_BAR;
         for (int k = 0; k < colours.length; k++) {
-            int from = left + bar * k / colours.length;
-            int to = left + bar * (k + 1) / colours.length;
+            int from = left + LEGEND_BAR * k / colours.length;
+            int to = left + LEGEND_BAR * (k + 1) / colours.length;
             g.setColor(new Color(colours[k]));
-            g.fillRect(from, top + 9, to - from, 8);
+            g.fillRect(from, at.y + 9, to - from, 8);
         }
     }
 
-    private static void paintMessage(Graphics2D g, int width, Frame frame) {
-        if (frame.message.isEmpty()) {
-            return;
-        }
+    private static Dimension messageSize(Graphics2D g, List<String> lines) {
+        FontMetrics metrics = metrics(g, SIZE);
+        int widest = lines.stream().mapToInt(metrics::stringWidth).max().orElse(0);
+        return new Dimension(widest + 2 * PAD, 9 + lines.size() * LINE);
+    }
+
+    private static void paintMessage(Graphics2D g, Rectangle at, List<String> lines) {
+        panel(g, at.x, at.y, at.width, at.height);
         g.setFont(Theme.font(SIZE));
-        FontMetrics metrics = g.getFontMetrics();
-        String text = cut(frame.message, metrics, width - 2 * (MARGIN + PAD));
-        int wide = metrics.stringWidth(text) + 2 * PAD;
-        int left = Math.max((width - wide) / 2, MARGIN);
-        int top = MARGIN + 130;
-        panel(g, left, top, wide, 28);
         g.setColor(Theme.WARM);
-        g.drawString(text, left + PAD, top + 19);
+        for (int k = 0; k < lines.size(); k++) {
+            g.drawString(lines.get(k), at.x + PAD, at.y + 19 + k * LINE);
+        }
     }
 
-    private static String cut(String text, FontMetrics metrics, int room) {
-        int length = text.length();
-        while (length > 0 && metrics.stringWidth(text.substring(0, length)) > room) {
-            length--;
+    private static FontMetrics metrics(Graphics2D g, float size) {
+        return g.getFontMetrics(Theme.font(size));
+    }
+
+    /** Breaks a text between words into lines that fit; within a word that is longer than a line. */
+    static List<String> wrap(String text, FontMetrics metrics, int room) {
+        List<String> lines = new ArrayList<>();
+        String rest = text;
+        while (rest.length() > 1 && metrics.stringWidth(rest) > room) {
+            int fitting = 1;
+            while (metrics.stringWidth(rest.substring(0, fitting + 1)) <= room) {
+                fitting++;
+            }
+            int blank = rest.lastIndexOf(' ', fitting);
+            int end = blank > 0 ? blank : fitting;
+            lines.add(rest.substring(0, end));
+            rest = rest.substring(end).stripLeading();
         }
-        return text.substring(0, length);
+        lines.add(rest);
+        return lines;
     }
 
     /** The ground of a text. */

@@ -10,6 +10,9 @@ import javax.swing.KeyStroke;
 
 /** Binds the keys that {@link Help} lists. Those of files are the menus'. */
 final class Keys {
+    /** Rows of the keys that are scrolled at once. */
+    private static final int PAGE = 4;
+
     private final JComponent component;
     private final SessionLoop loop;
 
@@ -37,6 +40,10 @@ final class Keys {
         keys.on(canvas::toggleGraphs, "G");
         keys.on(canvas::toggleHelp, "H", "F1");
         keys.on(canvas::hideHelp, "ESCAPE");
+        keys.on(() -> canvas.scrollHelp(-1), "UP");
+        keys.on(() -> canvas.scrollHelp(1), "DOWN");
+        keys.on(() -> canvas.scrollHelp(-PAGE), "PAGE_UP");
+        keys.on(() -> canvas.scrollHelp(PAGE), "PAGE_DOWN");
         HeldKey rewind = HeldKey.bind(canvas, "B", on -> loop.ask(session -> session.setRewinding(on)));
         HeldKey pour = HeldKey.bind(canvas, "F", on -> loop.ask(session -> session.pour(on)));
         window.addWindowFocusListener(new WindowAdapter() {

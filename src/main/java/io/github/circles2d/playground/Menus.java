@@ -3,14 +3,17 @@ package io.github.circles2d.playground;
 import io.github.circles2d.Backend;
 import java.awt.Color;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.Map;
 import javax.swing.BorderFactory;
 import javax.swing.ButtonGroup;
+import javax.swing.JComponent;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.border.Border;
 
@@ -20,6 +23,11 @@ final class Menus {
 
     private final JMenuBar bar = new JMenuBar();
     private final Map<Backend, JRadioButtonMenuItem> backends = new EnumMap<>(Backend.class);
+    private final Map<String, JRadioButtonMenuItem> stages = new HashMap<>();
+    private final ButtonGroup stageGroup = new ButtonGroup();
+
+    /** The stage that is marked. */
+    private String stage;
 
     Menus(SessionLoop loop, PlaygroundCanvas canvas, FileMenu files, BackendSwitch switcher, Runnable quit) {
         bar.setBackground(new Color(Theme.BAR.getRGB()));
@@ -34,17 +42,17 @@ final class Menus {
         item(file, "Quit", "ctrl Q", quit);
         addStages(loop);
         JMenu run = menu("Run");
-        item(run, "Pause or go on", null, () -> loop.ask(Session::togglePause));
-        item(run, "One step", null, () -> loop.ask(Session::stepOnce));
-        item(run, "One step back", null, () -> loop.ask(Session::stepBack));
-        item(run, "Slower", null, () -> loop.ask(Session::slower));
+        shownItem(run, "Pause or go on", "SPACE", () -> loop.ask(Session::togglePause));
+        shownItem(run, "One step", "PERIOD", () -> loop.ask(Session::stepOnce));
+        shownItem(run, "One step back", "COMMA", () -> loop.ask(Session::stepBack));
+        shownItem(run, "Slower", "S", () -> loop.ask(Session::slower));
         item(run, "Normal speed", null, () -> loop.ask(Session::normalSpeed));
-        item(run, "Start again", null, () -> loop.ask(Session::restart));
+        shownItem(run, "Start again", "R", () -> loop.ask(Session::restart));
         addBackends(switcher);
         JMenu view = menu("View");
-        item(view, "Back to all", null, canvas::goHome);
-        item(view, "Graphs", null, canvas::toggleGraphs);
-        item(view, "Keys", null, canvas::toggleHelp);
+        shownItem(view, "Back to all", "HOME", canvas::goHome);
+        shownItem(view, "Graphs", "G", canvas::toggleGraphs);
+        shownItem(view, "Keys", "H", canvas::toggleHelp);
     }
 
     /** Colours of menus that are to come. */
@@ -56,7 +64,7 @@ final class Menus {
             UIManager.put(kind + ".selectionForeground", Theme.TEXT);
             UIManager.put(kind + ".acceleratorForeground", Theme.FAINT);
             UIManager.put(kind + ".acceleratorSelectionForeground", Theme.FAINT);
-            UIManager.put(kind + ".disabledForeground", Theme.LINE.brighter());
+            UIManager.put(kind + ".disabledForeground", Theme.DISABLED);
             UIManager.put(kind + ".font", Theme.font(13));
             UIManager.put(kind + ".acceleratorFont", Theme.font(12));
             UIManager.put(kind + ".borderPainted", false);
@@ -74,23 +82,36 @@ final class Menus {
         return bar;
     }
 
-    /** Shows what a frame says. */
+    /** Shows what a frame says: the stage and the back end of the world. */
     void show(Frame frame) {
         JRadioButtonMenuItem now = backends.get(frame.backend);
         if (now != null) {
             now.setSelected(true);
+        }
+        if (!frame.stage.equals(stage)) {
+            stage = frame.stage;
+            stageGroup.clearSelection(); // a world from a file is none of them
+            JRadioButtonMenuItem item = stages.get(stage);
+            if (item != null) {
+                item.setSelected(true);
+            }
         }
     }
 
     private void addStages(SessionLoop loop) {
         JMenu menu = menu("Scene");
         boolean separated = false;
-        for (Stage stage : Stages.all()) {
-            if (stage.published() && !separated) {
+        for (Stage one : Stages.all()) {
+            if (one.published() && !separated) {
                 menu.addSeparator();
                 separated = true;
             }
-            item(menu, stage.name(), null, () -> loop.ask(session -> session.load(stage)));
+            JRadioButtonMenuItem item = choice(menu, stageGroup, one.name());
+            item.addActionListener(event -> {
+                stage = null; // the next frame says whether it has come
+                loop.ask(session -> session.load(one));
+            });
+            stages.put(one.name(), item);
         }
     }
 
@@ -98,14 +119,26 @@ final class Menus {
         JMenu menu = menu("Back end");
         ButtonGroup group = new ButtonGroup();
         for (Backend backend : new Backend[] {Backend.JVM, Backend.OPENCL_CPU, Backend.OPENCL_GPU}) {
-            JRadioButtonMenuItem item = new JRadioButtonMenuItem(backend.toString());
-            item.setBorder(ROOM);
-            item.setEnabled(switcher.has(backend));
+            String lack = switcher.lack(backend);
+            JRadioButtonMenuItem item =
+                    choice(menu, group, lack.isEmpty() ? backend.toString() : backend + " (" + lack + ")");
+            item.setEnabled(lack.isEmpty());
+            if (!lack.isEmpty() && !switcher.failure().isEmpty()) {
+                item.setToolTipText(switcher.failure());
+            }
             item.addActionListener(event -> switcher.to(backend));
-            group.add(item);
-            menu.add(item);
             backends.put(backend, item);
         }
+        menu.addSeparator();
+        shownItem(menu, "Next back end", "N", switcher::next);
+    }
+
+    private static JRadioButtonMenuItem choice(JMenu menu, ButtonGroup group, String text) {
+        JRadioButtonMenuItem item = new JRadioButtonMenuItem(text);
+        item.setBorder(ROOM);
+        group.add(item);
+        menu.add(item);
+        return item;
     }
 
     private JMenu menu(String text) {
@@ -115,7 +148,7 @@ final class Menus {
         return menu;
     }
 
-    private static void item(JMenu menu, String text, String key, Runnable action) {
+    private static JMenuItem item(JMenu menu, String text, String key, Runnable action) {
         JMenuItem item = new JMenuItem(text);
         item.setBorder(ROOM);
         if (key != null) {
@@ -123,5 +156,12 @@ final class Menus {
         }
         item.addActionListener(event -> action.run());
         menu.add(item);
+        return item;
+    }
+
+    /** An item whose key {@link Keys} binds: the menu only shows it, since an item that is pressed by its key stops all for a moment. */
+    private static void shownItem(JMenu menu, String text, String key, Runnable action) {
+        JMenuItem item = item(menu, text, key, action);
+        SwingUtilities.replaceUIInputMap(item, JComponent.WHEN_IN_FOCUSED_WINDOW, null);
     }
 }

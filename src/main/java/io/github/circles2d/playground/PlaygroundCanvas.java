@@ -25,6 +25,9 @@ final class PlaygroundCanvas extends JComponent {
     private boolean graphs = true;
     private boolean help;
 
+    /** Pixels of the keys above the upper end of their panel. */
+    private int scroll;
+
     /** Where the mouse is; null outside. */
     private Point mouse;
 
@@ -47,6 +50,10 @@ final class PlaygroundCanvas extends JComponent {
             camera = Camera.home(arena, getWidth(), getHeight());
         }
         return frame;
+    }
+
+    HudLayout hudLayout() {
+        return hud.layout();
     }
 
     Camera camera() {
@@ -81,12 +88,27 @@ final class PlaygroundCanvas extends JComponent {
 
     void toggleHelp() {
         help = !help;
+        scroll = 0;
         repaint();
     }
 
     void hideHelp() {
         help = false;
         repaint();
+    }
+
+    /** Scrolls the keys by so many of their rows; false if they are not shown. */
+    boolean scrollHelp(double rows) {
+        if (help) {
+            double next = Math.min(scroll, mostScroll()) + rows * HelpLayout.ROW;
+            scroll = (int) Math.round(Math.min(Math.max(next, 0), mostScroll()));
+            repaint();
+        }
+        return help;
+    }
+
+    private int mostScroll() {
+        return Help.layout(getWidth(), getHeight()).mostScroll();
     }
 
     void setMouse(Point at) {
@@ -118,7 +140,7 @@ final class PlaygroundCanvas extends JComponent {
         hud.paintBrush(g, mouse, camera, frame);
         hud.paint(g, getWidth(), getHeight(), frame, graphs);
         if (help) {
-            Help.paint(g, getWidth(), getHeight());
+            Help.paint(g, getWidth(), getHeight(), Math.min(scroll, mostScroll()));
         }
         g.dispose();
         Toolkit.getDefaultToolkit().sync(); // some window systems gather requests until the next one comes

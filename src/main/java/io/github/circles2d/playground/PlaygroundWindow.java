@@ -29,7 +29,7 @@ final class PlaygroundWindow {
         this.loop = loop;
         Menus.prepare();
         canvas = new PlaygroundCanvas(loop, width, height);
-        bar = new Bar(loop);
+        bar = new Bar(loop, width);
         menus = new Menus(loop, canvas, new FileMenu(frame, canvas, loop), backends, this::leave);
         JPanel content = new JPanel(new BorderLayout());
         content.add(bar, BorderLayout.NORTH);
@@ -46,7 +46,7 @@ final class PlaygroundWindow {
         });
         CanvasMouse.listen(canvas, loop);
         Keys.bind(frame, canvas, loop, backends);
-        frame.setMinimumSize(new Dimension(480, 360));
+        frame.setMinimumSize(new Dimension(360, 300));
         frame.pack();
         frame.setLocationRelativeTo(null);
         frame.setVisible(true);

@@ -23,6 +23,9 @@ final class Theme {
     static final Color HOVER = new Color(0x2d3948);
     static final Color TEXT = new Color(0xe3e9ef);
     static final Color FAINT = new Color(0x8593a3);
+    /** What cannot be chosen: it can be read, and is darker than what can. */
+    static final Color DISABLED = new Color(0x7a8796);
+
     static final Color ACCENT = new Color(0x4cc2ff);
     static final Color WARM = new Color(0xffb454);
     static final Color LINE = new Color(0x2b3542);

@@ -37,16 +37,20 @@ public final class Calibrate {
         }
         if (args.length > 0) {
             boolean help = args[0].equals("--help") || args[0].equals("-h");
-            out.println("usage: calibrate [--forget]: measures the JVM and the OpenCL devices, for Backend.AUTO and");
-            out.println("PairIndexing.AUTO to choose by, or forgets what was measured");
+            out.println(
+                    "usage: calibrate [--forget]: measures World on the JVM and on GPUs, for Backend.AUTO to choose by, and");
+            out.println("Circles2D on all OpenCL devices, for PairIndexing.AUTO; or forgets what was measured");
             return help ? 0 : 2;
         }
-        out.println("measuring: about half a minute a device, best with nothing else to do");
+        out.println("measuring: about half a minute for the JVM and for each device, best with nothing else to do");
         Calibration calibration;
         try {
             calibration = Calibration.run();
         } catch (IllegalArgumentException e) {
             out.println(e.getMessage());
+            return 1;
+        } catch (IllegalStateException e) {
+            out.println("not saved: " + e.getMessage());
             return 1;
         }
         out.println(calibration);

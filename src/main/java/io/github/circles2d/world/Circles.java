@@ -269,6 +269,7 @@ public final class Circles {
                 simulation.travels.forget(id);
             } else if (operation == Commands.RADIUS) {
                 handles.setRadius(id, a);
+                simulation.growth.forget(id);
             } else if (operation == Commands.RESTITUTION) {
                 handles.setRestitution(id, a);
             }

@@ -80,9 +80,7 @@ public final class Journal {
             SavedState now = simulation.snapshots().now();
             LogWriter writer = new LogWriter(out, every);
             write(now, writer);
-            if (writer.failure() instanceof IOException e) {
-                throw e;
-            }
+            writer.requireWritten("the log cannot begin");
             hashEvery = every;
             sinceHash = 0;
             logged = 0;
@@ -117,6 +115,15 @@ public final class Journal {
             throw guard.failed(e);
         } finally {
             guard.user = null;
+        }
+    }
+
+    /** Closes the stream that a log has been written to. */
+    public static void closeStream(OutputStream out) throws IOException {
+        try {
+            out.close();
+        } catch (IOException | RuntimeException e) {
+            throw LogWriter.failed("the stream of the log cannot be closed", e);
         }
     }
 

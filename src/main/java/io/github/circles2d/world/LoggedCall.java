@@ -42,7 +42,13 @@ enum LoggedCall {
     KIND(71, 3, (s, w) -> s.kinds().set(kindField(w[1]), s.kinds().check(w[0]), w[2])),
 
     /** What the matrix of kinds has of two of them: both, and that. */
-    PAIR_OF_KINDS(72, 3, (s, w) -> s.kinds().setSetting(w[0], w[1], setting(w[2])));
+    PAIR_OF_KINDS(72, 3, (s, w) -> s.kinds().setSetting(w[0], w[1], setting(w[2]))),
+
+    /** A circle is to grow: the circle's id, the radius, steps. */
+    GROW(73, 3, (s, w) -> s.growth().grow(LogPlayer.handle(s, w[0]), intBitsToFloat(w[1]), w[2])),
+
+    /** All circles go. */
+    CLEAR(74, 0, (s, w) -> s.clearing().clear());
 
     /** Makes a call again. */
     interface Repetition {

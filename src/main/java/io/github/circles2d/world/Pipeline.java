@@ -58,6 +58,19 @@ public interface Pipeline extends AutoCloseable {
      */
     void report(ContactEvents events);
 
+    /** Publishes the events of all steps asked for; waits for these if they may have some. */
+    default void finishEvents() {
+        finish();
+    }
+
+    /** Asks for the events of all steps so far, without waiting for them. A request before this one ends. */
+    default void requestEvents() {}
+
+    /** Publishes the events that were requested last; those of later steps may come, too. */
+    default void finishRequestedEvents() {
+        finish();
+    }
+
     /** Waits until all steps asked for have been made. */
     void finish();
 

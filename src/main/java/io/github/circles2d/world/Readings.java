@@ -120,6 +120,22 @@ public final class Readings {
         }
     }
 
+    /** Reads radii by id, and NaN where there is no circle; living takes a bit for each id, and may be null. */
+    public void readRadiiById(float[] radii, long[] living) {
+        guard.enter();
+        try {
+            requireRoom("radii", radii, handles.end());
+            requireRoom(living, handles.end());
+            for (int id = 0; id < radii.length; id++) {
+                radii[id] = id < handles.end() && handles.lives(id) ? handles.radius(id) : Float.NaN;
+            }
+            mask.copy(handles);
+            copy(mask, living);
+        } finally {
+            guard.user = null;
+        }
+    }
+
     /** Reads tags by id, and 0 where there is no circle; living takes a bit for each id, and may be null. */
     public void readTagsById(long[] tags, long[] living) {
         guard.enter();
@@ -250,16 +266,17 @@ public final class Readings {
     }
 
     /**
-     * Makes positions by id NaN that are not of the circles of the last request that have stayed.
+     * Makes values by id NaN that are not of the circles of the last request that have stayed.
      *
-     * @param positions two elements an id
+     * @param values by id
+     * @param each elements an id
      * @param living takes a bit for each id; may be null
      */
-    public void markGone(FloatBuffer positions, long[] living) {
+    public void markGone(FloatBuffer values, int each, long[] living) {
         guard.enter();
         try {
             requireRoom(living, handles.survivors().end());
-            handles.survivors().markGaps(positions, 2);
+            handles.survivors().markGaps(values, each);
             copy(handles.survivors(), living);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);

@@ -10,6 +10,10 @@ public final class Reports {
     private final Simulation simulation;
     private final Guard guard;
     private final ContactEvents events;
+    private ReportSettings settings = ReportSettings.NOTHING;
+
+    /** What the settings become by the change under way. */
+    private ReportSettings next;
 
     Reports(Simulation simulation) {
         this.simulation = simulation;
@@ -21,7 +25,10 @@ public final class Reports {
     public void report(int types) {
         change(
                 () -> check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL"),
-                () -> events.makeRoom(simulation.handles),
+                () -> {
+                    events.makeRoom(simulation.handles);
+                    next = settings.ofAll(types);
+                },
                 () -> events.report(types, simulation.handles));
     }
 
@@ -33,7 +40,10 @@ public final class Reports {
                     KindTable.check(kindB);
                     check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
                 },
-                () -> events.makeRoomForPairs(simulation.handles),
+                () -> {
+                    events.makeRoomForPairs(simulation.handles);
+                    next = settings.ofPair(kindA, kindB, types);
+                },
                 () -> events.reportPair(kindA, kindB, types, simulation.handles));
     }
 
@@ -44,7 +54,10 @@ public final class Reports {
                     KindTable.check(kind);
                     check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
                 },
-                () -> events.makeRoom(simulation.handles),
+                () -> {
+                    events.makeRoom(simulation.handles);
+                    next = settings.ofWalls(kind, types);
+                },
                 () -> events.reportWalls(kind, types, simulation.handles));
     }
 
@@ -66,6 +79,7 @@ public final class Reports {
             boolean hadWalls = events.hasWalls();
             guard.changing = true;
             change.run();
+            settings = next;
             tell(was, hadWalls);
             guard.changing = false;
         } catch (RuntimeException | Error e) {
@@ -107,7 +121,10 @@ public final class Reports {
     public void request() {
         guard.enter();
         try {
+            simulation.requestEvents();
             events.request();
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
         } finally {
             guard.user = null;
         }
@@ -122,7 +139,7 @@ public final class Reports {
                         + " call requestEvents before each takeEvents");
             }
             if (!events.haveArrived()) {
-                simulation.finishSteps();
+                simulation.finishRequestedEvents();
             }
             return events.takeRequested();
         } catch (RuntimeException | Error e) {
@@ -137,8 +154,7 @@ public final class Reports {
         guard.enter();
         try {
             Limits.within("the hit speed", speed, 0, Limits.SPEED);
-            simulation.finishSteps();
-            events.setHitSpeed(speed);
+            hitSpeed(speed);
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);
         } finally {
@@ -146,11 +162,45 @@ public final class Reports {
         }
     }
 
+    private void hitSpeed(float speed) {
+        next = settings.withHitSpeed(speed);
+        simulation.finishSteps();
+        events.setHitSpeed(speed);
+        settings = next;
+    }
+
+    /** What is reported, and the hit speed. */
+    public ReportSettings settings() {
+        return settings;
+    }
+
+    /**
+     * Sets again what was reported before, and the hit speed. If it fails half-way, it may be called again.
+     *
+     * @param before what {@link #settings} has given
+     */
+    public void restore(ReportSettings before) {
+        if (before == settings) {
+            return;
+        }
+        report(before.types);
+        before.repeat(this);
+        guard.enter();
+        try {
+            hitSpeed(before.hitSpeed);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+        settings = before;
+    }
+
     /** The events since the last call. */
     public EventRows take() {
         guard.enter();
         try {
-            simulation.finishSteps();
+            simulation.finishEvents();
             return events.take();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);

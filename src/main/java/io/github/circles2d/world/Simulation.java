@@ -31,6 +31,8 @@ public final class Simulation implements AutoCloseable {
     final LastReading last;
     private final Kinds kinds;
     final Travels travels = new Travels(handles, commands);
+    final Growth growth;
+    private final Clearing clearing;
     final PreparedChanges changes;
     private final Circles circles;
     private final BulkChanges bulk;
@@ -72,6 +74,8 @@ public final class Simulation implements AutoCloseable {
         guard = new Guard(pipeline);
         last = new LastReading(pipeline, handles, this::settle);
         kinds = new Kinds(this);
+        growth = new Growth(this);
+        clearing = new Clearing(this);
         changes = new PreparedChanges(this);
         circles = new Circles(this);
         bulk = new BulkChanges(this);
@@ -98,6 +102,16 @@ public final class Simulation implements AutoCloseable {
     /** The calls on kinds of circles. */
     public Kinds kinds() {
         return kinds;
+    }
+
+    /** The calls on circles that grow. */
+    public Growth growth() {
+        return growth;
+    }
+
+    /** The call that removes all circles. */
+    public Clearing clearing() {
+        return clearing;
     }
 
     /** The calls that change many circles at once. */
@@ -179,6 +193,7 @@ public final class Simulation implements AutoCloseable {
                 Limits.within(
                         "the greatest radius", handles.greatestRadius(), next.leastRadius(), next.greatestRadius());
                 Limits.within("the least radius", handles.leastRadius(), next.leastRadius(), next.greatestRadius());
+                growth.requireRoom(next);
             }
             applyCommands();
             changed();
@@ -250,12 +265,13 @@ public final class Simulation implements AutoCloseable {
             Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
             Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
             journal.step(timeStep, steps);
-            int first = hasFirstStep() ? 1 : 0;
-            if (first > 0) {
-                makeFirstStep(timeStep);
+            int made = 0;
+            while (made < steps && nextStepDiffers()) {
+                makeDifferentStep(timeStep);
+                made++;
             }
-            if (steps > first) {
-                makeSteps(timeStep, steps - first);
+            if (made < steps) {
+                makeSteps(timeStep, steps - made);
             }
             journal.stepped(steps);
         } catch (RuntimeException | Error e) {
@@ -265,16 +281,22 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** Whether the next step is another than those behind it: some static circle travels, a wall moves, or a force is applied. */
-    private boolean hasFirstStep() {
-        return !travels.isEmpty() || !forces.isEmpty() || wallStart.differs(bounds);
+    /**
+     * Whether the next step differs from those behind it: some static circle travels, a wall moves, a force is applied, or a circle
+     * grows.
+     */
+    private boolean nextStepDiffers() {
+        return !travels.isEmpty() || !forces.isEmpty() || wallStart.differs(bounds) || !growth.isEmpty();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
-    private void makeFirstStep(float timeStep) {
+    private void makeDifferentStep(float timeStep) {
         forces.begin();
+        commands.ensure(growth.count() + travels.count());
+        growth.makeRoom();
         travels.makeRoom();
         guard.changing = true;
+        growth.begin();
         travels.depart(timeStep, bounds);
         journal.skipCommands();
         guard.changing = false;
@@ -283,12 +305,14 @@ public final class Simulation implements AutoCloseable {
         } catch (RuntimeException | Error e) {
             if (!guard.changing) {
                 travels.stay();
+                growth.undo();
                 journal.logged = Math.min(journal.logged, commands.count());
             }
             throw e;
         }
         guard.changing = true;
         wallStart = bounds;
+        growth.end();
         travels.arrive();
         forces.end();
         journal.skipCommands();
@@ -306,7 +330,7 @@ public final class Simulation implements AutoCloseable {
             constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
             constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
             events.prepare(kindTable, constants);
-            levels.layOut(bounds, handles.greatestRadius(), handles.population());
+            levels.layOut(bounds, handles.greatestRadius(), handles.population(), handles.hasStatics());
             pipeline.step(constants, levels, steps);
         } else if (events.isOn()) {
             finishSteps();
@@ -402,6 +426,11 @@ public final class Simulation implements AutoCloseable {
     void restored(WorldParameters p) {
         setParameters(p);
         parameters = p;
+        forgetFigures();
+    }
+
+    /** The figures are no longer those of a step. */
+    void forgetFigures() {
         emptyStep = true;
     }
 
@@ -456,6 +485,27 @@ public final class Simulation implements AutoCloseable {
     void finishSteps() {
         guard.changing = true;
         pipeline.finish();
+        guard.changing = false;
+    }
+
+    /** Waits for the events of all steps so far. */
+    void finishEvents() {
+        guard.changing = true;
+        pipeline.finishEvents();
+        guard.changing = false;
+    }
+
+    /** Asks for the events of all steps so far. */
+    void requestEvents() {
+        guard.changing = true;
+        pipeline.requestEvents();
+        guard.changing = false;
+    }
+
+    /** Waits for the events that were requested. */
+    void finishRequestedEvents() {
+        guard.changing = true;
+        pipeline.finishRequestedEvents();
         guard.changing = false;
     }
 

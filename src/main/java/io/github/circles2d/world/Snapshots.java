@@ -111,6 +111,7 @@ public final class Snapshots {
         handles.makeRoom(saved);
         simulation.forces.makeRoom(saved);
         simulation.travels.makeRoom(saved);
+        simulation.growth.makeRoom(saved);
         pipeline.makeRoom(saved);
         pipeline.prepare(
                 saved.parameters().contacts(), !saved.parameters().bounds().isWalled());
@@ -128,6 +129,7 @@ public final class Snapshots {
         simulation.commands.clear();
         simulation.journal.logged = 0;
         simulation.travels.restored();
+        simulation.growth.restored();
         pipeline.load(saved);
         simulation.restored(saved.parameters());
         simulation.events.load(saved.touches, handles);

@@ -97,9 +97,13 @@ final class Travels {
         }
     }
 
-    /** Makes room for {@link #depart}. */
+    /** The number of commands that {@link #depart} records at most. */
+    int count() {
+        return count;
+    }
+
+    /** Makes room for {@link #depart}, except for its commands. */
     void makeRoom() {
-        commands.ensure(count);
         places = places.length < count ? new long[ids.length] : places;
     }
 

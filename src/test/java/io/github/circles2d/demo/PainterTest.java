@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -146,7 +147,7 @@ class PainterTest {
         BufferedImage screen = new BufferedImage(1000, 1040, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = screen.createGraphics();
         g.scale(2, 2);
-        new Painter().paint(g, WIDTH, HEIGHT, frame(circles(0.5f, 0.5f, 0.05f, 10)), false, "");
+        new Painter().paint(g, WIDTH, HEIGHT, frame(circles(0.5f, 0.5f, 0.05f, 10)), false, List.of());
         g.dispose();
 
         BufferedImage direct = new Painter().picture(1000, 1040, frame(circles(0.5f, 0.5f, 0.05f, 10)), false);

@@ -30,7 +30,7 @@ public final class VirtualDisplay {
         }
         Process server;
         try {
-            server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1280x1024x24", "-nolisten", "tcp")
+            server = new ProcessBuilder("Xvfb", "-displayfd", "1", "-screen", "0", "1700x1100x24", "-nolisten", "tcp")
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
         } catch (IOException e) {

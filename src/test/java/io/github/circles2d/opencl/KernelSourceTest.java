@@ -53,20 +53,6 @@ class KernelSourceTest {
     }
 
     @Test
-    void aFileIsTakenForAsManyLanesAsItsUserSays(@TempDir Path folder) throws IOException {
-        Files.writeString(folder.resolve("Top.cl"), "// uses: Formula.cl Formula.cl*4\n");
-        Files.writeString(folder.resolve("Formula.cl"), "// uses: Math.cl*LANES Plain.cl\n");
-        Files.writeString(folder.resolve("Math.cl"), "math LANES;\n");
-        Files.writeString(folder.resolve("Plain.cl"), "");
-        System.setProperty(KernelSource.FOLDER_PROPERTY, folder.toString());
-        KernelSource top = KernelSource.of("Top.cl");
-        assertThat(top).hasToString("Math.cl + Plain.cl + Formula.cl + Math.cl*4 + Formula.cl*4 + Top.cl");
-        assertThat(top.text())
-                .contains(
-                        "#undef LANES\n#define LANES 4\n#line 1 \"Math.cl\"\nmath LANES;\n\n#undef LANES\n#define LANES \n");
-    }
-
-    @Test
     void aRingIsRefusedWithItsFiles(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("Top.cl"), "// uses: A.cl\n");
         Files.writeString(folder.resolve("A.cl"), "// uses: B.cl\n");

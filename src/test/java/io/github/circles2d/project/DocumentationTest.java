@@ -133,6 +133,16 @@ class DocumentationTest {
         assertCompiles("Game", "import io.github.circles2d.*;\n" + around + code + "}", folder);
     }
 
+    @Test
+    void theLoopOfRollbackCompilesInAGame(@TempDir Path folder) throws IOException {
+        String code = snippet(read("src/main/java/io/github/circles2d/Rollback.java"), "Rollback rollback");
+        String around = "class Packet { int player; int frame; long input; }\n"
+                + "abstract class Game { World world; Rollback.Game game; int me; abstract boolean playing();"
+                + " abstract java.util.List<Packet> arrived(); abstract long keys(); abstract void draw(World world);"
+                + " abstract void send(int player, int frame, long input); void run() {\n";
+        assertCompiles("Game", "import io.github.circles2d.*;\n" + around + code + "} }", folder);
+    }
+
     /** The code of a page of Javadoc that begins so. */
     private static String snippet(String page, String beginning) {
         String text = page.replaceAll("(?m)^ \\* ?", "");
@@ -190,7 +200,7 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String game : new String[] {"merge", "swarm"}) {
+        for (String game : new String[] {"merge", "rollback", "swarm"}) {
             assertThat(first(dependency + "(.*?)</version>", read("samples/" + game + "/pom.xml")))
                     .isEqualTo(version);
         }

@@ -50,7 +50,7 @@ final class Rooms {
                     "opencl"),
             entry("world.device.queries", "world.device.memory", "world.queries", "opencl"),
             entry("world.device.plan", "world.device.memory", "world.model", "opencl"),
-            entry("world.device.memory", "world.circles", "world.model", "opencl"),
+            entry("world.device.memory", "world.events", "world.circles", "world.model", "opencl"),
             entry("world.jvm", "world", "world.circles", "world.events", "world.model", "world.jvm.threads"),
             entry("world.jvm.threads"),
             entry("world.log"),

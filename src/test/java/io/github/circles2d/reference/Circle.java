@@ -17,6 +17,13 @@ final class Circle {
     float[] target;
 
     float radius;
+
+    /** The radius that it has after the steps in which it grows. */
+    float radiusGrownTo;
+
+    /** In how many steps it has that radius; 0 if it does not grow. */
+    int stepsToGrow;
+
     float mass;
     float restitution;
     int kind;

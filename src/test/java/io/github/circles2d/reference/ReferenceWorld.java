@@ -23,6 +23,7 @@ public final class ReferenceWorld implements WorldCalls {
 
     private static final long CIRCLE = 0x636972636C653264L;
     private static final int TARGET = 9;
+    private static final int GROWTH_FIELD = 10;
     private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long IMPULSE = 0x696D70756C736573L;
@@ -103,6 +104,7 @@ public final class ReferenceWorld implements WorldCalls {
     public void step(float dt, int steps) {
         for (int k = 0; k < steps; k++) {
             List<Circle> circles = circles();
+            circles.forEach(ReferenceWorld::grow);
             float[][] velocities =
                     circles.stream().map(c -> c.depart(dt, arena)).toArray(float[][]::new);
             float warmScale = previousDt == 0f ? 1f : Numbers.min(dt / previousDt, GREATEST_WARM_SCALE);
@@ -230,8 +232,31 @@ public final class ReferenceWorld implements WorldCalls {
         find(handle).velocity[1] = vy;
     }
 
+    /** Takes its share of the rest of the way, which all steps left share evenly. */
+    private static void grow(Circle c) {
+        if (c.stepsToGrow == 1) {
+            c.radius = c.radiusGrownTo;
+            c.stepsToGrow = 0;
+        } else if (c.stepsToGrow > 1) {
+            c.radius += (c.radiusGrownTo - c.radius) / c.stepsToGrow;
+            c.stepsToGrow--;
+        }
+    }
+
+    @Override
+    public void grow(long handle, float radius, int steps) {
+        find(handle).radiusGrownTo = radius;
+        find(handle).stepsToGrow = steps;
+    }
+
+    @Override
+    public void clear() {
+        circles().forEach(c -> remove(c.handle));
+    }
+
     @Override
     public void setRadius(long handle, float radius) {
+        find(handle).stepsToGrow = 0;
         find(handle).radius = radius;
         forgetImpulses(find(handle));
     }
@@ -522,6 +547,10 @@ public final class ReferenceWorld implements WorldCalls {
             sum += absorb(absorb(absorb(h, c.velocity), c.restitution), c.wallImpulse);
             if (c.target != null) {
                 sum += absorb(absorb(absorb(FIELD, TARGET), c.id), c.target);
+            }
+            if (c.stepsToGrow > 0) {
+                int radius = Float.floatToRawIntBits(c.radiusGrownTo);
+                sum += hashOfField(GROWTH_FIELD, c.id, (long) c.stepsToGrow << 32 | radius);
             }
         }
         for (Map.Entry<Contact.Pair, Float> entry : impulseCache.entrySet()) {

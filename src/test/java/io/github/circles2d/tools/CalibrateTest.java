@@ -7,6 +7,7 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -36,6 +37,19 @@ class CalibrateTest {
                 .hasSize(2)
                 .allMatch(line -> line.contains("circles2d.calibration is '" + folder + "'"));
         assertThat(folder).exists();
+    }
+
+    @Test
+    void allPlacesNameTheSameDuration() throws Exception {
+        List<String> places = List.of(
+                "README.md",
+                "circles2d",
+                "src/main/java/io/github/circles2d/Calibration.java",
+                "src/main/java/io/github/circles2d/tools/Calibrate.java");
+        for (String place : places) {
+            String text = Files.readString(Path.of(place)).replaceAll("[\\s*]+", " ");
+            assertThat(text).as(place).containsOnlyOnce("about half a minute for the JVM and for each device");
+        }
     }
 
     @Test

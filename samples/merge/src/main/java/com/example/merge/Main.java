@@ -11,11 +11,13 @@ import com.badlogic.gdx.graphics.PixmapIO;
 import com.badlogic.gdx.graphics.g2d.BitmapFont;
 import com.badlogic.gdx.graphics.g2d.SpriteBatch;
 import com.badlogic.gdx.graphics.glutils.ShapeRenderer;
+import com.badlogic.gdx.utils.GdxRuntimeException;
 import com.badlogic.gdx.utils.ScreenUtils;
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
-import java.util.HashMap;
-import java.util.Map;
+import io.github.circles2d.opencl.OpenClException;
+import java.io.OutputStream;
+import java.io.PrintStream;
 import java.util.zip.Deflater;
 
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
@@ -46,29 +48,41 @@ public final class Main extends ApplicationAdapter {
     }
 
     public static void main(String[] arguments) {
-        Map<String, String> options = new HashMap<>(Map.of("--backend", "AUTO", "--frames", "0", "--picture", ""));
-        for (int k = 0; k < arguments.length; k += 2) {
-            if (k + 1 == arguments.length || options.replace(arguments[k], arguments[k + 1]) == null) {
-                throw new IllegalArgumentException("usage: merge [--frames N [--picture FILE.png]] [--backend NAME]");
+        Options options = Options.read(arguments);
+        int frames = options.frames();
+        try {
+            Main main = new Main(options.backend(), frames > 0 ? 1 : System.nanoTime(), options.picture());
+            if (frames > 0) {
+                main.playAlone(frames);
             }
+            if (frames == 0 || !main.picture.isEmpty()) { // a picture needs a window, too
+                main.open(frames == 0);
+            }
+            main.game.world.close();
+        } catch (OpenClException e) { // no such device, or its driver fails
+            Options.end(1, e.getMessage());
         }
-        int frames = Integer.parseInt(options.get("--frames"));
-        long seed = frames > 0 ? 1 : System.nanoTime();
-        Main main = new Main(Backend.valueOf(options.get("--backend")), seed, options.get("--picture"));
-        if (frames > 0) {
-            main.playAlone(frames);
+    }
+
+    /** Returns when the window has been closed. */
+    private void open(boolean isVisible) {
+        Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
+        configuration.setTitle("Merge: click to drop a ball");
+        configuration.setWindowedMode(12 * SCALE, 16 * SCALE);
+        configuration.setResizable(false);
+        configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
+        configuration.disableAudio(true);
+        configuration.setInitialVisible(isVisible);
+        Lwjgl3ApplicationConfiguration.errorStream = new PrintStream(OutputStream.nullOutputStream()); // stack traces
+        try {
+            new Lwjgl3Application(this, configuration);
+        } catch (GdxRuntimeException e) {
+            if (shapes != null) {
+                throw e;
+            }
+            String why = "no window can be shown here: " + e.getMessage();
+            Options.end(1, why, "without a display, it plays by itself: --frames 300");
         }
-        if (frames <= 0 || !main.picture.isEmpty()) { // a picture needs a window, too
-            Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
-            configuration.setTitle("Merge: click to drop a ball");
-            configuration.setWindowedMode(12 * SCALE, 16 * SCALE);
-            configuration.setResizable(false);
-            configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
-            configuration.disableAudio(true);
-            configuration.setInitialVisible(frames <= 0);
-            new Lwjgl3Application(main, configuration);
-        }
-        main.game.world.close();
     }
 
     private void playAlone(int frames) {
@@ -89,7 +103,11 @@ public final class Main extends ApplicationAdapter {
         if (!picture.isEmpty()) {
             draw();
             Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, 12 * SCALE, 16 * SCALE);
-            PixmapIO.writePNG(new FileHandle(picture), pixels, Deflater.BEST_COMPRESSION, true);
+            try {
+                PixmapIO.writePNG(new FileHandle(picture), pixels, Deflater.BEST_COMPRESSION, true);
+            } catch (GdxRuntimeException e) {
+                Options.end(1, "cannot write " + picture + ": " + e.getCause());
+            }
             Gdx.app.exit();
         }
     }
@@ -115,13 +133,14 @@ public final class Main extends ApplicationAdapter {
         box("f3b9a5", 0, Merge.LINE, Merge.WIDTH, 0.06f);
         if (game.isReady()) {
             box("f3b9a5", game.dropX() - 0.02f, 0, 0.04f, Merge.DROP_HEIGHT);
-            ball(game.next, game.dropX(), Merge.DROP_HEIGHT);
+            ball(game.next, game.dropX(), Merge.DROP_HEIGHT, Merge.RADII[game.next]);
         }
         var positions = loop.positions(null);
+        var radii = loop.radii();
         game.world.readKindsById(kinds, null);
         for (int id = 0; id < game.world.idLimit(); id++) {
             if (!Float.isNaN(positions.get(2 * id))) {
-                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1));
+                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1), radii.get(id));
             }
         }
         shapes.end();
@@ -137,8 +156,7 @@ public final class Main extends ApplicationAdapter {
         shapes.rect(x, y, width, height);
     }
 
-    private void ball(int kind, float x, float y) {
-        float radius = Merge.RADII[kind];
+    private void ball(int kind, float x, float y, float radius) {
         Color color = Color.valueOf(COLORS[kind]);
         disc(color.cpy().mul(0.8f, 0.8f, 0.8f, 1), x, y, radius);
         disc(color, x, y, 0.88f * radius);

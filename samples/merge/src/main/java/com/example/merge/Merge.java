@@ -10,7 +10,10 @@ final class Merge implements Runnable {
     static final float WIDTH = 10, HEIGHT = 14, DROP_HEIGHT = 12.5f;
     static final float LINE = 11; // no ball may stay above it
     static final float[] RADII = {0.35f, 0.48f, 0.62f, 0.76f, 0.93f, 1.12f, 1.33f, 1.56f, 1.82f, 2.1f, 2.4f}; // by kind
-    private static final int DROPPED_KINDS = 5, STEPS_BETWEEN_DROPS = 36, MOST_STEPS_ABOVE_LINE = 120;
+    private static final int DROPPED_KINDS = 5,
+            STEPS_BETWEEN_DROPS = 36,
+            MOST_STEPS_ABOVE_LINE = 120,
+            GROWTH_STEPS = 45;
     private static final long[] COUNT_ONLY = {};
 
     final World world;
@@ -23,6 +26,7 @@ final class Merge implements Runnable {
     Merge(Backend backend, long seed) {
         World.Builder builder = World.builder().bounds(0, 0, WIDTH, HEIGHT).gravity(0, -30);
         builder.radii(RADII[0], RADII[RADII.length - 1]); // what to be fast for
+        builder.subSteps(8).contactFrequency(134).greatestPushOutSpeed(2); // balls that grow hardly overlap others
         world = builder.restitution(0.2f).backend(backend).build();
         for (int kind = 0; kind < RADII.length; kind++) {
             world.report(kind, kind, Events.BEGIN);
@@ -52,14 +56,17 @@ final class Merge implements Runnable {
         }
         Events events = world.events();
         for (int i = 0; i < events.size(); i++) {
-            if (world.contains(events.a(i)) && world.contains(events.b(i))) { // neither has merged with a third
-                merge(events.a(i), events.b(i));
+            long a = events.a(i), b = events.b(i);
+            if (world.contains(a)
+                    && world.contains(b)
+                    && world.kindOf(a) == world.kindOf(b)) { // neither has merged with a third
+                merge(a, b);
             }
         }
         boolean isAboveLine = world.queries().overlapBox(0, LINE, WIDTH, HEIGHT, COUNT_ONLY) > 0;
         stepsAboveLine = isAboveLine ? stepsAboveLine + 1 : 0; // a ball that falls is soon below it
         if (isDropWanted && isReady()) {
-            add(next, dropX(), DROP_HEIGHT, 0, -5);
+            world.add(dropX(), DROP_HEIGHT, RADII[next], RADII[next] * RADII[next], 0, -5, next);
             next = random.nextInt(DROPPED_KINDS);
             nextDrop = step + STEPS_BETWEEN_DROPS;
             isDropWanted = false;
@@ -67,19 +74,19 @@ final class Merge implements Runnable {
         step++;
     }
 
+    /** The lower ball grows, and the other one goes: a ball that begins with the size that it has needs no room at once. */
     private void merge(long a, long b) {
         int kind = world.kindOf(a) + 1;
         score += kind * (kind + 1) / 2;
-        if (kind < RADII.length) { // two of the largest leave nothing
-            float x = (world.x(a) + world.x(b)) / 2, y = (world.y(a) + world.y(b)) / 2;
-            add(kind, x, y, (world.vx(a) + world.vx(b)) / 2, (world.vy(a) + world.vy(b)) / 2);
+        long lower = world.y(a) <= world.y(b) ? a : b;
+        world.remove(lower == a ? b : a);
+        if (kind < RADII.length) {
+            world.setKind(lower, kind);
+            world.setMass(lower, RADII[kind] * RADII[kind]);
+            world.grow(lower, RADII[kind], GROWTH_STEPS);
+        } else { // two of the largest leave nothing
+            world.remove(lower);
         }
-        world.remove(a);
-        world.remove(b);
-    }
-
-    private void add(int kind, float x, float y, float vx, float vy) {
-        world.add(x, y, RADII[kind], RADII[kind] * RADII[kind], vx, vy, kind);
     }
 
     /** A player without hands drops each ball onto an equal one if a ray finds one. */

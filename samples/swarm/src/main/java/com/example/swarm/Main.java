@@ -2,16 +2,22 @@ package com.example.swarm;
 
 import io.github.circles2d.Backend;
 import io.github.circles2d.FixedStep;
+import io.github.circles2d.opencl.OpenClException;
+import java.awt.AWTError;
 import java.awt.AWTEvent;
 import java.awt.Color;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
 import java.awt.RenderingHints;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
-import java.io.File;
-import java.util.HashMap;
-import java.util.Map;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.ImageIcon;
 import javax.swing.JFrame;
@@ -36,23 +42,32 @@ public final class Main extends JLabel {
         loop = new FixedStep(game.world, 1 / 60f);
     }
 
-    public static void main(String[] arguments) throws Exception {
-        Map<String, String> options = new HashMap<>(Map.of("--backend", "AUTO", "--frames", "0", "--picture", ""));
-        for (int k = 0; k < arguments.length; k += 2) {
-            if (k + 1 == arguments.length || options.replace(arguments[k], arguments[k + 1]) == null) {
-                throw new IllegalArgumentException("usage: swarm [--frames N [--picture FILE.png]] [--backend NAME]");
+    public static void main(String[] arguments) {
+        Options options = Options.read(arguments);
+        try {
+            if (options.frames() == 0) {
+                requireDisplay();
             }
-        }
-        Main main = new Main(Backend.valueOf(options.get("--backend")));
-        int frames = Integer.parseInt(options.get("--frames"));
-        if (frames > 0) {
-            main.playAlone(frames, options.get("--picture"));
-        } else {
-            SwingUtilities.invokeLater(main::open);
+            Main main = new Main(options.backend());
+            if (options.frames() > 0) {
+                main.playAlone(options.frames(), options.picture());
+            } else {
+                SwingUtilities.invokeLater(main::open);
+            }
+        } catch (OpenClException e) { // no such device, or its driver fails
+            Options.end(1, e.getMessage());
         }
     }
 
-    private void playAlone(int frames, String picture) throws Exception {
+    private static void requireDisplay() {
+        try {
+            GraphicsEnvironment.getLocalGraphicsEnvironment().getDefaultScreenDevice();
+        } catch (HeadlessException | AWTError | LinkageError | InternalError e) { // none, or a Java without windows
+            Options.end(1, "no window can be shown here", "without a display, it plays by itself: --frames 300");
+        }
+    }
+
+    private void playAlone(int frames, String picture) {
         for (int k = 0; k < frames; k++) {
             game.mouseX = Swarm.WIDTH * (0.5f + 0.4f * (float) StrictMath.sin(k / 45.0));
             game.mouseY = Swarm.HEIGHT * (0.5f + 0.4f * (float) StrictMath.sin(k / 30.0));
@@ -61,7 +76,11 @@ public final class Main extends JLabel {
         }
         if (!picture.isEmpty()) {
             draw();
-            ImageIO.write(image, "png", new File(picture));
+            try (OutputStream file = Files.newOutputStream(Path.of(picture))) {
+                ImageIO.write(image, "png", file);
+            } catch (IOException | InvalidPathException e) {
+                Options.end(1, "cannot write " + picture + ": " + e);
+            }
         }
         String format = "swarm: %d frames, %d circles, %d points, hash %016x%n";
         System.out.printf(format, frames, game.world.size(), game.world.tag(game.player), game.world.hash());

@@ -38,7 +38,13 @@ public enum CircleField {
      * Where a static circle travels in the next step, as {@link #place} packs it; as it is at first, nowhere. Only
      * {@code world.Travels} sets it, and a snapshot's is checked there.
      */
-    TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false);
+    TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false),
+
+    /**
+     * To which radius a circle grows or shrinks, and in how many steps, as {@link #growth} packs them; 0 if it does neither. Only
+     * {@code world.Growth} sets it, and {@link SnapshotCodec} checks those of snapshots.
+     */
+    GROWTH(10, "growth", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
 
     /** All fields. */
     static final List<CircleField> ALL = List.of(values());
@@ -113,6 +119,21 @@ public enum CircleField {
     /** y of a place. */
     public static float placeY(long place) {
         return Float.intBitsToFloat((int) (place >> Integer.SIZE));
+    }
+
+    /** The value of a growth. */
+    public static long growth(float radius, int steps) {
+        return Float.floatToRawIntBits(radius) & 0xFFFFFFFFL | (long) steps << Integer.SIZE;
+    }
+
+    /** The radius that a growth leads to. */
+    public static float growthRadius(long growth) {
+        return Float.intBitsToFloat((int) growth);
+    }
+
+    /** The steps that a growth still takes. */
+    public static int growthSteps(long growth) {
+        return (int) (growth >> Integer.SIZE);
     }
 
     /** What snapshots, the hash and logs know the field by. */

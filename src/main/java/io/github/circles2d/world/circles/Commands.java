@@ -49,6 +49,9 @@ public final class Commands {
     /** It is at the place, and gets its own velocity back: x, y. */
     public static final int ARRIVE = 11;
 
+    /** New radius of a circle that grows or shrinks; its impulses stay, so that it goes on to carry what lies on it. */
+    public static final int GROW = 12;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -156,7 +159,7 @@ public final class Commands {
         return switch (operation) {
             case ADD -> STRIDE - FIRST;
             case REMOVE -> 0;
-            case RADIUS, MASS, RESTITUTION -> 1;
+            case RADIUS, MASS, RESTITUTION, GROW -> 1;
             case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE -> 2;
             case DEPART -> 3;
             default -> -1;

@@ -36,6 +36,9 @@ public final class HandleTable {
     /** As {@link #live}, a bit for each id: whether its circle is static. */
     private long[] isStatic = new long[1];
 
+    /** Number of static circles. */
+    private int statics;
+
     private int[] generation = new int[64];
     private float[] radius = new float[64];
     private float[] restitution = new float[64];
@@ -209,6 +212,7 @@ public final class HandleTable {
         ensure(1);
         int id = firstFree();
         live[word(id)] |= bit(id);
+        isStatic[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
         noneFreeBelow = id + 1;
         end = Math.max(end, id + 1);
@@ -230,8 +234,18 @@ public final class HandleTable {
         generation[id] = generation[id] == LAST_GENERATION ? 0 : generation[id] + 1;
         noneFreeBelow = Math.min(noneFreeBelow, id);
         size--;
+        statics -= isStatic(id) ? 1 : 0;
         leave(radius[id]);
         fields.clear(id);
+    }
+
+    /** Strikes all circles off. */
+    public void removeAll() {
+        for (int id = 0; id < end; id++) {
+            if (lives(id)) {
+                remove(id);
+            }
+        }
     }
 
     /**
@@ -246,14 +260,20 @@ public final class HandleTable {
         enter(r);
     }
 
+    /** A circle's radius, as taken down last. */
+    public float radius(int id) {
+        return radius[id];
+    }
+
     /**
      * Takes a circle's mass down, of which only whether it is infinite is kept.
      *
-     * @param id its id
+     * @param id its id, of a circle that lives
      * @param mass the mass
      */
     public void setMass(int id, float mass) {
         boolean infinite = mass == Float.POSITIVE_INFINITY;
+        statics += (infinite ? 1 : 0) - (isStatic(id) ? 1 : 0);
         isStatic[word(id)] = isStatic[word(id)] & ~bit(id) | (infinite ? bit(id) : 0);
     }
 
@@ -265,6 +285,15 @@ public final class HandleTable {
      */
     public boolean isStatic(int id) {
         return (isStatic[word(id)] & bit(id)) != 0;
+    }
+
+    /**
+     * Whether any circle is static.
+     *
+     * @return whether there is one of infinite mass
+     */
+    public boolean hasStatics() {
+        return statics > 0;
     }
 
     /**
@@ -390,6 +419,8 @@ public final class HandleTable {
             }
         }
         Arrays.fill(live, 0);
+        Arrays.fill(isStatic, 0);
+        statics = 0;
         Arrays.fill(generation, 0);
         System.arraycopy(from.generation, 0, generation, 0, from.ids);
         fields.copy(from.fields);

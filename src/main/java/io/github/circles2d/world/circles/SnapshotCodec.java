@@ -243,6 +243,7 @@ public final class SnapshotCodec {
         decode(in, s, null);
         checkPairs(s);
         checkTargets(s);
+        checkGrowth(s);
         return length;
     }
 
@@ -416,6 +417,19 @@ public final class SnapshotCodec {
                 Limits.place(
                         CircleField.placeX(target),
                         CircleField.placeY(target),
+                        s.parameters().bounds());
+            }
+        }
+    }
+
+    /** Circles grow to radii that are allowed, in a number of steps that is. */
+    private static void checkGrowth(SavedState s) {
+        for (int id = 0; id < s.fields.end(CircleField.GROWTH); id++) {
+            long growth = s.fields.get(CircleField.GROWTH, id);
+            if (growth != CircleField.GROWTH.initial()) {
+                Limits.growth(
+                        CircleField.growthRadius(growth),
+                        CircleField.growthSteps(growth),
                         s.parameters().bounds());
             }
         }

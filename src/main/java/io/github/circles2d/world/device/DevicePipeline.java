@@ -11,11 +11,11 @@ import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
-import io.github.circles2d.world.device.memory.TouchArrays;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
@@ -89,8 +89,8 @@ public final class DevicePipeline implements Pipeline {
     /** What makes the steps that were enqueued last; null before the first. */
     private Plan plan;
 
-    /** Places of contacts in the last step, which cached impulses are numbered by. */
-    private int cachedPlaces;
+    /** Contacts of the last step, which cached impulses are numbered by. */
+    private int cachedContacts;
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
@@ -132,7 +132,7 @@ public final class DevicePipeline implements Pipeline {
         try {
             arrays = new DeviceArrays(session, capacity, plans.stream().anyMatch(Plan::usesTileArrays));
             stats = new StepStatistics(arrays);
-            kernels = compile(false, false, false);
+            kernels = compile(false, false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
             load(false, false, null);
@@ -155,27 +155,37 @@ public final class DevicePipeline implements Pipeline {
         return Plans.source(Plans.all()).fingerprint();
     }
 
-    /** Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that record, or others. */
-    private void load(boolean anySettings, boolean edges, TouchArrays recordingIn) {
-        boolean recording = recordingIn != null;
-        String variant = (anySettings ? "tuned " : "") + (edges ? "edges " : "") + (recording ? "recording" : "");
-        StageKernels loaded = variants.computeIfAbsent(variant, key -> compile(anySettings, edges, recording));
+    /** Lets the plans use kernels for contacts of any settings, for axes without walls, and for steps that report, or others. */
+    private void load(boolean anySettings, boolean edges, ReportReader ofReports) {
+        boolean reporting = ofReports != null && ofReports.isActive();
+        boolean recording = reporting && ofReports.isRecording();
+        String variant = (anySettings ? "tuned " : "")
+                + (edges ? "edges " : "")
+                + (recording ? "recording" : reporting ? "reporting" : "");
+        StageKernels loaded =
+                variants.computeIfAbsent(variant, key -> compile(anySettings, edges, reporting, recording));
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
-        stages.record(recordingIn);
+        stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
         plans.forEach(each -> each.load(stages));
         loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
     }
 
-    /** Where steps record what contacts do; null if they do not. */
-    private TouchArrays recordedIn() {
-        return reader != null && reader.isRecording() ? reader.touches() : null;
+    /** Loads other kernels for steps that report something else. It compiles at the first report: that takes long, and few worlds report. */
+    private void loadForReports() {
+        boolean active = reader != null && reader.isActive();
+        EventArrays wanted = active ? reader.deciding() : null;
+        boolean recordingNow = stages.touches() != null;
+        if (stages.reporting() != wanted || (active && reader.isRecording() != recordingNow)) {
+            load(tuned, isEdged, reader);
+        }
     }
 
-    private StageKernels compile(boolean anySettings, boolean edges, boolean recording) {
+    private StageKernels compile(boolean anySettings, boolean edges, boolean reporting, boolean recording) {
         KernelSource source = Plans.source(plans, session.device());
         source = anySettings ? source.define("TUNED", 1) : source;
-        return new StageKernels(session, edges ? source.define("EDGES", 1) : source, workGroupSize, recording);
+        source = edges ? source.define("EDGES", 1) : source;
+        return new StageKernels(session, source, workGroupSize, reporting, recording);
     }
 
     /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
@@ -185,7 +195,7 @@ public final class DevicePipeline implements Pipeline {
         boolean edged = isEdged || edges;
         if (tunes != tuned || edged != isEdged) {
             settle();
-            load(tunes, edged, recordedIn());
+            load(tunes, edged, reader);
             tuned = tunes;
             isEdged = edged;
         }
@@ -229,26 +239,24 @@ public final class DevicePipeline implements Pipeline {
             warmScale = constants.warmScale;
             parameters.set(constants, shape);
             if (reader != null) {
-                reader.prepare(constants, arrays);
+                reader.learn(constants);
             }
-            if (recordedIn() != stages.touches()) {
-                load(
-                        tuned,
-                        isEdged,
-                        recordedIn()); // compiles at the first report: it takes long, and few worlds report
-            }
+            loadForReports();
             arrays.ensureBuckets(levels.groups(circles));
+            if (reader != null) {
+                reader.prepare(constants, stages, status);
+            }
         }
         for (int left = steps; left > 0; ) {
-            int most = reader == null
-                    ? MOST_PENDING
-                    : 1; // the next step takes the records' place, and its number counts steps made
-            if (pendingSteps == most) {
+            if (pendingSteps == MOST_PENDING) {
                 settle();
             }
-            int count = Math.min(left, most - pendingSteps);
+            int count = Math.min(left, MOST_PENDING - pendingSteps);
             enqueue(count);
             left -= count;
+        }
+        if (reader != null && !reader.isActive()) {
+            reader.publishSilent(stepsSeen + pendingSteps);
         }
     }
 
@@ -265,27 +273,43 @@ public final class DevicePipeline implements Pipeline {
     }
 
     private void enqueue(int steps) {
-        // Behind pending steps the state is as a step leaves it, and the length of the step before is that of the step.
-        float warm = pendingSteps == 0 ? warmScale : 1f;
-        Steps wanted = new Steps(
-                steps,
+        for (int left = steps; left > 0; ) {
+            left -= enqueueAtOnce(left);
+        }
+    }
+
+    /** Enqueues steps that need nothing in between; returns how many of those wanted. */
+    private int enqueueAtOnce(int most) {
+        boolean reports = reader != null && reader.isActive();
+        Steps wanted = steps(most, reports);
+        plan = Plans.first(plans, wanted);
+        if (!reports) {
+            pendingSteps += most;
+            plan.enqueue(wanted);
+            return most;
+        }
+        Steps enqueued = plan.decidesEvents(wanted) ? wanted : steps(1, true);
+        reader.before(stages, plan, enqueued, stepsSeen + pendingSteps);
+        pendingSteps += enqueued.count();
+        plan.enqueue(enqueued);
+        reader.behind(stages, plan, enqueued);
+        return enqueued.count();
+    }
+
+    private Steps steps(int count, boolean reports) {
+        return new Steps(
+                count,
                 levels,
                 slotsBehindPending(),
                 circles,
                 subSteps,
-                warm,
+                // Behind pending steps the state is as a step leaves it, and the length of the step before is that of
+                // the step.
+                pendingSteps == 0 ? warmScale : 1f,
                 sweeping > 0,
                 thinning > 0,
-                reader != null && reader.isRecording());
-        if (reader != null) {
-            reader.before(stages, arrays, wanted.slots(), stepsSeen);
-        }
-        pendingSteps += steps;
-        plan = Plans.first(plans, wanted);
-        plan.enqueue(wanted);
-        if (reader != null) {
-            reader.behind(stages, circles);
-        }
+                reports && reader.isRecording(),
+                reports && reader.isSensing());
     }
 
     /** Sees to it that the steps asked for have been made. */
@@ -299,23 +323,21 @@ public final class DevicePipeline implements Pipeline {
                 commands.slotsInOrder();
                 warmScale = 1f;
                 if (reader != null) {
-                    reader.endStep(status, arrays, stages, circles);
+                    reader.made(status, stepsSeen, stages, plan, circles);
                 }
             }
+            if (reader != null) {
+                reader.beginBatch();
+            }
             pendingSteps -= done;
-            plan.stepped(status, done);
             for (Plan each : plans) {
                 each.learn(TileUse.of(status), thinning > 0);
             }
             if (pendingSteps == 0) {
-                cachedPlaces = Math.max(status.get(StatusWord.CONTACTS), status.get(StatusWord.PLACES));
-                stats.stepped(plan, circles, status.get(StatusWord.CONTACTS));
+                cachedContacts = status.get(StatusWord.CONTACTS);
+                stats.stepped(plan, circles, cachedContacts);
                 sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
                 thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
-                if (status.has(StatusWord.HINDERED)) {
-                    status.clear(StatusWord.HINDERED);
-                    status.write(arrays);
-                }
             } else {
                 adapt();
                 int refused = pendingSteps;
@@ -341,9 +363,7 @@ public final class DevicePipeline implements Pipeline {
         if (thinning == 0 && status.has(StatusWord.CROWDED)) {
             thinning = CALM; // the room that the step asked for is for all pairs of the crowd
         } else if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
-            if (thinning == 0
-                    && plan.wantOfRoomTellsOfCrowds()
-                    && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
+            if (thinning == 0 && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
                 thinning = CALM;
             } else {
                 arrays.ensureContacts(contacts);
@@ -355,17 +375,11 @@ public final class DevicePipeline implements Pipeline {
                 each.learn(TileUse.NONE_DO, thinning > 0);
             }
         }
-        if (status.has(StatusWord.APART)) {
-            plan.calledOff();
-        }
         status.clear(
                 StatusWord.TILE_COPIES,
-                StatusWord.APART,
-                StatusWord.HINDERED,
                 StatusWord.OUT_OF_ROOM,
                 StatusWord.FAST,
                 StatusWord.CROWDED,
-                StatusWord.TOO_CLOSE,
                 StatusWord.TILE_PEAK);
         status.write(arrays);
     }
@@ -411,14 +425,39 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void report(ContactEvents events) {
         settle();
-        ReportReader next = events == null ? null : new ReportReader(session, events);
-        if (stages.touches() != null) {
+        ReportReader next = events == null ? null : new ReportReader(session, events, arrays, stepsSeen);
+        if (stages.reporting() != null) {
             load(tuned, isEdged, null);
         }
         if (reader != null) {
             reader.close();
         }
         reader = next;
+    }
+
+    @Override
+    public void finishEvents() {
+        if (reader != null && reader.isActive()) {
+            settle();
+        }
+    }
+
+    @Override
+    public void requestEvents() {
+        if (reader == null) {
+            return;
+        }
+        if (reader.hasRequest() && !reader.finishRequest()) {
+            settle();
+        }
+        reader.request(stepsSeen + pendingSteps);
+    }
+
+    @Override
+    public void finishRequestedEvents() {
+        if (reader == null || !reader.hasRequest() || !reader.finishRequest()) {
+            settle();
+        }
     }
 
     @Override
@@ -435,13 +474,13 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, slots, cachedPlaces).hash();
+        return new StateTransfer(arrays, slots, cachedContacts).hash();
     }
 
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, slots, cachedPlaces).save(into);
+        new StateTransfer(arrays, slots, cachedContacts).save(into);
     }
 
     @Override
@@ -464,7 +503,7 @@ public final class DevicePipeline implements Pipeline {
         slots = from.circles;
         commands.slotsInOrder();
         circles = from.circles;
-        cachedPlaces = from.impulses;
+        cachedContacts = from.impulses;
         stats.loaded();
     }
 

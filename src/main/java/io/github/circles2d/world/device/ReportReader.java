@@ -1,60 +1,104 @@
 package io.github.circles2d.world.device;
 
+import io.github.circles2d.opencl.CopyQueue;
+import io.github.circles2d.opencl.DeviceBuffer;
+import io.github.circles2d.opencl.HostBuffer;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.Status;
 import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.TouchArrays;
+import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Stages;
+import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.events.EventRow;
 import io.github.circles2d.world.model.StepConstants;
+import java.nio.IntBuffer;
 
-/** What a world on a device reports: the memory for it, what it takes around a step, and the hand-over behind each. */
+/**
+ * What a world on a device reports: the memory for it, what it takes around a step, and the events of steps that have been made. Steps
+ * that the host reads together are a batch; while it reads one batch, the steps of the next write into the other half of the memory.
+ */
 final class ReportReader implements AutoCloseable {
+    private static final int NONE = -1;
+
+    /** Events that a first read takes at least. */
+    private static final int LEAST_READ = 64;
+
+    private static final int ROW_BYTES = Integer.BYTES * EventRow.STRIDE;
+
+    private final Session session;
+    private final DeviceArrays arrays;
     private final ContactEvents events;
     private final TouchArrays touches;
+    private final EventArrays deciding;
     private final SensingArrays sensing;
-    private final TouchReader touchReader;
-    private final SensedReader sensedReader;
-    private final TouchRecords records = new TouchRecords();
+    private final PairTransfer pairs;
 
-    /** What of the steps that have been enqueued is reported, and their length. */
+    /** What of the steps that have been enqueued is reported. */
     private boolean recording;
 
     private boolean sensed;
     private int seekingVersion;
-    private float timeStep;
 
-    /** Whether the last step that was made recorded what contacts do. */
-    private boolean hasRecorded;
+    /** The half that the steps of the batch write into, and whether it has one. */
+    private int half;
 
-    ReportReader(Session session, ContactEvents events) {
+    private boolean batchBegun;
+
+    /** Steps made, since the world was, of which events have been published. */
+    private int published;
+
+    /** Events of the batch read last: about as many are read at once of the next. */
+    private int lastCount;
+
+    private HostBuffer read;
+
+    /** Null until events are requested, as what they arrive in. */
+    private CopyQueue copies;
+
+    private HostBuffer arriving;
+
+    /** The half of the batch that is being copied, or NONE; the steps made behind it; how many events are copied. */
+    private int requestedHalf = NONE;
+
+    private int requestedSteps;
+    private int requestedRows;
+
+    /**
+     * Reports nothing yet.
+     *
+     * @param stepsMade since the world was
+     */
+    ReportReader(Session session, ContactEvents events, DeviceArrays arrays, int stepsMade) {
+        this.session = session;
+        this.arrays = arrays;
         this.events = events;
+        published = stepsMade;
         touches = new TouchArrays(session, events.hasWalls());
+        deciding = new EventArrays(session);
         sensing = new SensingArrays(session);
-        touchReader = new TouchReader(touches, events);
-        sensedReader = new SensedReader(sensing, events);
+        pairs = new PairTransfer(session, arrays, deciding, events);
+        pairs.stepsMade(stepsMade);
+        events.setRemote(pairs);
     }
 
     TouchArrays touches() {
         return touches;
     }
 
-    /** Takes down what of the steps to come is reported, and takes the memory for it; none are pending. */
-    void prepare(StepConstants k, DeviceArrays arrays) {
+    EventArrays deciding() {
+        return deciding;
+    }
+
+    /** Takes down what of the steps to come is reported; none are pending. */
+    void learn(StepConstants k) {
         recording = k.recording;
         sensed = k.sensing;
         seekingVersion = k.seekingVersion;
-        timeStep = k.dt;
-        if (recording) {
-            touches.ensure(arrays);
-        }
-        if (sensed) {
-            sensing.ensure(arrays);
-            sensing.send(k);
-        }
     }
 
     /** Whether steps report what was taken down. */
@@ -67,53 +111,251 @@ final class ReportReader implements AutoCloseable {
         return recording;
     }
 
-    /** Comes before a step is enqueued. */
-    void before(Stages stages, DeviceArrays arrays, int slots, int stepsMade) {
-        if (recording) {
-            touches.prepare(arrays, stepsMade, events.wantsAll() || !hasRecorded, events.hitSpeed());
+    /** Whether pairs are looked for that are only sensed. */
+    boolean isSensing() {
+        return sensed;
+    }
+
+    /** Whether the device has something to decide. */
+    boolean isActive() {
+        return recording || sensed;
+    }
+
+    /** Makes ready for the steps to come, whose kernels are loaded and bound; none are pending. */
+    void prepare(StepConstants k, Stages stages, Status status) {
+        if (!isActive()) {
+            events.bringHere();
+            return;
         }
+        deciding.ensure(arrays);
         if (sensed) {
             sensing.ensure(arrays);
-            stages.sensing().begin(sensing, slots);
+            sensing.send(k);
+        }
+        deciding.send(events);
+        deciding.setHitSpeed(events.hitSpeed());
+        pairs.use(stages, status);
+        if (!events.areThere()) {
+            pairs.send();
+        }
+        events.leave();
+    }
+
+    /** Comes before steps are enqueued that one launch makes, or one step. */
+    void before(Stages stages, Plan plan, Steps steps, int stepsMade) {
+        if (recording) {
+            touches.ensure(arrays); // there may be room for more contacts than before
+        }
+        deciding.setStep(stepsMade, !batchBegun, half);
+        batchBegun = true;
+        if (!plan.decidesEvents(steps)) {
+            stages.events().begin();
+        }
+        if (sensed) {
+            stages.sensing().begin(sensing, steps.slots());
         }
     }
 
-    /** Comes behind it. */
-    void behind(Stages stages, int circles) {
+    /** Comes behind them. */
+    void behind(Stages stages, Plan plan, Steps steps) {
+        if (!plan.decidesEvents(steps)) {
+            if (!plan.tells()) {
+                tell(stages, plan, steps.circles());
+            }
+            decide(stages, steps.circles());
+        }
+    }
+
+    private void tell(Stages stages, Plan plan, int circles) {
+        if (recording) {
+            plan.tell(circles);
+        }
+    }
+
+    private void decide(Stages stages, int circles) {
         if (sensed) {
             stages.sensing().find(sensing, circles);
         }
+        stages.events().decide(circles);
     }
 
-    /** Hands over the records of a step that has been made. */
-    void endStep(Status status, DeviceArrays arrays, Stages stages, int circles) {
-        records.clear();
-        int touching = status.get(StatusWord.TOUCHES);
-        boolean all = !recording || status.has(StatusWord.TOUCHES_ALL);
-        if (recording) {
-            touchReader.read(touching, records);
+    /**
+     * Publishes the events of steps.
+     *
+     * @param status as read behind them; has no lack of room for events afterwards
+     * @param stepsMade since the world was
+     * @param plan of the last step
+     */
+    void made(Status status, int stepsMade, Stages stages, Plan plan, int circles) {
+        pairs.stepsMade(stepsMade);
+        if (!isActive()) {
+            return; // published already
         }
-        if (sensed) {
-            if (status.get(StatusWord.SENSED) > sensing.room()) {
-                sensing.ensureRecords(status.get(StatusWord.SENSED));
-                status.clear(StatusWord.SENSED);
-                status.write(arrays);
-                stages.sensing().find(sensing, circles);
-                status.read(arrays);
+        if (status.has(StatusWord.EVENTS_LACK)) {
+            publish(stepsMade - 1);
+            makeUp(status, stepsMade, stages, plan, circles);
+        }
+        publish(stepsMade);
+    }
+
+    /** Begins another batch: all steps that have been made are published, and those that have been refused will be enqueued once more. */
+    void beginBatch() {
+        if (requestedHalf != NONE) {
+            copies.finish();
+            requestedHalf = NONE;
+        }
+        batchBegun = false;
+    }
+
+    /**
+     * Publishes steps that tell of nothing, and need not have been made for that: the first ends the pairs that touched.
+     *
+     * @param steps since the world was made
+     */
+    void publishSilent(int steps) {
+        if (published < steps) {
+            events.endStep();
+            published++;
+        }
+        if (published < steps) {
+            events.emptySteps(steps - published);
+            published = steps;
+        }
+    }
+
+    /** Makes the room that the last step lacked for its events, and has them decided once more. */
+    private void makeUp(Status status, int stepsMade, Stages stages, Plan plan, int circles) {
+        while (status.has(StatusWord.EVENTS_LACK)) {
+            int newcomers = status.get(StatusWord.NEWCOMERS);
+            int wanted = Math.max(status.get(StatusWord.DRAFTS), newcomers);
+            deciding.setStep(stepsMade - 1, true, half);
+            deciding.ensureRoom(wanted + (wanted >> 2));
+            deciding.ensureOpenHits(status.get(StatusWord.OPEN_HITS));
+            if (newcomers > deciding.freePlaces(status.get(StatusWord.PLACES_BEFORE))) {
+                pairs.moveToLarger(status.get(StatusWord.TOUCHING) + newcomers);
             }
-            sensedReader.read(status.get(StatusWord.SENSED), timeStep, records);
+            status.clear(StatusWord.EVENTS_LACK, StatusWord.OUT_OF_ROOM);
+            status.write(arrays);
+            stages.events().begin();
+            tell(stages, plan, circles);
+            decide(stages, circles);
+            status.read(arrays);
         }
-        events.endStep(all, records);
-        if (recording) {
-            touchReader.hold(touching);
-            touches.stepMade();
+    }
+
+    /** Publishes the events of the steps up to one. */
+    private void publish(int steps) {
+        if (requestedHalf != NONE) {
+            copies.finish();
+            readHalf(requestedHalf, Math.min(steps, requestedSteps));
+            requestedHalf = NONE;
         }
-        hasRecorded = recording;
+        readHalf(half, steps);
+    }
+
+    private void readHalf(int which, int steps) {
+        if (published >= steps) {
+            return;
+        }
+        DeviceBuffer decided = deciding.decided(which);
+        int guess = guess();
+        read = roomFor(read, guess);
+        decided.read(0, read, 0, bytes(guess));
+        int count = read.ints().get(EventArrays.HEADER_EVENTS);
+        if (count > guess) {
+            HostBuffer few = read;
+            read = roomFor(few, count);
+            decided.read(0, read, 0, bytes(count));
+        }
+        publish(read.ints(), steps);
+    }
+
+    private int guess() {
+        return Math.min(deciding.room(), Math.max(LEAST_READ, lastCount + (lastCount >> 2)));
+    }
+
+    private static long bytes(int rows) {
+        return (1L + rows) * ROW_BYTES;
+    }
+
+    private HostBuffer roomFor(HostBuffer held, int rows) {
+        if (held != null && held.size() >= bytes(rows)) {
+            return held;
+        }
+        if (held != null) {
+            held.close();
+        }
+        return session.hostBuffer(Readback.roomier(bytes(rows)));
+    }
+
+    /** Publishes the events of a batch up to a step. words: the header, as long as an event, and events. */
+    private void publish(IntBuffer words, int steps) {
+        int end = 1 + words.get(EventArrays.HEADER_EVENTS);
+        boolean ordered = words.get(EventArrays.HEADER_UNORDERED) == 0;
+        lastCount = end - 1;
+        int row = 1;
+        for (; published < steps; published++) {
+            int first = row;
+            int number = EventArrays.FIRST_STEP + published;
+            while (row < end && words.get(EventRow.STRIDE * row + EventRow.STEP) == number) {
+                row++;
+            }
+            events.publishDecided(words, first, row - first, ordered);
+        }
+    }
+
+    /**
+     * Has the events of the batch copied, and begins another.
+     *
+     * @param steps made behind it, since the world was
+     */
+    void request(int steps) {
+        if (!isActive() || !batchBegun) {
+            return;
+        }
+        if (copies == null) {
+            copies = session.copyQueue();
+        }
+        requestedRows = guess();
+        arriving = roomFor(arriving, requestedRows);
+        copies.read(deciding.decided(half), arriving, bytes(requestedRows));
+        requestedHalf = half;
+        requestedSteps = steps;
+        half = 1 - half;
+        batchBegun = false;
+    }
+
+    /** Whether a batch has been requested and not been published. */
+    boolean hasRequest() {
+        return requestedHalf != NONE;
+    }
+
+    /** Publishes the events of the batch that was requested. Returns false if they are not there: some step has not been made. */
+    boolean finishRequest() {
+        copies.finish();
+        IntBuffer words = arriving.ints();
+        int last = EventArrays.FIRST_STEP + requestedSteps - 1;
+        if (words.get(EventArrays.HEADER_STEP) != last || words.get(EventArrays.HEADER_EVENTS) > requestedRows) {
+            return false;
+        }
+        publish(words, requestedSteps);
+        requestedHalf = NONE;
+        return true;
     }
 
     @Override
     public void close() {
+        if (requestedHalf != NONE) {
+            copies.finish();
+        }
+        for (HostBuffer each : new HostBuffer[] {read, arriving}) {
+            if (each != null) {
+                each.close();
+            }
+        }
         touches.close();
+        deciding.close();
         sensing.close();
+        pairs.close();
     }
 }

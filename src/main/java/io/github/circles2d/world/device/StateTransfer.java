@@ -48,9 +48,9 @@ final class StateTransfer {
      * Reads the state.
      *
      * @param slots slots at home
-     * @param cachedPlaces number of contacts of the last step
+     * @param cachedContacts number of contacts of the last step
      */
-    StateTransfer(DeviceArrays arrays, int slots, int cachedPlaces) {
+    StateTransfer(DeviceArrays arrays, int slots, int cachedContacts) {
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);
         circle = Readback.floats(arrays.get(DeviceArray.HOME_CIRCLE), FLOATS * slots);
@@ -58,7 +58,7 @@ final class StateTransfer {
         traits = Readback.floats(arrays.get(DeviceArray.HOME_TRAITS), FLOATS * slots);
         firstCached = Readback.ints(arrays.get(DeviceArray.HOME_FIRST_CACHED), slots);
         slotOf = Readback.ints(arrays.get(DeviceArray.SLOT_OF), arrays.idCapacity());
-        entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedPlaces);
+        entries = Readback.ints(arrays.get(DeviceArray.IMPULSE_CACHE), CachedImpulse.STRIDE * cachedContacts);
     }
 
     long hash() {

@@ -8,15 +8,15 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.TouchRule;
+import java.nio.IntBuffer;
 
 /**
- * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It holds the pairs that touch. A pipeline
- * tells it after each step of the pairs that touch then, {@link #concerns}, and hands over the records of those that something
- * happened to, {@link #endStep}. A pair that it does not hear of has ended. So a pile at rest has no records.
+ * Makes the events of contacts: pairs begin to touch, hit each other, and end to touch. It knows the pairs that touch, or a device
+ * does, {@link RemotePairs}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
+ * the events that it has decided, {@link #publishDecided}.
  *
- * <p>{@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds, {@link TouchSnapshots} saves and
- * restores, and {@link TouchingList} lists pairs.
+ * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds,
+ * {@link TouchSnapshots} saves and restores, and {@link TouchingList} lists pairs.
  *
  * <p>A wall is the partner of a circle too, under a code above all ids.
  */
@@ -42,7 +42,8 @@ public final class ContactEvents {
     /** The hit speed if none is set: that of the pair, from which on impacts bounce. */
     public static final float OF_PAIR = -1f;
 
-    private static final int FIRST_STAMP = 1;
+    /** The number of no pair. */
+    public static final int NONE = TouchingPairs.NONE;
 
     private final TouchingPairs pairs = new TouchingPairs();
     private final ReportTable reported = new ReportTable();
@@ -52,32 +53,33 @@ public final class ContactEvents {
     private final EventRows step = new EventRows();
 
     private final EventQueue queue = new EventQueue();
-    private final TouchingList touching = new TouchingList(this, pairs, circles);
+    private final TouchTracker tracker;
+    private final TouchingList touching;
     private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles);
 
-    /** Hits that were not complete after the last step, and those after this one. */
-    private TouchRecords open = new TouchRecords();
+    /** The pairs on a device; null if there is none that decides. */
+    private RemotePairs remote;
 
-    private TouchRecords stillOpen = new TouchRecords();
+    /** Whether all pairs are here; some are not while only a device knows them. */
+    private boolean here = true;
 
-    private Bounds arena = new Bounds(0, 0, 1, 1);
+    /** Whether all pairs are on the device, as they are here or as its last step left them. */
+    private boolean there;
 
-    private float hitSpeed = OF_PAIR;
+    /** The circles that the commands remove for which there is room. */
+    private int[] removed = new int[0];
 
-    /** The stamp of the step that is being looked at: another than that of the step before. */
-    private int now;
-
-    /** Whether the next step has to tell of every pair in touch, since some are not as it left them. */
-    private boolean wantsAll = true;
+    private int removedCount;
 
     /** Nothing is reported. */
     public ContactEvents() {
-        this(FIRST_STAMP);
+        this(TouchTracker.FIRST_STAMP);
     }
 
     /** As if many steps had been made. */
     ContactEvents(int stamp) {
-        now = stamp;
+        tracker = new TouchTracker(reported, circles, pairs, step, stamp);
+        touching = new TouchingList(tracker, pairs, circles);
     }
 
     /** The code of a wall: axis 0 or 1, side 1 for the lower wall and -1 for the upper. */
@@ -99,18 +101,18 @@ public final class ContactEvents {
     }
 
     /** Whether there is a wall: circles that come to the end of coordinates, on an axis without walls, are not reported. */
-    private boolean hasWall(int code) {
+    static boolean hasWall(Bounds arena, int code) {
         return (code - Limits.CIRCLES < 2 ? arena.edgeX() : arena.edgeY()) == AxisEdge.WALL;
     }
 
     /** The arena of the last step. */
-    Bounds arena() {
-        return arena;
+    public Bounds arena() {
+        return tracker.arena();
     }
 
     /** Sets the arena of the steps to come. */
     public void setArena(Bounds bounds) {
-        arena = bounds;
+        tracker.setArena(bounds);
     }
 
     /** Whether walls are reported. */
@@ -125,32 +127,45 @@ public final class ContactEvents {
 
     /** The types that are reported of two circles. */
     public int typesOfCircles(int id, int otherId) {
-        return reported.isUniform() ? reported.types(0, 0) : reported.types(circles.kind(id), circles.kind(otherId));
+        return tracker.typesOfCircles(id, otherId);
     }
 
-    /** The types that are reported of a pair: the one place that decides. */
-    int typesOf(int lower, int higher) {
-        if (EventOrder.isWall(higher)) {
-            return hasWall(higher) ? reported.wallTypes(circles.kind(lower)) : 0;
-        }
-        return typesOfCircles(lower, higher);
+    /** Whether the types of a pair or a wall depend on kinds. */
+    public boolean dependsOnKinds() {
+        return reported.dependsOnKinds();
+    }
+
+    /** The types of a pair of kinds. */
+    public int typesOfKinds(int a, int b) {
+        return reported.types(a, b);
+    }
+
+    /** The types of a kind and walls. */
+    public int typesOfWalls(int kind) {
+        return reported.wallTypes(kind);
+    }
+
+    /** Counts the changes of what is reported. */
+    public int version() {
+        return reported.version();
     }
 
     /** Tells a step what of it is reported. */
     public void prepare(KindTable kinds, StepConstants step) {
-        reported.resolve(kinds);
-        boolean records = reported.solids() || reported.hasWalls();
+        reported.resolve(kinds, circles);
+        boolean records = reported.solids() || reported.wallsOfCircles();
         step.setReports(records, reported.senses(), reported.seeking(), reported.seekingVersion());
     }
 
     /** Makes room for {@link #report}. */
     public void makeRoom(HandleTable handles) {
-        ensureIds(handles.end());
+        circles.ensure(handles.end());
+        bringHere();
     }
 
     /** Makes room for {@link #reportPair}. */
     public void makeRoomForPairs(HandleTable handles) {
-        ensureIds(handles.end());
+        makeRoom(handles);
         reported.makeRoom();
     }
 
@@ -181,19 +196,14 @@ public final class ContactEvents {
     }
 
     private void changed(boolean was, HandleTable handles) {
-        wantsAll = true;
+        there = false;
         if (!isOn()) {
-            pairs.clear();
+            tracker.clear();
             step.clear();
-            open.clear();
         } else if (!was) {
             circles.read(handles);
         }
-        for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (typesOf(pairs.lower(pair), pairs.higher(pair)) == 0) {
-                pairs.remove(pair);
-            }
-        }
+        tracker.forgetUnreported();
         for (int late = step.count - 1; late >= 0; late--) {
             if (!reported.mayReport(step.side(late) != EventOrder.NO_SIDE, step.type(late))) {
                 step.remove(late);
@@ -203,21 +213,16 @@ public final class ContactEvents {
 
     /** Sets the speed from which on a hit counts. */
     public void setHitSpeed(float speed) {
-        hitSpeed = speed;
+        tracker.setHitSpeed(speed);
     }
 
     /** The speed from which on a hit counts, or {@link #OF_PAIR}. */
     public float hitSpeed() {
-        return hitSpeed;
+        return tracker.hitSpeed();
     }
 
     // ---- circles come and go
     // -----------------------------------------------------------------------------------------
-
-    private void ensureIds(int ids) {
-        pairs.ensureIds(ids);
-        circles.ensure(ids);
-    }
 
     /** Makes room for commands, so that {@link #apply} does not run out of memory. */
     public void makeRoom(Commands commands) {
@@ -225,13 +230,26 @@ public final class ContactEvents {
         for (int c = 0; c < commands.count(); c++) {
             ids = Math.max(ids, commands.id(c) + 1);
         }
-        ensureIds(ids);
+        circles.ensure(ids);
+        removedCount = 0;
         if (circles.markRemoved(commands)) {
-            int ends = 0;
-            for (int pair = 0; pair < pairs.count; pair++) {
-                ends += isOfRemoved(pair) ? 1 : 0;
+            listRemoved(commands);
+            if (!here) {
+                tracker.clear();
+                remote.fetchOf(removed, removedCount);
             }
-            step.ensure(step.count + 2 * ends);
+            tracker.makeRoomForRemoved();
+        }
+    }
+
+    private void listRemoved(Commands commands) {
+        if (removed.length < commands.count()) {
+            removed = new int[commands.count() + (commands.count() >> 1)];
+        }
+        for (int c = 0; c < commands.count(); c++) {
+            if (commands.operation(c) == Commands.REMOVE) {
+                removed[removedCount++] = commands.id(c);
+            }
         }
     }
 
@@ -249,79 +267,153 @@ public final class ContactEvents {
             } else if (KnownCircles.isKind(commands, c) && circles.hasStayed(id)) {
                 // An end is reported by the kinds that both circles have when one of them is removed.
                 if (waiting && reported.dependsOnKinds()) {
-                    endRemoved();
+                    tracker.endRemoved();
                     waiting = false;
                 }
                 circles.setKind(id, commands.second(c));
-                wantsAll |= reported.dependsOnKinds();
             }
         }
         if (waiting) {
-            endRemoved();
+            tracker.endRemoved();
+        }
+        if (removedCount > 0) {
+            forgetRemoved();
         }
         circles.learn(commands, handles);
     }
 
-    private void endRemoved() {
-        for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (isOfRemoved(pair)) {
-                addOpenHit(pair, EventOrder.LATE_HIT);
-                add(pair, END, EventOrder.LATE_END);
-                pairs.remove(pair);
-            }
+    private void forgetRemoved() {
+        if (there) {
+            remote.forgetOf(removed, removedCount);
+        }
+        removedCount = 0;
+    }
+
+    // ---- pairs that only a device knows
+    // ------------------------------------------------------------------------------
+
+    /**
+     * Sets who decides what happens to pairs.
+     *
+     * @param pairsElsewhere null if this object does; all pairs are here
+     */
+    public void setRemote(RemotePairs pairsElsewhere) {
+        remote = pairsElsewhere;
+        there = false;
+    }
+
+    /** Brings all pairs here; they stay on the device, too. */
+    public void bringHere() {
+        if (!here) {
+            tracker.clear();
+            remote.fetchAll();
+            here = true;
         }
     }
 
-    private boolean isOfRemoved(int pair) {
-        int higher = pairs.higher(pair);
-        return circles.isRemoved(pairs.lower(pair)) || !EventOrder.isWall(higher) && circles.isRemoved(higher);
+    /**
+     * Takes a pair over.
+     *
+     * @param openHit where the values of its hit begin that is not complete, or -1
+     */
+    public void receive(int lower, int higher, float[] values, int openHit) {
+        int pair =
+                pairs.add(lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
+        if (openHit >= 0) {
+            int hit = tracker.open().addValues(values, openHit);
+            if (arena().wraps()) {
+                tracker.open().bringInside(hit, arena());
+            }
+            pairs.setOpen(pair, hit);
+        }
     }
 
-    // ---- a step
-    // ------------------------------------------------------------------------------------------------------
+    /** Whether all pairs are on the device; else they are here. */
+    public boolean areThere() {
+        return there;
+    }
+
+    /** Takes note that the pairs that are here are on the device too. */
+    public void sent() {
+        there = true;
+    }
+
+    /** Takes note that a step changes the pairs, which are on the device. */
+    public void leave() {
+        if (here) {
+            here = false;
+            tracker.clear();
+        }
+    }
+
+    /** Number of pairs that touch, which are here. */
+    public int pairs() {
+        return pairs.count;
+    }
+
+    public int lower(int pair) {
+        return pairs.lower(pair);
+    }
+
+    public int higher(int pair) {
+        return pairs.higher(pair);
+    }
+
+    /** The number of a pair's hit that is not complete, or {@link #NONE}. */
+    public int openHit(int pair) {
+        return pairs.open(pair);
+    }
+
+    /** Number of hits that are not complete. */
+    public int openHits() {
+        return tracker.open().count;
+    }
+
+    /** Copies the values of a hit that is not complete. */
+    public void copyOpenHit(int hit, float[] to, int at) {
+        tracker.open().copy(hit, to, at);
+    }
+
+    /**
+     * Publishes the events of a step that a device has decided, and those of circles removed before it.
+     *
+     * @param rows see {@link EventRow}
+     * @param first row of the step
+     * @param count rows of the step
+     * @param ordered whether they are in order
+     */
+    public void publishDecided(IntBuffer rows, int first, int count, boolean ordered) {
+        if (ordered && step.count == 0) {
+            queue.publishDecided(rows, first, count, circles, arena());
+        } else {
+            step.addDecided(rows, first, count, 0, circles, arena());
+            publish(1);
+        }
+    }
+
+    // ---- a step in Java
+    // ----------------------------------------------------------------------------------------------
+
+    /**
+     * The number of a pair that touched in the last step, or {@link #NONE}.
+     *
+     * @param guess a number that it may have, or any other
+     */
+    public int find(int guess, int lower, int higher) {
+        return pairs.find(guess, lower, higher);
+    }
 
     /**
      * Tells of a pair that is in touch, or near enough to stay so. Several threads may call this at once, of different pairs.
      *
+     * @param pair its number, by {@link #find}
      * @param touches whether it touches even if it did not before
      * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
      * @return whether {@link #endStep} needs a record of it
      */
-    public boolean concerns(int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
-        int pair = pairs.find(lower, higher);
-        if (pair == TouchingPairs.NONE) {
-            return touches && typesOf(lower, higher) != 0;
-        }
-        if (reported.dependsOnKinds() && typesOf(lower, higher) == 0) {
-            return false; // a kind has changed: it ends, and nobody is told
-        }
-        pairs.stamp(pair, now);
-        return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
-    }
-
-    private boolean isHit(float approach, float impulse, float threshold) {
-        return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
-    }
-
-    /** Whether the next step has to tell of every pair in touch, also of those that {@link #hold}. */
-    public boolean wantsAll() {
-        return wantsAll;
-    }
-
-    /** Takes note that a step ends with a pair that will be told of when it parts. */
-    public void hold(int lower, int higher) {
-        int pair = pairs.find(lower, higher);
-        if (pair != TouchingPairs.NONE) {
-            pairs.hold(pair);
-        }
-    }
-
-    /** Tells of a pair that was to be told of when it parts. */
-    public void part(int lower, int higher) {
-        int pair = pairs.find(lower, higher);
-        if (pair != TouchingPairs.NONE) {
-            pairs.stamp(pair, TouchingPairs.NEVER);
-        }
+    public boolean concerns(
+            int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
+        return tracker.concerns(pair, lower, higher, touches, approach, impulse, threshold);
     }
 
     /**
@@ -330,41 +422,12 @@ public final class ContactEvents {
      * @param records those that {@link #concerns} asked for, in any order
      */
     public void endStep(TouchRecords... records) {
-        endStep(true, records);
-    }
-
-    /**
-     * Ends a step.
-     *
-     * @param all whether it has told of every pair in touch; else of those that hold only if something happened to them
-     * @param records those that {@link #concerns} asked for, in any order
-     */
-    public void endStep(boolean all, TouchRecords... records) {
-        wantsAll = false;
-        stillOpen.clear();
-        for (TouchRecords list : records) {
-            for (int r = 0; r < list.count; r++) {
-                if (arena.wraps()) {
-                    list.bringInside(r, arena);
-                }
-                take(list, r);
-            }
-        }
-        for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (pairs.stamp(pair) != now && (all || !pairs.holds(pair))) {
-                addOpenHit(pair, EventOrder.HIT);
-                add(pair, END, EventOrder.END);
-                pairs.remove(pair);
-            }
-        }
-        TouchRecords complete = open;
-        open = stillOpen;
-        stillOpen = complete;
-        now = now == Integer.MAX_VALUE ? FIRST_STAMP : now + 1;
+        there = false;
+        tracker.endStep(records);
         publish(1);
     }
 
-    /** Makes steps without circles. */
+    /** Makes steps in which no pair is in touch, and none was before. */
     public void emptySteps(int count) {
         publish(count);
     }
@@ -372,53 +435,6 @@ public final class ContactEvents {
     private void publish(int count) {
         queue.publish(step, count);
         step.clear();
-    }
-
-    private void take(TouchRecords list, int r) {
-        int lower = list.lower(r);
-        int higher = list.higher(r);
-        int pair = pairs.find(lower, higher);
-        if (pair == TouchingPairs.NONE) {
-            pair = pairs.add(
-                    lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
-            pairs.stamp(pair, now);
-            add(pair, BEGIN, EventOrder.BEGIN, list, r);
-        }
-        boolean goesOn = pairs.open(pair) != TouchingPairs.NONE;
-        boolean isHit = isHit(list.approach(r), list.impulse(r), list.threshold(r));
-        if (goesOn) {
-            list.addTo(r, open, pairs.open(pair));
-            addOpenHit(pair, EventOrder.HIT);
-            pairs.setOpen(pair, TouchingPairs.NONE);
-        } else if (isHit && TouchRule.isIncomplete(list.vn(r), list.approach(r))) {
-            pairs.setOpen(pair, stillOpen.add(list, r));
-        } else if (isHit) {
-            add(pair, HIT, EventOrder.HIT, list, r);
-        }
-    }
-
-    private void addOpenHit(int pair, int rank) {
-        if (pairs.open(pair) != TouchingPairs.NONE) {
-            add(pair, HIT, rank, open, pairs.open(pair));
-        }
-    }
-
-    private void add(int pair, int type, int rank, TouchRecords list, int r) {
-        int at = add(pair, type, rank);
-        if (at >= 0) {
-            list.copy(r, step.values, at);
-        }
-    }
-
-    /** Adds an event without values, and returns where they begin, or -1 if it is not reported. */
-    private int add(int pair, int type, int rank) {
-        int lower = pairs.lower(pair);
-        int higher = pairs.higher(pair);
-        if ((typesOf(lower, higher) & type) == 0) {
-            return -1;
-        }
-        long key = EventOrder.key(lower, higher, rank);
-        return step.add(key, type, pairs.a[pair], pairs.b[pair], EventOrder.side(higher));
     }
 
     // ---- for the caller
@@ -461,6 +477,7 @@ public final class ContactEvents {
      * @return how many pairs there are
      */
     public int list(int kindA, int kindB, long[] handles) {
+        bringHere();
         return touching.list(kindA, kindB, handles);
     }
 
@@ -476,14 +493,15 @@ public final class ContactEvents {
     public void save(SavedTouches into) {
         into.clear();
         if (isOn()) {
-            snapshots.save(into, open);
+            bringHere();
+            snapshots.save(into, tracker.open());
         }
     }
 
     /** Makes room for a saved state, so that {@link #load} does not run out of memory. */
     public void makeRoom(SavedTouches from, int ids) {
         if (isOn()) {
-            ensureIds(ids);
+            circles.ensure(ids);
             pairs.ensure(from.pairs);
             step.ensure(from.late);
         }
@@ -496,14 +514,14 @@ public final class ContactEvents {
      * @param handles those of the state
      */
     public void load(SavedTouches from, HandleTable handles) {
-        wantsAll = true;
+        here = true;
+        there = false;
         queue.drop();
-        pairs.clear();
+        tracker.clear();
         step.clear();
-        open.clear();
         if (isOn()) {
             circles.read(handles);
-            snapshots.load(from, open);
+            snapshots.load(from, tracker.open());
         }
     }
 }

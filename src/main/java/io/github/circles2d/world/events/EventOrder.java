@@ -4,13 +4,6 @@ import io.github.circles2d.world.model.Limits;
 
 /** The order of a step's events: lower id, higher id or the code of a wall, rank. */
 final class EventOrder {
-    // Late events are those of a circle that has been removed.
-    static final int LATE_HIT = 0;
-    static final int LATE_END = 1;
-    static final int BEGIN = 2;
-    static final int HIT = 3;
-    static final int END = 4;
-
     /** The side of a pair of circles. */
     static final int NO_SIDE = -1;
 

@@ -1,5 +1,8 @@
 package io.github.circles2d.world.events;
 
+import io.github.circles2d.world.model.Bounds;
+import java.nio.IntBuffer;
+
 /** The events of the steps that have been made, until the caller takes them; all of them, or those of the steps of a request. */
 final class EventQueue {
     private static final long NOT_REQUESTED = -1;
@@ -17,6 +20,12 @@ final class EventQueue {
     void publish(EventRows step, int count) {
         events.addInOrder(step, steps);
         steps += count;
+    }
+
+    /** Adds the events of a step that a device has decided, in order. */
+    void publishDecided(IntBuffer rows, int first, int count, KnownCircles circles, Bounds arena) {
+        events.addDecided(rows, first, count, steps, circles, arena);
+        steps++;
     }
 
     /** Takes note that steps have been asked for. */

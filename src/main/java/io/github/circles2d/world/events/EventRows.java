@@ -1,23 +1,32 @@
 package io.github.circles2d.world.events;
 
+import static io.github.circles2d.world.events.EventRow.FIRST_VALUE;
+import static io.github.circles2d.world.events.EventRow.HIGHER;
+import static io.github.circles2d.world.events.EventRow.LOWER;
+import static io.github.circles2d.world.events.EventRow.RANK;
+import static io.github.circles2d.world.events.EventRow.STRIDE;
+
+import io.github.circles2d.world.model.Bounds;
+import java.nio.IntBuffer;
 import java.util.Arrays;
 
 /** Events, one after the other. */
 public final class EventRows {
-    private static final int VALUES = TouchRecords.VALUES;
+    private static final int LEAST_ROWS = 64;
 
     int count;
 
-    /** By event: what the events of a step are ordered by. */
-    private long[] key = new long[0];
+    /** By event: see {@link EventRow}; the number of the step is in {@link #step}. */
+    private int[] words = new int[0];
 
-    private int[] order = new int[0];
-    private int[] type = new int[0];
-    private long[] step = new long[0];
+    /** By event: the handles. */
     private long[] a = new long[0];
+
     private long[] b = new long[0];
-    private int[] side = new int[0];
-    float[] values = new float[0];
+    private long[] step = new long[0];
+
+    /** Null until events are sorted. */
+    private EventSort sort;
 
     /** No events. */
     public EventRows() {}
@@ -28,41 +37,89 @@ public final class EventRows {
 
     /** Makes room. The length of the array that grows last tells whether there is room. */
     void ensure(int rows) {
-        if (rows > side.length) {
-            int c = Math.max(rows, Math.max(64, side.length + (side.length >> 1)));
-            key = Arrays.copyOf(key, c);
-            order = Arrays.copyOf(order, c);
-            type = Arrays.copyOf(type, c);
-            step = Arrays.copyOf(step, c);
+        if (rows > step.length) {
+            int c = Math.max(rows, Math.max(LEAST_ROWS, step.length + (step.length >> 1)));
+            words = Arrays.copyOf(words, Math.multiplyExact(STRIDE, c));
             a = Arrays.copyOf(a, c);
             b = Arrays.copyOf(b, c);
-            values = Arrays.copyOf(values, VALUES * c);
-            side = Arrays.copyOf(side, c);
+            step = Arrays.copyOf(step, c);
         }
     }
 
-    /** Adds an event without values, and returns where its values begin. */
-    int add(long orderKey, int eventType, long handleA, long handleB, int wallSide) {
+    /** Adds an event without values, and returns its row. */
+    int add(int lower, int higher, int rank, long handleA, long handleB) {
         ensure(count + 1);
-        key[count] = orderKey;
-        type[count] = eventType;
+        int at = STRIDE * count;
+        Arrays.fill(words, at, at + STRIDE, 0);
+        words[at + LOWER] = lower;
+        words[at + HIGHER] = higher;
+        words[at + RANK] = rank;
         a[count] = handleA;
         b[count] = handleB;
-        side[count] = wallSide;
-        Arrays.fill(values, VALUES * count, VALUES * (count + 1), 0f);
-        return VALUES * count++;
+        return count++;
+    }
+
+    /** Sets the values of an event. */
+    void setValues(int row, float[] from, int at) {
+        for (int k = 0; k < TouchRecords.VALUES; k++) {
+            words[STRIDE * row + FIRST_VALUE + k] = Float.floatToRawIntBits(from[at + k]);
+        }
+    }
+
+    /** Copies the values of an event. */
+    void copyValues(int row, float[] to, int at) {
+        for (int k = 0; k < TouchRecords.VALUES; k++) {
+            to[at + k] = value(row, k);
+        }
+    }
+
+    /** Adds rows of a step that a device has decided, with the handles that their circles have. */
+    void addDecided(IntBuffer from, int firstRow, int rows, long stepNumber, KnownCircles circles, Bounds arena) {
+        ensure(count + rows);
+        from.get(STRIDE * firstRow, words, STRIDE * count, STRIDE * rows);
+        Arrays.fill(step, count, count + rows, stepNumber);
+        for (int row = count; row < count + rows; row++) {
+            int higher = words[STRIDE * row + HIGHER];
+            a[row] = circles.handle(words[STRIDE * row + LOWER]);
+            b[row] = EventOrder.isWall(higher) ? 0 : circles.handle(higher);
+            if (arena.wraps()) {
+                bringInside(row, arena);
+            }
+        }
+        count += rows;
+    }
+
+    /** Brings the point of an event inside, if it is beyond the edge of an axis that wraps. */
+    private void bringInside(int row, Bounds arena) {
+        int at = STRIDE * row;
+        if (words[at + RANK] == EventRow.END) {
+            return; // it has no point
+        }
+        words[at + FIRST_VALUE + TouchRecords.POINT_X] =
+                Float.floatToRawIntBits(arena.placeX(value(row, TouchRecords.POINT_X)));
+        words[at + FIRST_VALUE + TouchRecords.POINT_Y] =
+                Float.floatToRawIntBits(arena.placeY(value(row, TouchRecords.POINT_Y)));
     }
 
     /** Adds the events of another list, in the order of their keys, which are distinct, as those of a step. */
     void addInOrder(EventRows from, long stepNumber) {
+        if (from.count == 0) {
+            return;
+        }
         ensure(count + from.count);
         from.sort();
         for (int k = 0; k < from.count; k++) {
-            int row = from.order[k];
-            int at = add(from.key[row], from.type[row], from.a[row], from.b[row], from.side[row]);
-            step[count - 1] = stepNumber;
-            System.arraycopy(from.values, VALUES * row, values, at, VALUES);
+            copy(from, from.ordered(k), count + k);
         }
+        Arrays.fill(step, count, count + from.count, stepNumber);
+        count += from.count;
+    }
+
+    private void copy(EventRows from, int row, int to) {
+        System.arraycopy(from.words, STRIDE * row, words, STRIDE * to, STRIDE);
+        a[to] = from.a[row];
+        b[to] = from.b[row];
+        step[to] = from.step[row];
     }
 
     /** Moves the events from a step on, which are in the order of steps, into a list whose first step that is. */
@@ -71,65 +128,41 @@ public final class EventRows {
         while (first > 0 && step[first - 1] >= firstStep) {
             first--;
         }
+        to.ensure(to.count + count - first);
         for (int row = first; row < count; row++) {
-            int at = to.add(key[row], type[row], a[row], b[row], side[row]);
-            to.step[to.count - 1] = step[row] - firstStep;
-            System.arraycopy(values, VALUES * row, to.values, at, VALUES);
+            to.copy(this, row, to.count);
+            to.step[to.count++] -= firstStep;
         }
         count = first;
     }
 
     /** Removes an event; the last one takes its number. */
     void remove(int row) {
-        int last = --count;
-        key[row] = key[last];
-        type[row] = type[last];
-        a[row] = a[last];
-        b[row] = b[last];
-        side[row] = side[last];
-        System.arraycopy(values, VALUES * last, values, VALUES * row, VALUES);
+        copy(this, --count, row);
     }
 
-    /** Sorts the order by keys: a heap sort, without memory. */
+    /** Sorts the order by keys. */
     void sort() {
-        for (int k = 0; k < count; k++) {
-            order[k] = k;
+        if (sort == null) {
+            sort = new EventSort();
         }
-        for (int k = count / 2 - 1; k >= 0; k--) {
-            sink(k, count);
-        }
-        for (int end = count - 1; end > 0; end--) {
-            int top = order[0];
-            order[0] = order[end];
-            order[end] = top;
-            sink(0, end);
-        }
-    }
-
-    private void sink(int root, int end) {
-        int row = order[root];
-        int k = root;
-        while (2 * k + 1 < end) {
-            int child = 2 * k + 1;
-            if (child + 1 < end && key[order[child]] < key[order[child + 1]]) {
-                child++;
-            }
-            if (key[order[child]] <= key[row]) {
-                break;
-            }
-            order[k] = order[child];
-            k = child;
-        }
-        order[k] = row;
+        sort.ensure(count);
+        sort.sort(this);
     }
 
     /** The row that is at a place of the order. */
     int ordered(int place) {
-        return order[place];
+        return sort.row(place);
     }
 
+    /** What the events of a step are ordered by. */
     long key(int row) {
-        return key[row];
+        int at = STRIDE * row;
+        return EventOrder.key(words[at + LOWER], words[at + HIGHER], words[at + RANK]);
+    }
+
+    private float value(int row, int which) {
+        return Float.intBitsToFloat(words[STRIDE * row + FIRST_VALUE + which]);
     }
 
     /** Number of events. */
@@ -139,7 +172,7 @@ public final class EventRows {
 
     /** The type: one of those in {@link ContactEvents}. */
     public int type(int event) {
-        return type[check(event)];
+        return EventRow.type(words[STRIDE * check(event) + RANK]);
     }
 
     /** The number of the step; 2^31 - 1 for all from there on. */
@@ -159,37 +192,37 @@ public final class EventRows {
 
     /** The number of the wall, or -1. */
     public int side(int event) {
-        return side[check(event)];
+        return EventOrder.side(words[STRIDE * check(event) + HIGHER]);
     }
 
     /** The approach speed. */
     public float speed(int event) {
-        return values[VALUES * check(event) + TouchRecords.APPROACH];
+        return value(check(event), TouchRecords.APPROACH);
     }
 
     /** The impulse. */
     public float impulse(int event) {
-        return values[VALUES * check(event) + TouchRecords.IMPULSE];
+        return value(check(event), TouchRecords.IMPULSE);
     }
 
     /** The normal, x. */
     public float normalX(int event) {
-        return values[VALUES * check(event) + TouchRecords.NORMAL_X];
+        return value(check(event), TouchRecords.NORMAL_X);
     }
 
     /** The normal, y. */
     public float normalY(int event) {
-        return values[VALUES * check(event) + TouchRecords.NORMAL_Y];
+        return value(check(event), TouchRecords.NORMAL_Y);
     }
 
     /** The point, x. */
     public float x(int event) {
-        return values[VALUES * check(event) + TouchRecords.POINT_X];
+        return value(check(event), TouchRecords.POINT_X);
     }
 
     /** The point, y. */
     public float y(int event) {
-        return values[VALUES * check(event) + TouchRecords.POINT_Y];
+        return value(check(event), TouchRecords.POINT_Y);
     }
 
     private int check(int event) {
@@ -201,6 +234,6 @@ public final class EventRows {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 44L * side.length + 4L * values.length;
+        return (4L * STRIDE + 24L) * step.length + (sort == null ? 0 : sort.bytes());
     }
 }

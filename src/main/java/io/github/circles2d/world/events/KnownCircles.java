@@ -22,6 +22,12 @@ final class KnownCircles {
 
     private int batch;
 
+    /** By kind: how many circles there are. */
+    private final int[] population = new int[PairTable.KINDS];
+
+    /** Counts how often there came to be circles of a kind, or none. */
+    private int kindsVersion;
+
     /** Makes room. The length of the array that grows last tells whether there is room. */
     void ensure(int ids) {
         if (ids > handleOf.length) {
@@ -34,9 +40,12 @@ final class KnownCircles {
 
     /** Learns all handles and kinds. */
     void read(HandleTable handles) {
+        Arrays.fill(population, 0);
+        kindsVersion++;
         for (int id = 0; id < handles.end(); id++) {
             handleOf[id] = handles.lives(id) ? handles.handle(id) : 0;
             kindOf[id] = (byte) handles.fields().getInt(CircleField.KIND, id);
+            population[kind(id)] += handles.lives(id) ? 1 : 0;
         }
     }
 
@@ -49,7 +58,27 @@ final class KnownCircles {
     }
 
     void setKind(int id, int kind) {
+        leave(kind(id));
         kindOf[id] = (byte) kind;
+        enter(kind);
+    }
+
+    private void enter(int kind) {
+        kindsVersion += population[kind]++ == 0 ? 1 : 0;
+    }
+
+    private void leave(int kind) {
+        kindsVersion += --population[kind] == 0 ? 1 : 0;
+    }
+
+    /** Whether there are circles of a kind. */
+    boolean has(int kind) {
+        return population[kind] > 0;
+    }
+
+    /** Counts the changes of {@link #has}. */
+    int kindsVersion() {
+        return kindsVersion;
     }
 
     /** Whether a command changes a kind. */
@@ -108,6 +137,9 @@ final class KnownCircles {
             if (commands.operation(c) == Commands.ADD) {
                 handleOf[id] = handles.handle(id);
                 kindOf[id] = 0;
+                enter(0);
+            } else if (commands.operation(c) == Commands.REMOVE) {
+                leave(kind(id));
             } else if (isKind(commands, c)) {
                 setKind(id, commands.second(c));
             }

@@ -13,6 +13,9 @@ import java.util.Arrays;
 final class ReportTable {
     private static final int KINDS = PairTable.KINDS;
 
+    /** Longs of a row of bits by kind. */
+    private static final int ROW = KINDS / Long.SIZE;
+
     /** What a sensed pair can report. */
     private static final int SENSED_TYPES = ContactEvents.BEGIN | ContactEvents.END;
 
@@ -32,7 +35,20 @@ final class ReportTable {
     private int version;
     private int resolvedVersion = -1;
     private int resolvedKinds = -1;
+    private int resolvedCircles = -1;
+
+    /** By kind, a row of bits: the kinds with which it makes contacts that are reported. */
+    private final long[] solidWith = new long[KINDS * ROW];
+
+    /** The same: the kinds with which it makes pairs that are only sensed. */
+    private final long[] senseWith = new long[KINDS * ROW];
+
+    /** A bit by kind: whether there are circles of it. */
+    private final long[] living = new long[ROW];
+
+    private boolean seeks;
     private boolean solids;
+    private boolean wallsOfCircles;
     private boolean senses;
     private int seekingVersion;
 
@@ -80,6 +96,11 @@ final class ReportTable {
         version++;
     }
 
+    /** Counts changes. */
+    int version() {
+        return version;
+    }
+
     /** Whether anything is reported. */
     boolean isOn() {
         return some || walls;
@@ -120,25 +141,54 @@ final class ReportTable {
     }
 
     /** Finds out what follows, if anything has changed. */
-    void resolve(KindTable kinds) {
-        if (resolvedVersion == version && resolvedKinds == kinds.version()) {
-            return;
+    void resolve(KindTable kinds, KnownCircles circles) {
+        boolean same = resolvedVersion == version && resolvedKinds == kinds.version();
+        if (!same) {
+            resolvedVersion = version;
+            resolvedKinds = kinds.version();
+            resolveKinds(kinds);
         }
-        resolvedVersion = version;
-        resolvedKinds = kinds.version();
-        solids = false;
-        boolean before = senses;
-        senses = false;
+        if (!same || resolvedCircles != circles.kindsVersion()) {
+            resolvedCircles = circles.kindsVersion();
+            resolveCircles(circles);
+        }
+    }
+
+    private void resolveKinds(KindTable kinds) {
+        boolean before = seeks;
+        seeks = false;
         if (before) {
             Arrays.fill(seeking, 0);
         }
+        Arrays.fill(solidWith, 0);
+        Arrays.fill(senseWith, 0);
         for (int a = 0; a < KINDS && some; a++) {
             for (int b = 0; b < KINDS; b++) {
                 resolve(kinds, a, b);
             }
         }
-        if (before || senses) {
+        if (before || seeks) {
             seekingVersion++;
+        }
+    }
+
+    /** Finds out which kinds matter: those of which there are circles. */
+    private void resolveCircles(KnownCircles circles) {
+        Arrays.fill(living, 0);
+        wallsOfCircles = false;
+        for (int kind = 0; kind < KINDS; kind++) {
+            if (circles.has(kind)) {
+                living[kind / Long.SIZE] |= 1L << kind;
+                wallsOfCircles |= wallTypes[kind] != 0;
+            }
+        }
+        solids = false;
+        senses = false;
+        for (int kind = 0; kind < KINDS; kind++) {
+            for (int k = 0; k < ROW && circles.has(kind); k++) {
+                solids |= (solidWith[ROW * kind + k] & living[k]) != 0;
+                senses |= (senseWith[ROW * kind + k] & living[k]) != 0;
+            }
         }
     }
 
@@ -146,9 +196,10 @@ final class ReportTable {
         int response = PairTable.get(kinds.responses(), a, b);
         int reported = types(a, b);
         if (response == PairTable.SOLID) {
-            solids |= reported != 0;
+            solidWith[ROW * a + b / Long.SIZE] |= reported != 0 ? 1L << b : 0;
         } else if (response == PairTable.SENSE && (reported & SENSED_TYPES) != 0) {
-            senses = true;
+            seeks = true;
+            senseWith[ROW * a + b / Long.SIZE] |= 1L << b;
             int own = kinds.get(KindField.SENSOR, a);
             int other = kinds.get(KindField.SENSOR, b);
             // There are fewer sensors than others, mostly.
@@ -160,12 +211,17 @@ final class ReportTable {
         }
     }
 
-    /** Whether something of contacts is reported. */
+    /** Whether something of contacts of circles that there are is reported. */
     boolean solids() {
         return solids;
     }
 
-    /** Whether something of pairs that are only sensed is. */
+    /** Whether something of walls and circles that there are is. */
+    boolean wallsOfCircles() {
+        return wallsOfCircles;
+    }
+
+    /** Whether something of pairs of circles that there are, and that are only sensed, is. */
     boolean senses() {
         return senses;
     }
@@ -182,6 +238,9 @@ final class ReportTable {
 
     /** Memory of the arrays. */
     long bytes() {
-        return wallTypes.length + 4L * seeking.length + (typesOf == null ? 0 : typesOf.length);
+        return wallTypes.length
+                + 8L * (2 * solidWith.length)
+                + 4L * seeking.length
+                + (typesOf == null ? 0 : typesOf.length);
     }
 }

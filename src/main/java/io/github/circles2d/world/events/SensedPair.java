@@ -44,7 +44,7 @@ public final class SensedPair {
         float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
         boolean touches = TouchRule.touches(TouchRule.NONE, least);
         if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)
-                || !events.concerns(a, b, touches, 0f, 0f, Float.MAX_VALUE)) {
+                || !events.concerns(events.find(ContactEvents.NONE, a, b), a, b, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
         float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 /** Records of touching pairs of a step, for {@link ContactEvents#endStep}. Each thread fills a list. */
 public final class TouchRecords {
     /** Floats of what happened: those of an event. */
-    static final int VALUES = 6;
+    public static final int VALUES = 6;
 
     static final int APPROACH = 0;
     static final int IMPULSE = 1;
@@ -134,6 +134,11 @@ public final class TouchRecords {
     /** Copies the values of an event. */
     void copy(int record, float[] to, int at) {
         System.arraycopy(values, STRIDE * record, to, at, VALUES);
+    }
+
+    /** Gives an event its values. */
+    void copy(int record, EventRows to, int row) {
+        to.setValues(row, values, STRIDE * record);
     }
 
     /** Memory of the arrays. */

@@ -44,8 +44,7 @@ final class TouchSnapshots {
         into.lateHandles[2 * k + 1] = step.b(row);
         into.lateInts[SavedTouches.LATE_INTS * k] = step.type(row);
         into.lateInts[SavedTouches.LATE_INTS * k + 1] = step.side(row);
-        System.arraycopy(
-                step.values, SavedTouches.VALUES * row, into.lateValues, SavedTouches.VALUES * k, SavedTouches.VALUES);
+        step.copyValues(row, into.lateValues, SavedTouches.VALUES * k);
     }
 
     /** Adds what was saved and may still be reported, where nothing is left of what was. The circles are those of the state. */
@@ -75,9 +74,9 @@ final class TouchSnapshots {
         long a = from.lateHandles[2 * k];
         long b = from.lateHandles[2 * k + 1];
         if (reported.mayReport(side != EventOrder.NO_SIDE, type)) {
-            int rank = type == ContactEvents.HIT ? EventOrder.LATE_HIT : EventOrder.LATE_END;
-            int at = step.add(EventOrder.key((int) a, EventOrder.higher(b, side), rank), type, a, b, side);
-            System.arraycopy(from.lateValues, SavedTouches.VALUES * k, step.values, at, SavedTouches.VALUES);
+            int rank = type == ContactEvents.HIT ? EventRow.LATE_HIT : EventRow.LATE_END;
+            int row = step.add((int) a, EventOrder.higher(b, side), rank, a, b);
+            step.setValues(row, from.lateValues, SavedTouches.VALUES * k);
         }
     }
 }

@@ -2,13 +2,13 @@ package io.github.circles2d.world.events;
 
 /** Lists pairs that touch, in order. */
 final class TouchingList {
-    private final ContactEvents events;
+    private final TouchTracker tracker;
     private final TouchingPairs pairs;
     private final KnownCircles circles;
     private final EventRows listed = new EventRows();
 
-    TouchingList(ContactEvents events, TouchingPairs pairs, KnownCircles circles) {
-        this.events = events;
+    TouchingList(TouchTracker tracker, TouchingPairs pairs, KnownCircles circles) {
+        this.tracker = tracker;
         this.pairs = pairs;
         this.circles = circles;
     }
@@ -19,7 +19,7 @@ final class TouchingList {
         for (int pair = 0; pair < pairs.count; pair++) {
             int lower = pairs.lower(pair);
             int higher = pairs.higher(pair);
-            if (!EventOrder.isWall(higher) && events.typesOf(lower, higher) != 0) {
+            if (!EventOrder.isWall(higher) && tracker.typesOf(lower, higher) != 0) {
                 int ofLower = circles.kind(lower);
                 int ofHigher = circles.kind(higher);
                 if (ofLower == kindA && ofHigher == kindB) {
@@ -39,7 +39,7 @@ final class TouchingList {
     }
 
     private void add(int lower, int higher, long first, long second) {
-        listed.add(EventOrder.key(lower, higher, 0), 0, first, second, EventOrder.NO_SIDE);
+        listed.add(lower, higher, 0, first, second);
     }
 
     /** Memory of the arrays. */

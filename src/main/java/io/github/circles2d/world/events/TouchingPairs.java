@@ -3,7 +3,7 @@ package io.github.circles2d.world.events;
 import java.util.Arrays;
 
 /**
- * The pairs that touch, in no order, with a chain for each lower id. While pairs stay in touch nothing is written but a stamp each.
+ * The pairs that touch, in no order, found by a hash of both ids. While pairs stay in touch nothing is written but a stamp each.
  * Several threads may find and stamp at once.
  */
 final class TouchingPairs {
@@ -12,16 +12,11 @@ final class TouchingPairs {
     /** The stamp of no step. */
     static final int NEVER = 0;
 
-    /** The stamp of pairs that hold: they touch until they are told of. */
-    private static final int HOLDING = -1;
-
     private static final int STRIDE = 4;
+    private static final int LOWER = 0;
 
     /** The higher id, or the code of a wall. */
-    private static final int HIGHER = 0;
-
-    /** The next pair of the chain, or NONE. */
-    private static final int NEXT = 1;
+    private static final int HIGHER = 1;
 
     /** The last step that saw the pair touch. */
     private static final int STAMP = 2;
@@ -29,48 +24,51 @@ final class TouchingPairs {
     /** The number of its hit that is not complete, or NONE. */
     private static final int OPEN = 3;
 
+    private static final int LEAST_PAIRS = 64;
+
     int count;
 
-    /** By id: the first pair of which it is the lower, or NONE. */
-    private int[] first = new int[0];
+    /** By hash, of which there are a power of two: the first pair of the chain, or NONE. */
+    private int[] first = {NONE};
 
     /** By pair: a row of what is looked at together. */
     private int[] rows = new int[0];
 
-    private int[] lower = new int[0];
+    /** By pair: the next of the chain, or NONE. */
+    private int[] next = new int[0];
 
     /** By pair: the handles. */
     long[] a = new long[0];
 
     long[] b = new long[0];
 
-    void ensureIds(int ids) {
-        if (ids > first.length) {
-            int old = first.length;
-            int[] longer = Arrays.copyOf(first, Math.max(ids, old + (old >> 1)));
-            Arrays.fill(longer, old, longer.length, NONE);
-            first = longer;
-        }
-    }
-
     /** Makes room. The length of the array that grows last tells whether there is room. */
     void ensure(int pairs) {
-        if (pairs > lower.length) {
-            int c = Math.max(pairs, Math.max(64, lower.length + (lower.length >> 1)));
+        if (pairs > b.length) {
+            int c = Math.max(pairs, Math.max(LEAST_PAIRS, b.length + (b.length >> 1)));
+            int hashes = c > 1 << 30 ? 1 << 30 : Integer.highestOneBit(2 * c - 1);
+            int[] longer = new int[hashes];
             rows = Arrays.copyOf(rows, Math.multiplyExact(STRIDE, c));
+            next = Arrays.copyOf(next, c);
             a = Arrays.copyOf(a, c);
             b = Arrays.copyOf(b, c);
-            lower = Arrays.copyOf(lower, c);
+            first = longer;
+            Arrays.fill(first, NONE);
+            for (int pair = 0; pair < count; pair++) {
+                chain(pair);
+            }
         }
     }
 
     void clear() {
-        Arrays.fill(first, NONE);
-        count = 0;
+        if (count > 0) {
+            Arrays.fill(first, NONE);
+            count = 0;
+        }
     }
 
     int lower(int pair) {
-        return lower[pair];
+        return rows[STRIDE * pair + LOWER];
     }
 
     int higher(int pair) {
@@ -85,14 +83,6 @@ final class TouchingPairs {
         rows[STRIDE * pair + STAMP] = step;
     }
 
-    void hold(int pair) {
-        stamp(pair, HOLDING);
-    }
-
-    boolean holds(int pair) {
-        return stamp(pair) == HOLDING;
-    }
-
     int open(int pair) {
         return rows[STRIDE * pair + OPEN];
     }
@@ -103,37 +93,56 @@ final class TouchingPairs {
 
     /** The number of a pair, or NONE. */
     int find(int lowerId, int higherId) {
-        for (int pair = first[lowerId]; pair != NONE; pair = rows[STRIDE * pair + NEXT]) {
-            if (rows[STRIDE * pair + HIGHER] == higherId) {
-                return pair;
-            }
+        int pair = first[hash(lowerId, higherId)];
+        while (pair != NONE && !is(pair, lowerId, higherId)) {
+            pair = next[pair];
         }
-        return NONE;
+        return pair;
+    }
+
+    /** The same; guess is a number that the pair may have, or any other. */
+    int find(int guess, int lowerId, int higherId) {
+        return guess >= 0 && guess < count && is(guess, lowerId, higherId) ? guess : find(lowerId, higherId);
+    }
+
+    private boolean is(int pair, int lowerId, int higherId) {
+        return rows[STRIDE * pair + HIGHER] == higherId && rows[STRIDE * pair + LOWER] == lowerId;
+    }
+
+    /** Ids are dense: a multiplicative hash of each, of which the upper bits count. */
+    private int hash(int lowerId, int higherId) {
+        int mixed = (lowerId * 0x9E3779B1 ^ higherId) * 0x85EBCA6B;
+        return (mixed ^ mixed >>> 15) & first.length - 1;
+    }
+
+    private void chain(int pair) {
+        int hash = hash(lower(pair), higher(pair));
+        next[pair] = first[hash];
+        first[hash] = pair;
     }
 
     /** Adds a pair that is not there, and returns its number. */
     int add(int lowerId, int higherId, long handleA, long handleB) {
         ensure(count + 1);
         int pair = count++;
-        lower[pair] = lowerId;
         a[pair] = handleA;
         b[pair] = handleB;
         int row = STRIDE * pair;
+        rows[row + LOWER] = lowerId;
         rows[row + HIGHER] = higherId;
-        rows[row + NEXT] = first[lowerId];
         rows[row + STAMP] = NEVER;
         rows[row + OPEN] = NONE;
-        first[lowerId] = pair;
+        chain(pair);
         return pair;
     }
 
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
-        link(lower[pair], pair, rows[STRIDE * pair + NEXT]);
+        link(pair, next[pair]);
         int last = --count;
         if (pair != last) {
-            link(lower[last], last, pair);
-            lower[pair] = lower[last];
+            link(last, pair);
+            next[pair] = next[last];
             a[pair] = a[last];
             b[pair] = b[last];
             System.arraycopy(rows, STRIDE * last, rows, STRIDE * pair, STRIDE);
@@ -141,20 +150,21 @@ final class TouchingPairs {
     }
 
     /** Lets what leads to a pair lead to another. */
-    private void link(int lowerId, int pair, int to) {
-        if (first[lowerId] == pair) {
-            first[lowerId] = to;
+    private void link(int pair, int to) {
+        int hash = hash(lower(pair), higher(pair));
+        if (first[hash] == pair) {
+            first[hash] = to;
             return;
         }
-        int before = first[lowerId];
-        while (rows[STRIDE * before + NEXT] != pair) {
-            before = rows[STRIDE * before + NEXT];
+        int before = first[hash];
+        while (next[before] != pair) {
+            before = next[before];
         }
-        rows[STRIDE * before + NEXT] = to;
+        next[before] = to;
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 4L * first.length + 4L * rows.length + 20L * lower.length;
+        return 4L * first.length + 4L * rows.length + 20L * b.length;
     }
 }

@@ -87,13 +87,13 @@ final class Candidates {
     }
 
     /** Counts the pairs of some circles without a list: every circle looks at all cells around it. Returns the greatest number. */
-    int countAll(int from, int to) {
+    int countAll(Nearby nearby, int from, int to) {
         int most = 0;
         for (int slot = from; slot < to; slot++) {
             int level = grid.level[slot];
             int sum = 0;
             for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
-                sum += countInLevel(slot, levels.used[k]);
+                sum += countInLevel(nearby, slot, levels.used[k]);
             }
             count[slot] = sum;
             most = Math.max(most, sum);
@@ -101,22 +101,13 @@ final class Candidates {
         return most;
     }
 
-    private int countInLevel(int slot, int level) {
-        int[] start = grid.start;
-        int columns = levels.columnCount[level];
-        int rows = levels.rowCount[level];
-        int column = grid.column(state.circle[CircleRow.of(slot) + X], level);
-        int row = grid.row(state.circle[CircleRow.of(slot) + Y], level);
-        int left = Math.max(column - 1, 0);
-        int right = Math.min(column + 1, columns - 1);
+    private int countInLevel(Nearby nearby, int slot, int level) {
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
+        nearby.beginAround(level, x, y, !state.isStatic(slot));
         int sum = 0;
-        for (int v = -1; v <= 1; v++) {
-            int first = levels.rowStart(level, GridLevels.neighbour(row, v, rows));
-            sum += countIn(slot, start[first + left], start[first + right + 1]);
-            if (right - left < 2) {
-                int beyond = first + (left == 0 ? columns - 1 : 0);
-                sum += countIn(slot, start[beyond], start[beyond + 1]);
-            }
+        while (nearby.next()) {
+            sum += countIn(slot, nearby.from, nearby.to);
         }
         return sum;
     }

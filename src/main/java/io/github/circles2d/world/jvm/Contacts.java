@@ -57,6 +57,9 @@ public final class Contacts {
     /** By worker: the pairs that it has found. */
     private final FoundPairs[] found;
 
+    /** By worker: the circles around the one that it looks at. */
+    private final Nearby[] nearby;
+
     /** Number of contacts: those of circles of one level, and behind them the cross contacts. */
     int count;
 
@@ -95,7 +98,8 @@ public final class Contacts {
         impulseCache = new ImpulseCache(state);
         candidates = new Candidates(state, grid, levels);
         pairs = new Pairs(state, grid, levels, candidates);
-        cross = new CrossContacts(state, grid, levels, candidates, team);
+        nearby = Nearby.ofWorkers(grid, levels, team);
+        cross = new CrossContacts(state, grid, levels, candidates, team, nearby);
         bands = new Bands(grid, levels, team);
         found = new FoundPairs[team.most()];
         for (int worker = 0; worker < found.length; worker++) {
@@ -148,7 +152,8 @@ public final class Contacts {
     /** Finds the pairs, but only a share of those in a crowd. */
     void findShare(int worker) {
         team.sync(worker); // all have asked for crowds before that changes
-        found[worker].most = candidates.countAll(team.part(state.n, worker), team.part(state.n, worker + 1));
+        found[worker].most =
+                candidates.countAll(nearby[worker], team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         if (worker == 0) {
             wereCrowded = false;
@@ -235,6 +240,9 @@ public final class Contacts {
         if (!begun) {
             begun = true;
             impulseCache.begin(count);
+            if (touches != null) {
+                touches.begin();
+            }
         }
         rowStart[levels.rows] = (int) sum;
         firstCross = (int) sum;
@@ -267,6 +275,9 @@ public final class Contacts {
             int found = impulseCache.fill(c, entry, (int) (slots >>> 32), (int) slots, f.ids[c + shift]);
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
+            if (touches != null) {
+                touches.follow(c, found);
+            }
         }
         if (!candidates.thinned()) {
             for (int c = from; c < to; c++) {
@@ -289,6 +300,9 @@ public final class Contacts {
             int found = impulseCache.fill(c, entry, lower, higher, ids);
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
+            if (touches != null) {
+                touches.follow(c, found);
+            }
             heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
             int o = ContactRow.of(c);
             float ofLight = state.traits[CircleRow.of(light) + CircleRow.INVERSE_MASS];

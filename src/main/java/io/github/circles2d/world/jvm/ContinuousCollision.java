@@ -60,6 +60,9 @@ public final class ContinuousCollision {
     private final Carrying carrying;
     private final ReachGrid reaches;
 
+    /** By worker: the circles around the one that it looks at. */
+    private final Nearby[] nearby;
+
     /** By slot: the share of its path that a circle can go, as the bits of a float, which sort like the float itself. */
     private int[] timeOfImpact = new int[0];
 
@@ -79,6 +82,7 @@ public final class ContinuousCollision {
         this.team = team;
         carrying = new Carrying(state, grid);
         reaches = new ReachGrid(state, grid, levels, team);
+        nearby = Nearby.ofWorkers(grid, levels, team);
     }
 
     void ensure() {
@@ -199,7 +203,7 @@ public final class ContinuousCollision {
         for (int slot = from; slot < to; slot++) {
             boolean looks = looksForStops(slot);
             if (looks) {
-                lookForStops(slot);
+                lookForStops(nearby[worker], slot);
             }
             int count = reaches.find(worker, slot, looks);
             int[] hits = reaches.hits(worker);
@@ -223,7 +227,7 @@ public final class ContinuousCollision {
     }
 
     /** Looks at the circles around the path of a fast one, in the levels in which it does not reach far. */
-    private void lookForStops(int slot) {
+    private void lookForStops(Nearby near, int slot) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
@@ -236,25 +240,39 @@ public final class ContinuousCollision {
                 break;
             }
             float margin = CircleMath.sightMargin(state.circle[s + RADIUS], grid.path[slot], levels.top[level]);
-            int columns = levels.columnCount[level];
-            int rows = levels.rowCount[level];
             float left = CircleMath.least(x, x + px) - margin;
+            float right = CircleMath.greatest(x, x + px) + margin;
             float low = CircleMath.least(y, y + py) - margin;
-            int c0 = levels.columnFrom(left, level);
-            int c1 = levels.columnTo(left, CircleMath.greatest(x, x + px) + margin, level);
-            int r0 = levels.rowFrom(low, level);
-            int r1 = levels.rowTo(low, CircleMath.greatest(y, y + py) + margin, level);
-            int column = GridLevels.onRing(c0, columns);
-            int end = column + Math.min(c1 - c0 + 1, columns);
-            int row = GridLevels.onRing(r0, rows);
-            for (int v = Math.min(r1 - r0 + 1, rows); v > 0; v--) {
-                int b = levels.rowStart(level, row);
-                meetNear(slot, grid.start[b + column], grid.start[b + Math.min(end, columns)]);
-                if (end > columns) {
-                    meetNear(slot, grid.start[b], grid.start[b + end - columns]);
+            float high = CircleMath.greatest(y, y + py) + margin;
+            if (levels.folded[level]) {
+                near.begin(level, left, right, low, high, true);
+                while (near.next()) {
+                    meetNear(slot, near.from, near.to);
                 }
-                row = row + 1 < rows ? row + 1 : 0;
+            } else {
+                meetInRows(slot, level, left, right, low, high);
             }
+        }
+    }
+
+    /** Row by row: a walk that knows of sheets takes longer. */
+    private void meetInRows(int slot, int level, float left, float right, float low, float high) {
+        int columns = levels.columnCount[level];
+        int rows = levels.rowCount[level];
+        int c0 = levels.columnFrom(left, level);
+        int c1 = levels.columnTo(left, right, level);
+        int r0 = levels.rowFrom(low, level);
+        int r1 = levels.rowTo(low, high, level);
+        int column = GridLevels.onRing(c0, columns);
+        int end = column + Math.min(c1 - c0 + 1, columns);
+        int row = GridLevels.onRing(r0, rows);
+        for (int v = Math.min(r1 - r0 + 1, rows); v > 0; v--) {
+            int b = levels.rowStart(level, row);
+            meetNear(slot, grid.start[b + column], grid.start[b + Math.min(end, columns)]);
+            if (end > columns) {
+                meetNear(slot, grid.start[b], grid.start[b + end - columns]);
+            }
+            row = row + 1 < rows ? row + 1 : 0;
         }
     }
 
@@ -306,14 +324,14 @@ public final class ContinuousCollision {
             int to = team.to(state.n, worker, round);
             for (int slot = team.from(state.n, worker, round); slot < to; slot++) {
                 if (looksAhead(slot)) {
-                    lookAhead(slot, note);
+                    lookAhead(nearby[worker], slot, note);
                 }
             }
         }
     }
 
     /** A fast circle looks for those that it may take along, or that may take it along. */
-    private void lookAhead(int slot, boolean note) {
+    private void lookAhead(Nearby near, int slot, boolean note) {
         int s = CircleRow.of(slot);
         float x = state.circle[s + X];
         float y = state.circle[s + Y];
@@ -345,12 +363,18 @@ public final class ContinuousCollision {
                 float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
                 int c0 = levels.columnFrom(left, level);
                 int c1 = levels.columnTo(left, right, level);
-                lookAt(slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), note);
+                if (c1 - c0 < columns && r1 - r0 < rows) {
+                    near.setSheets(
+                            level, levels.sheetX(left, level), byPieces ? v / rows : levels.sheetY(below, level));
+                } else {
+                    near.forgetSheets();
+                }
+                lookAt(near, slot, level, c0, Math.min(c1, c0 + columns - 1), v, Math.min(end - 1, r1), note);
             }
         }
     }
 
-    private void lookAt(int slot, int level, int c0, int c1, int r0, int r1, boolean note) {
+    private void lookAt(Nearby near, int slot, int level, int c0, int c1, int r0, int r1, boolean note) {
         int w = levels.columnsLog[level];
         int columns = levels.columnCount[level];
         int rows = levels.rowCount[level];
@@ -374,9 +398,11 @@ public final class ContinuousCollision {
                                 range[k + LOW_Y],
                                 range[k + HIGH_Y],
                                 least)) {
-                    for (int r = row; r < row + rowsOfBlock; r++) {
-                        int first = levels.rowStart(level, r) + column;
-                        meetAll(slot, grid.start[first], grid.start[first + columnsOfBlock], least, note);
+                    boolean isBeyondX = GridLevels.onRing(c0, columns) + (u - c0) >= columns;
+                    boolean isBeyondY = GridLevels.onRing(r0, rows) + (v - r0) >= rows;
+                    near.beginBlock(level, column, columnsOfBlock, isBeyondX, row, rowsOfBlock, isBeyondY);
+                    while (near.next()) {
+                        meetAll(slot, near.from, near.to, least, note);
                     }
                 }
                 u += columnsOfBlock;

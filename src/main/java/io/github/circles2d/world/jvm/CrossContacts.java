@@ -29,6 +29,7 @@ final class CrossContacts {
     private final Team team;
     private final Sums sums;
     private final FoundCross[] found;
+    private final Nearby[] nearby;
 
     /** The circles that are heavy in some contact. */
     final HeavyCircles heavyCircles;
@@ -51,12 +52,13 @@ final class CrossContacts {
     /** By contact: id and slot of the heavy circle, one above the other. */
     private long[] heavy = new long[0];
 
-    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team) {
+    CrossContacts(State state, Grid grid, GridLevels levels, Candidates candidates, Team team, Nearby[] nearby) {
         this.state = state;
         this.grid = grid;
         this.levels = levels;
         this.candidates = candidates;
         this.team = team;
+        this.nearby = nearby;
         sums = new Sums(team);
         heavyCircles = new HeavyCircles(state, team);
         found = new FoundCross[team.most()];
@@ -137,7 +139,7 @@ final class CrossContacts {
         for (int round = 0; round < team.rounds(); round++) {
             int end = team.to(state.n, worker, round);
             for (int slot = team.from(state.n, worker, round); slot < end && !f.overflowed; slot++) {
-                find(f, slot);
+                find(f, nearby[worker], slot);
             }
         }
         team.sync(worker);
@@ -244,12 +246,12 @@ final class CrossContacts {
     }
 
     /** Finds the contacts of a circle with those of coarser levels. */
-    private void find(FoundCross f, int slot) {
+    private void find(FoundCross f, Nearby near, int slot) {
         int before = f.count;
         int level = grid.level[slot];
         int fromFiner = 0;
         for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
-            findInCoarserLevel(f, slot, levels.used[k]);
+            findInCoarserLevel(f, near, slot, levels.used[k]);
         }
         if (f.hitCount == 0) {
             f.most = Math.max(f.most, candidates.countFound(slot, 0));
@@ -284,7 +286,27 @@ final class CrossContacts {
     }
 
     /** Looks in the cells of a coarser level in which a circle may lie whose speculative distance meets that of this one. */
-    private void findInCoarserLevel(FoundCross f, int slot, int level) {
+    private void findInCoarserLevel(FoundCross f, Nearby near, int slot, int level) {
+        if (!levels.folded[level] && !(grid.hasSheets() && state.isStatic(slot))) {
+            findInRows(f, slot, level);
+            return;
+        }
+        float x = state.circle[CircleRow.of(slot) + X];
+        float y = state.circle[CircleRow.of(slot) + Y];
+        boolean withStatics = !state.isStatic(slot);
+        if (levels.bounds.isWalled()) {
+            float far = grid.speculativeDistance[slot] + reach[level];
+            near.begin(level, x - far, x + far, y - far, y + far, withStatics);
+        } else {
+            near.beginAround(level, x, y, withStatics);
+        }
+        while (near.next()) {
+            scan(f, slot, near.from, near.to);
+        }
+    }
+
+    /** The same row by row: a walk that knows of sheets takes longer. */
+    private void findInRows(FoundCross f, int slot, int level) {
         float x = state.circle[CircleRow.of(slot) + X];
         float y = state.circle[CircleRow.of(slot) + Y];
         int columns = levels.columnCount[level];

@@ -20,12 +20,15 @@ import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * Stage Grid: sorts the circles by (level, bucket), and by id within a bucket, so that a bucket's circles have consecutive
- * slots. It is a counting sort: count, sum up, scatter, then sort each bucket by id, so that the order of the threads does not
- * show.
+ * Stage Grid: sorts the circles by (level, bucket), and within a bucket by sheet, if there are sheets ({@link GridLevels}), and id. So
+ * a bucket's circles have consecutive slots. It is a counting sort: count, sum up, scatter, then sort each bucket, so that the order of
+ * the threads does not show.
  */
 public final class Grid {
     private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
+
+    /** Slots that are looked through one by one. */
+    private static final int FEW = 8;
 
     private final State state;
     private final GridLevels levels;
@@ -37,11 +40,20 @@ public final class Grid {
     /** By slot, before the sort: how many of its bucket were counted before it. */
     private int[] rank = new int[0];
 
+    /** By slot, before the sort: as {@link #sheetKey}. */
+    private int[] sheetKeyBefore = new int[0];
+
     /** By new slot: the old slot. */
     private int[] order = new int[0];
 
     /** By slot: the bucket. */
     int[] bucketOf = new int[0];
+
+    /** By slot, if there are sheets: {@link GridLevels#sheetKey}, and 1 more if the circle is static. */
+    private int[] sheetKey = new int[0];
+
+    /** Whether there are sheets in this step. */
+    private boolean sheets;
 
     /** By slot: how far the circle looks for contacts. */
     float[] speculativeDistance = new float[0];
@@ -83,6 +95,11 @@ public final class Grid {
             path = new float[c];
             level = new byte[c];
         }
+        sheets = levels.haveSheets();
+        if (sheets && sheetKey.length < state.capacity()) {
+            sheetKey = new int[state.capacity()];
+            sheetKeyBefore = new int[state.capacity()];
+        }
         if (start.length <= levels.buckets()) {
             start = new int[levels.buckets() + 1 + (levels.buckets() >> 2)];
         }
@@ -119,12 +136,37 @@ public final class Grid {
     private void count(int from, int to) {
         float[] circle = state.circle;
         boolean shared = team.size() > 1;
+        boolean bySheet = sheets;
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
-            int bucket = bucket(circle[s + X], circle[s + Y], levels.level(circle[s + RADIUS]));
+            int atLevel = levels.level(circle[s + RADIUS]);
+            int bucket;
+            if (bySheet) {
+                bucket = bucketAndSheet(slot, circle[s + X], circle[s + Y], atLevel);
+            } else {
+                bucket = bucket(circle[s + X], circle[s + Y], atLevel);
+            }
             bucketBefore[slot] = bucket;
             rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
+    }
+
+    /** The bucket of a place; notes the sheet. With walls one division gives both. */
+    private int bucketAndSheet(int slot, float x, float y, int atLevel) {
+        int isStatic = state.isStatic(slot) ? 1 : 0;
+        if (!levels.folded[atLevel] || !levels.bounds.isWalled()) {
+            sheetKeyBefore[slot] = levels.sheetKey(x, y, atLevel) + isStatic;
+            return bucket(x, y, atLevel);
+        }
+        int cellX = CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]);
+        int cellY = CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]);
+        int sheetX = cellX / levels.columnCount[atLevel];
+        int sheetY = cellY / levels.rowCount[atLevel];
+        sheetKeyBefore[slot] = levels.sheetKey(atLevel, sheetX, sheetY) + isStatic;
+        int row = cellY - sheetY * levels.rowCount[atLevel];
+        return levels.first[atLevel]
+                + (cellX - sheetX * levels.columnCount[atLevel])
+                + (row << levels.columnsLog[atLevel]);
     }
 
     private int bucket(float x, float y, int atLevel) {
@@ -147,21 +189,21 @@ public final class Grid {
         }
     }
 
-    /** Insertion sort by id: buckets are short, and nearly in order from the step before; a long one takes a heap sort. */
+    /** Insertion sort: buckets are short, and nearly in order from the step before; a long one takes a heap sort. */
     private void sortBuckets(int from, int to) {
         int[] id = state.id;
+        int[] sheet = sheets ? sheetKeyBefore : null;
         boolean same = true;
         for (int bucket = from; bucket < to; bucket++) {
             int first = start[bucket];
             int end = start[bucket + 1];
             if (end - first > 64) {
-                HeapSort.byKey(order, id, first, end);
+                HeapSort.byKey(order, sheet, id, first, end);
             }
             for (int k = first; k < end; k++) {
                 int slot = order[k];
-                int key = id[slot];
                 int p = k;
-                while (p > first && id[order[p - 1]] > key) {
+                while (p > first && HeapSort.isBefore(slot, order[p - 1], sheet, id)) {
                     order[p] = order[p - 1];
                     p--;
                 }
@@ -170,6 +212,11 @@ public final class Grid {
             }
             for (int k = first; k < end; k++) {
                 same &= order[k] == k;
+            }
+            if (sheets) {
+                for (int k = first; k < end; k++) {
+                    sheetKey[k] = sheetKeyBefore[order[k]];
+                }
             }
         }
         if (!same) {
@@ -241,6 +288,105 @@ public final class Grid {
         longestPath.accumulateAndGet(Float.floatToRawIntBits(longest), Math::max);
     }
 
+    /** Whether the circles of a bucket are in the order of their sheets, and static ones last in a sheet. */
+    boolean hasSheets() {
+        return sheets;
+    }
+
+    /** The sheet of a slot: {@link GridLevels#sheetKey}. */
+    int sheet(int slot) {
+        return sheetKey[slot] & ~1;
+    }
+
+    /** The sheet that a slot's cell has behind (1) or before (-1) the seams of the torus along x and y, or not behind any (0). */
+    int sheetBeside(int slot, int overX, int overY) {
+        int at = level[slot];
+        if ((overX | overY) == 0 || !levels.folded[at]) {
+            return sheet(slot);
+        }
+        int sheetX = levels.sheetX(state.circle[CircleRow.of(slot) + X], at);
+        int sheetY = levels.sheetY(state.circle[CircleRow.of(slot) + Y], at);
+        return levels.sheetKey(
+                at,
+                GridLevels.sheetBeside(sheetX, overX, levels.sheetsX[at]),
+                GridLevels.sheetBeside(sheetY, overY, levels.sheetsY[at]));
+    }
+
+    /** The first of the slots [from, to) of a bucket that is of a sheet, or of one behind it. */
+    int sheetStart(int from, int to, int sheet) {
+        int low = from;
+        int high = to;
+        while (high - low > FEW) {
+            int middle = (low + high) >>> 1;
+            if (sheetKey[middle] < sheet) {
+                low = middle + 1;
+            } else {
+                high = middle;
+            }
+        }
+        while (low < high && sheetKey[low] < sheet) {
+            low++;
+        }
+        return low;
+    }
+
+    /** Whether all circles look at the slots [from, to) of a bucket as a whole: few, or of a level that is not folded, and none static. */
+    boolean isPlain(int from, int to, int ofLevel) {
+        boolean fewSheets = to - from <= GridLevels.FEW || !levels.folded[ofLevel];
+        return fewSheets && (from == to || !levels.hasStatics || ((sheetKey[from] | sheetKey[to - 1]) & 1) == 0);
+    }
+
+    /**
+     * What a circle that is not static looks at of the slots [from, to) of a bucket: those of the sheet that its own has behind (1) or
+     * before (-1) the seams, or not behind any (0); all of them if they are few. {@link #from} and {@link #to} unpack it.
+     */
+    long slotsBeside(int slot, int overX, int overY, int from, int to) {
+        if (to - from <= GridLevels.FEW) {
+            return range(from, to);
+        }
+        int sheet = sheetBeside(slot, overX, overY);
+        int start = sheetStart(from, to, sheet);
+        return range(start, sheetEnd(start, to, sheet));
+    }
+
+    /** The same for a static circle. */
+    long movingBeside(int slot, int overX, int overY, int from, int to) {
+        int sheet = sheetBeside(slot, overX, overY);
+        int start = sheetStart(from, to, sheet);
+        return range(start, movingEnd(start, to, sheet));
+    }
+
+    private static long range(int from, int to) {
+        return (long) from << 32 | to;
+    }
+
+    static int from(long range) {
+        return (int) (range >>> 32);
+    }
+
+    static int to(long range) {
+        return (int) range;
+    }
+
+    /** The end of a sheet's slots that begin at one, up to the end of its bucket. */
+    int sheetEnd(int from, int to, int sheet) {
+        return endOf(from, to, sheet + 1);
+    }
+
+    /** The end of those of them that are not static. */
+    int movingEnd(int from, int to, int sheet) {
+        return endOf(from, to, sheet);
+    }
+
+    /** A cell has few circles, or each of them is looked at anyway. */
+    private int endOf(int from, int to, int lastKey) {
+        int end = from;
+        while (end < to && sheetKey[end] <= lastKey) {
+            end++;
+        }
+        return end;
+    }
+
     /** About the least radius: a static circle that moves is fast if it is so for circles of this radius. */
     float leastRadius() {
         return 0.5f * levels.top[levels.used[0]];
@@ -248,7 +394,7 @@ public final class Grid {
 
     /** Memory of the arrays. */
     long bytes() {
-        return (6 * 4 + 1L) * bucketOf.length + 4L * start.length;
+        return (6 * 4 + 1L) * bucketOf.length + 8L * sheetKey.length + 4L * start.length;
     }
 
     /** Whether any circle is fast in this step. */

@@ -4,29 +4,34 @@ package io.github.circles2d.world.jvm;
 final class HeapSort {
     private HeapSort() {}
 
-    /** Sorts items [from, to) by key[item]; keys are distinct. */
-    static void byKey(int[] items, int[] key, int from, int to) {
+    /** Sorts items [from, to) by sheet[item], if there are sheets, and by key[item] within a sheet; keys are distinct. */
+    static void byKey(int[] items, int[] sheet, int[] key, int from, int to) {
         int n = to - from;
         for (int k = n / 2 - 1; k >= 0; k--) {
-            sink(items, key, from, k, n);
+            sink(items, sheet, key, from, k, n);
         }
         for (int end = n - 1; end > 0; end--) {
             int top = items[from];
             items[from] = items[from + end];
             items[from + end] = top;
-            sink(items, key, from, 0, end);
+            sink(items, sheet, key, from, 0, end);
         }
     }
 
-    private static void sink(int[] items, int[] key, int from, int root, int n) {
+    /** Whether an item comes before another in the order of {@link #byKey}. */
+    static boolean isBefore(int item, int other, int[] sheet, int[] key) {
+        return sheet == null || sheet[item] == sheet[other] ? key[item] < key[other] : sheet[item] < sheet[other];
+    }
+
+    private static void sink(int[] items, int[] sheet, int[] key, int from, int root, int n) {
         int item = items[from + root];
         int k = root;
         while (2 * k + 1 < n) {
             int child = 2 * k + 1;
-            if (child + 1 < n && key[items[from + child]] < key[items[from + child + 1]]) {
+            if (child + 1 < n && isBefore(items[from + child], items[from + child + 1], sheet, key)) {
                 child++;
             }
-            if (key[items[from + child]] <= key[item]) {
+            if (!isBefore(item, items[from + child], sheet, key)) {
                 break;
             }
             items[from + k] = items[from + child];

@@ -45,6 +45,14 @@ public final class Pairs {
         int rightTo = start[own + nextColumn + 1];
         int aboveFrom = start[above + column];
         int aboveTo = start[above + column + 1];
+        if (grid.hasSheets()
+                && !(grid.isPlain(from, to, level)
+                        && grid.isPlain(rightFrom, rightTo, level)
+                        && grid.isPlain(aboveFrom, aboveTo, level)
+                        && grid.isPlain(start[above + nextColumn], start[above + nextColumn + 1], level))) {
+            gather(f, findBySheet(f, level, column, row));
+            return;
+        }
         int count = 0;
         for (int slot = rightFrom; slot < rightTo; slot++) {
             count = scan(f, count, slot, aboveFrom, aboveTo);
@@ -64,6 +72,81 @@ public final class Pairs {
             }
         }
         gather(f, count);
+    }
+
+    /** The same sheet by sheet. Static circles, the last of a sheet, are tested against those that are not alone. */
+    private int findBySheet(FoundPairs f, int level, int column, int row) {
+        int[] start = grid.start;
+        int nextColumn = GridLevels.neighbour(column, 1, levels.columnCount[level]);
+        int nextRow = GridLevels.neighbour(row, 1, levels.rowCount[level]);
+        int own = levels.rowStart(level, row);
+        int from = start[own + column];
+        int to = start[own + column + 1];
+        int rightFrom = start[own + nextColumn];
+        int rightTo = start[own + nextColumn + 1];
+        if (from == to && rightFrom == rightTo) {
+            return 0; // every pair has a circle in the group's own row
+        }
+        int overX = nextColumn == 0 ? 1 : 0;
+        int overY = nextRow == 0 ? 1 : 0;
+        int above = levels.rowStart(level, nextRow);
+        int aboveFrom = start[above + column];
+        int aboveTo = start[above + column + 1];
+        int beyondFrom = start[above + nextColumn];
+        int beyondTo = start[above + nextColumn + 1];
+        int count = 0;
+        int restTo = to - from <= GridLevels.FEW ? to : 0;
+        for (int slot = from; slot < to; ) {
+            int moving = grid.movingEnd(slot, to, grid.sheet(slot));
+            int end = levels.hasStatics ? grid.sheetEnd(moving, to, grid.sheet(slot)) : moving;
+            if (slot < moving) {
+                int restEnd = Math.max(end, restTo);
+                long right = grid.slotsBeside(slot, overX, 0, rightFrom, rightTo);
+                long up = grid.slotsBeside(slot, 0, overY, aboveFrom, aboveTo);
+                long beyond = grid.slotsBeside(slot, overX, overY, beyondFrom, beyondTo);
+                for (; slot < moving; slot++) {
+                    count = scanBoth(f, count, slot, slot + 1, restEnd, Grid.from(right), Grid.to(right));
+                    count = scanBoth(f, count, slot, Grid.from(up), Grid.to(up), Grid.from(beyond), Grid.to(beyond));
+                }
+            }
+            if (slot < end) {
+                long right = grid.movingBeside(slot, overX, 0, rightFrom, rightTo);
+                long up = grid.movingBeside(slot, 0, overY, aboveFrom, aboveTo);
+                long beyond = grid.movingBeside(slot, overX, overY, beyondFrom, beyondTo);
+                for (; slot < end; slot++) {
+                    count = scan(f, count, slot, Grid.from(right), Grid.to(right));
+                    count = scanBoth(f, count, slot, Grid.from(up), Grid.to(up), Grid.from(beyond), Grid.to(beyond));
+                }
+            }
+        }
+        if (aboveFrom == aboveTo) {
+            return count;
+        }
+        for (int slot = rightFrom; slot < rightTo; ) {
+            int moving = grid.movingEnd(slot, rightTo, grid.sheet(slot));
+            int end = levels.hasStatics ? grid.sheetEnd(moving, rightTo, grid.sheet(slot)) : moving;
+            if (slot < moving) {
+                long up = grid.slotsBeside(slot, -overX, overY, aboveFrom, aboveTo);
+                for (; slot < moving; slot++) {
+                    count = scan(f, count, slot, Grid.from(up), Grid.to(up));
+                }
+            }
+            if (slot < end) {
+                long up = grid.movingBeside(slot, -overX, overY, aboveFrom, aboveTo);
+                for (; slot < end; slot++) {
+                    count = scan(f, count, slot, Grid.from(up), Grid.to(up));
+                }
+            }
+        }
+        return count;
+    }
+
+    /** Tests a circle against slots of two ranges, together if the second lies behind the first. */
+    private int scanBoth(FoundPairs f, int hitsBefore, int slot, int from, int to, int nextFrom, int nextTo) {
+        if (to == nextFrom) {
+            return scan(f, hitsBefore, slot, from, nextTo);
+        }
+        return scan(f, scan(f, hitsBefore, slot, from, to), slot, nextFrom, nextTo);
     }
 
     /** Tests a circle against slots [from, to); returns the number of hits that have not been gathered yet. */

@@ -22,7 +22,7 @@ final class Recorder {
         this.team = team;
         this.events = events;
         touches = new Touches(state, contacts, team, events);
-        sensing = new Sensing(state, grid, levels, events);
+        sensing = new Sensing(state, grid, levels, team, events);
         records = new TouchRecords[team.most()];
         for (int worker = 0; worker < records.length; worker++) {
             records[worker] = new TouchRecords();
@@ -60,7 +60,7 @@ final class Recorder {
             touches.endStep(worker, own, from, to, k);
         }
         if (k.sensing) {
-            sensing.find(own, from, to, k);
+            sensing.find(worker, own, from, to, k);
         }
         team.sync(worker);
         if (worker == 0) {

@@ -8,6 +8,7 @@ import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.SensedPair;
 import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -21,9 +22,11 @@ import io.github.circles2d.world.model.StepConstants;
  */
 final class Sensing {
     private final State state;
-    private final Grid grid;
     private final GridLevels levels;
     private final ContactEvents events;
+
+    /** By worker: the circles around the one that it looks at. */
+    private final Nearby[] nearby;
 
     /** By slot: x, y at the start of the step. */
     private float[] start = new float[0];
@@ -36,9 +39,9 @@ final class Sensing {
 
     private int version = -1;
 
-    Sensing(State state, Grid grid, GridLevels levels, ContactEvents events) {
+    Sensing(State state, Grid grid, GridLevels levels, Team team, ContactEvents events) {
         this.state = state;
-        this.grid = grid;
+        nearby = Nearby.ofWorkers(grid, levels, team);
         this.levels = levels;
         this.events = events;
     }
@@ -76,11 +79,11 @@ final class Sensing {
     }
 
     /** Records the pairs that some slots have to find. */
-    void find(TouchRecords records, int from, int to, StepConstants k) {
+    void find(int worker, TouchRecords records, int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             int kind = kind(slot);
             if (takesPart[kind] && (seeks[kind] || isFast(slot))) {
-                look(records, slot, k);
+                look(nearby[worker], records, slot, k);
             }
         }
     }
@@ -107,7 +110,7 @@ final class Sensing {
         return SensorRule.isFast(path(slot), state.circle[CircleRow.of(slot) + RADIUS]);
     }
 
-    private void look(TouchRecords records, int slot, StepConstants k) {
+    private void look(Nearby near, TouchRecords records, int slot, StepConstants k) {
         float x = start[CircleRow.vector(slot) + X];
         float y = start[CircleRow.vector(slot) + Y];
         float r = state.circle[CircleRow.of(slot) + RADIUS];
@@ -119,19 +122,11 @@ final class Sensing {
             float margin = SensorRule.margin(r, path, levels.top[level]);
             float left = CircleMath.least(x, toX) - margin;
             float below = CircleMath.least(y, toY) - margin;
-            int c0 = levels.columnFrom(left, level);
-            int c1 = levels.columnTo(left, CircleMath.greatest(x, toX) + margin, level);
-            int r0 = levels.rowFrom(below, level);
-            int r1 = levels.rowTo(below, CircleMath.greatest(y, toY) + margin, level);
-            int columns = levels.columnCount[level];
-            int rows = levels.rowCount[level];
-            int first = GridLevels.onRing(c0, columns);
-            int width = Math.min(c1 - c0, columns - 1) + 1;
-            int beforeEnd = Math.min(width, columns - first);
-            for (int v = 0; v <= Math.min(r1 - r0, rows - 1); v++) {
-                int row = levels.rowStart(level, GridLevels.onRing(r0 + v, rows));
-                lookAt(records, slot, grid.start[row + first], grid.start[row + first + beforeEnd], path, k);
-                lookAt(records, slot, grid.start[row], grid.start[row + width - beforeEnd], path, k);
+            float right = CircleMath.greatest(x, toX) + margin;
+            float above = CircleMath.greatest(y, toY) + margin;
+            near.begin(level, left, right, below, above, !state.isStatic(slot));
+            while (near.next()) {
+                lookAt(records, slot, near.from, near.to, path, k);
             }
         }
     }

@@ -209,6 +209,7 @@ public final class State {
                     circle[s + RADIUS] = a;
                     forget(slot);
                 }
+                case Commands.GROW -> circle[s + RADIUS] = a;
                 case Commands.MASS -> {
                     circle[s + MASS] = a;
                     traits[s + INVERSE_MASS] = CircleMath.inverseMass(a);

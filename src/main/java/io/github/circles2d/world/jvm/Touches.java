@@ -58,6 +58,11 @@ final class Touches {
     /** By contact: whether it is reported; without elements where all contacts are. */
     private boolean[] wanted = new boolean[0];
 
+    /** By contact: the number that its pair had among those that touched when it was told of; also of the step before. */
+    private int[] number = new int[0];
+
+    private int[] numberBefore = new int[0];
+
     private float[] rows = new float[0];
 
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
@@ -78,11 +83,26 @@ final class Touches {
         } else if (wanted.length < many || wanted == ALL) {
             wanted = new boolean[many + (many >> 2) + 1];
         }
+        if (number.length < many) {
+            number = new int[many + (many >> 2)];
+        }
         if (rows.length < STRIDE * (long) many) {
             int length = Math.multiplyExact(STRIDE, many + (many >> 2));
             places = new float[length];
             rows = new float[length];
         }
+    }
+
+    /** Begins a step: what is known of contacts is of the step before. */
+    void begin() {
+        int[] before = numberBefore;
+        numberBefore = number;
+        number = before;
+    }
+
+    /** Takes note which contact of the step before a contact goes on from, or -1. */
+    void follow(int c, int before) {
+        number[c] = before < 0 || before >= numberBefore.length ? ContactEvents.NONE : numberBefore[before];
     }
 
     /** Begins a step for contacts. */
@@ -157,7 +177,11 @@ final class Touches {
         float separation = contacts.contact[ContactRow.of(c) + SEPARATION];
         boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
         long ids = contacts.ids(c);
-        return events.concerns((int) (ids >>> 32), (int) ids, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
+        int lower = (int) (ids >>> 32);
+        int higher = (int) ids;
+        int pair = events.find(number[c], lower, higher);
+        number[c] = pair;
+        return events.concerns(pair, lower, higher, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
     }
 
     private boolean isUnwanted(int c) {
@@ -241,6 +265,9 @@ final class Touches {
 
     /** Memory of the arrays. */
     long bytes() {
-        return 8L * rows.length + wanted.length + (walls == null ? 0 : walls.bytes());
+        return 8L * rows.length
+                + 4L * (number.length + numberBefore.length)
+                + wanted.length
+                + (walls == null ? 0 : walls.bytes());
     }
 }

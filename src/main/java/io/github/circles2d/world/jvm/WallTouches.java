@@ -165,7 +165,8 @@ final class WallTouches {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
         int wall = ContactEvents.wall(axis, side);
-        if (events.concerns(id, wall, touches, approach, impulse, threshold)) {
+        int pair = events.find(ContactEvents.NONE, id, wall);
+        if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
             float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
             float vn = side * state.motion[s + VX + axis] - speed;
             boolean isX = axis == 0;

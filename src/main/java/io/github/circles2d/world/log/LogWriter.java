@@ -34,17 +34,39 @@ public final class LogWriter {
      * @param out where to; is not closed
      * @param hashEvery steps between two hashes
      */
-    public LogWriter(OutputStream out, int hashEvery) throws IOException {
+    public LogWriter(OutputStream out, int hashEvery) {
         this.out = out;
         ByteBuffer header = ByteBuffer.allocate(LogFormat.HEADER).order(ByteOrder.LITTLE_ENDIAN);
         header.putInt(LogFormat.MAGIC).putInt(LogFormat.VERSION).putInt(hashEvery);
-        out.write(header.array());
-        bytes = LogFormat.HEADER;
+        try {
+            out.write(header.array());
+            bytes = LogFormat.HEADER;
+        } catch (IOException | RuntimeException | Error e) {
+            fail(e);
+        }
     }
 
     /** Why no more is written; null if nothing has failed. */
     public Throwable failure() {
         return failure;
+    }
+
+    /**
+     * Throws if writing has failed, whatever the stream has thrown.
+     *
+     * @param what what has become of the log, the beginning of the message
+     */
+    public void requireWritten(String what) throws IOException {
+        if (failure != null) {
+            throw failed(what, failure);
+        }
+    }
+
+    /** The exception that tells of a failure: by its message, or by its class if it has none. */
+    public static IOException failed(String what, Throwable failure) {
+        String message = failure.getMessage();
+        boolean silent = message == null || message.isBlank();
+        return new IOException(what + ": " + (silent ? failure.getClass().getName() : message), failure);
     }
 
     /** Takes note of a failure, after which no more is written. */
@@ -140,9 +162,12 @@ public final class LogWriter {
         flushCalls();
         block(LogFormat.END, new byte[0], 0);
         if (failure == null) {
-            out.flush();
-        } else {
-            throw new IOException("the log ends early: " + failure.getMessage(), failure);
+            try {
+                out.flush();
+            } catch (IOException | RuntimeException | Error e) {
+                fail(e);
+            }
         }
+        requireWritten("the log ends early");
     }
 }

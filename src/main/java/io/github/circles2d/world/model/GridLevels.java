@@ -15,8 +15,12 @@ package io.github.circles2d.world.model;
  * bucket. In a wider arena it is twice a prime, and another prime for rows than for columns. With powers of two, a square
  * lattice of circles that are 128 cells apart would lie in a few buckets. With two primes, a square lattice does only if its
  * spacing is a multiple of both primes; if it is a multiple of one, the other prime is the least number of buckets in use.
- * Other patterns remain: a lattice whose columns are a multiple of one prime apart and whose rows are a multiple of the other,
- * or a line of circles that are a multiple of one prime apart, lie in a few buckets.
+ * Other patterns remain, as in every torus: a line of circles goes round in a few buckets.
+ *
+ * <p>So a bucket keeps the circles of different cells apart. The torus lies on the arena in sheets: the sheet of a cell is its column
+ * div W and its row div H. A level of many sheets is {@link #folded}: there a bucket has its circles in the order of {@link #sheetKey}.
+ * A circle looks at the sheet of a cell alone, or at the whole bucket if that has {@link #FEW}. Static circles come last in a sheet, of
+ * any level, and a static circle stops where they begin.
  *
  * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number
  * of times as many cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has
@@ -34,7 +38,21 @@ public final class GridLevels {
 
     private static final int GREATEST_SIDE_LOG = 15;
 
-    /** How many times as many columns (or rows) as the torus an arena has before their number is made for lattices. */
+    /** A circle that is not static looks at a bucket of no more circles as a whole, which is faster than to look for its sheet. */
+    public static final int FEW = 2;
+
+    /** A number of sheets: they never begin again. */
+    public static final int ENDLESS = 0;
+
+    /** What a sheet along x counts in {@link #sheetKey}. Odd, and without a pattern in common with that along y: two sheets of one
+     * key are tens of thousands of sheets apart.
+     */
+    public static final int SHEET_X_FACTOR = 0x9e3779b1;
+
+    /** The same along y. */
+    public static final int SHEET_Y_FACTOR = 0x85ebca77;
+
+    /** How many times as many columns (or rows) as the torus an arena has before it is made for lattices and lines. */
     private static final int WRAPS = 4;
 
     /** Sides below this are powers of two in any case. */
@@ -101,6 +119,21 @@ public final class GridLevels {
     /** The same along y. */
     public final int[] unitsY = new int[COUNT];
 
+    /**
+     * Whether many far cells share a bucket, by level: along some axis the torus goes round more than {@link #WRAPS} times. Otherwise a
+     * bucket has few circles unless they lie close anyway, and to keep them apart would cost more than to look at them.
+     */
+    public final boolean[] folded = new boolean[COUNT];
+
+    /** Number of sheets along x after which they begin again, by level; {@link #ENDLESS} but for an axis that wraps. */
+    public final int[] sheetsX = new int[COUNT];
+
+    /** The same along y. */
+    public final int[] sheetsY = new int[COUNT];
+
+    /** Whether any circle is static. */
+    public boolean hasStatics;
+
     /** Where the levels are. */
     public Bounds bounds = new Bounds(0, 0, 1, 1);
 
@@ -120,9 +153,11 @@ public final class GridLevels {
      * @param bounds the arena
      * @param greatestRadius greatest radius of all circles
      * @param counts number of circles of each size class
+     * @param someStatic whether any circle is static
      */
-    public void layOut(Bounds bounds, float greatestRadius, int[] counts) {
+    public void layOut(Bounds bounds, float greatestRadius, int[] counts, boolean someStatic) {
         this.bounds = bounds;
+        hasStatics = someStatic;
         minX = bounds.minX();
         minY = bounds.minY();
         rmax = greatestRadius;
@@ -176,9 +211,14 @@ public final class GridLevels {
         rowCount[level] = side(rows, down, PRIME_ROWS);
         columnsUsed[level] = cellsUsed(bounds.maxX(), bounds.minX(), level, columnCount[level]);
         rowsUsed[level] = cellsUsed(bounds.maxY(), bounds.minY(), level, rowCount[level]);
+        sheetsX[level] = ENDLESS;
+        sheetsY[level] = ENDLESS;
         if (!bounds.isWalled()) {
             layOutEdges(level, across, down);
         }
+        folded[level] = isFolded(
+                        bounds.edgeX(), bounds.minX(), bounds.maxX(), level, columnCount[level], sheetsX[level])
+                || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), level, rowCount[level], sheetsY[level]);
     }
 
     /** Cells along an axis: any number if it is open, and an even one if it wraps, so that the colours of groups fit at the seam.
@@ -199,18 +239,28 @@ public final class GridLevels {
         unitsY[level] = unitsX[level];
         if (bounds.edgeX() == AxisEdge.WRAP) {
             columnCount[level] = Math.min(columnCount[level], (int) across);
-            scaleX[level] = (int) across / columnCount[level] * columnCount[level] / bounds.periodX();
+            sheetsX[level] = (int) across / columnCount[level];
+            scaleX[level] = sheetsX[level] * columnCount[level] / bounds.periodX();
         } else if (bounds.edgeX() == AxisEdge.OPEN) {
             scaleX[level] = RingCells.unitsPerLength(open);
         }
         if (bounds.edgeY() == AxisEdge.WRAP) {
             rowCount[level] = Math.min(rowCount[level], (int) down);
-            scaleY[level] = (int) down / rowCount[level] * rowCount[level] / bounds.periodY();
+            sheetsY[level] = (int) down / rowCount[level];
+            scaleY[level] = sheetsY[level] * rowCount[level] / bounds.periodY();
         } else if (bounds.edgeY() == AxisEdge.OPEN) {
             scaleY[level] = RingCells.unitsPerLength(open);
         }
         columnsUsed[level] = columnCount[level];
         rowsUsed[level] = rowCount[level];
+    }
+
+    private boolean isFolded(AxisEdge edge, float min, float max, int level, int side, int sheets) {
+        return switch (edge) {
+            case WALL -> CircleMath.cell(max, min, inverseEdge[level]) >= WRAPS * side;
+            case OPEN -> true;
+            case WRAP -> sheets > WRAPS;
+        };
     }
 
     private static int side(int sideLog, float cells, int[] primes) {
@@ -264,6 +314,10 @@ public final class GridLevels {
         System.arraycopy(other.scaleY, 0, scaleY, 0, COUNT);
         System.arraycopy(other.unitsX, 0, unitsX, 0, COUNT);
         System.arraycopy(other.unitsY, 0, unitsY, 0, COUNT);
+        System.arraycopy(other.folded, 0, folded, 0, COUNT);
+        System.arraycopy(other.sheetsX, 0, sheetsX, 0, COUNT);
+        System.arraycopy(other.sheetsY, 0, sheetsY, 0, COUNT);
+        hasStatics = other.hasStatics;
         bounds = other.bounds;
         System.arraycopy(other.first, 0, first, 0, COUNT);
         System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
@@ -305,6 +359,53 @@ public final class GridLevels {
         return edge == AxisEdge.WALL
                 ? onRing(CircleMath.cell(y, minY, inverseEdge[level]), rowCount[level])
                 : RingCells.onRing(RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level]);
+    }
+
+    /** Whether the circles of a bucket are in the order of sheets, or of whether they are static: else of their ids alone. */
+    public boolean haveSheets() {
+        boolean some = hasStatics;
+        for (int l = 0; l < usedCount; l++) {
+            some |= folded[used[l]];
+        }
+        return some;
+    }
+
+    /** The sheet of a coordinate along x. */
+    public int sheetX(float x, int level) {
+        AxisEdge edge = bounds.edgeX();
+        return edge == AxisEdge.WALL
+                ? CircleMath.cell(x, minX, inverseEdge[level]) / columnCount[level]
+                : RingCells.sheet(
+                        RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]),
+                        columnCount[level],
+                        sheetsX[level]);
+    }
+
+    /** The sheet of a coordinate along y. */
+    public int sheetY(float y, int level) {
+        AxisEdge edge = bounds.edgeY();
+        return edge == AxisEdge.WALL
+                ? CircleMath.cell(y, minY, inverseEdge[level]) / rowCount[level]
+                : RingCells.sheet(
+                        RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level], sheetsY[level]);
+    }
+
+    /** The sheet that is at (0), behind (1) or before (-1) another, of so many or {@link #ENDLESS}. */
+    public static int sheetBeside(int sheet, int offset, int sheets) {
+        return sheets == ENDLESS ? sheet + offset : neighbour(sheet, offset, sheets);
+    }
+
+    /**
+     * What the circles of a bucket are ordered by: an even number for each sheet, or 0 in a level that is not folded. Static circles have
+     * the odd number behind it. Two sheets seldom have one key, which costs time and nothing else.
+     */
+    public int sheetKey(int level, int sheetX, int sheetY) {
+        return folded[level] ? 2 * (sheetX * SHEET_X_FACTOR + sheetY * SHEET_Y_FACTOR) : 0;
+    }
+
+    /** The same of the sheet of a place. */
+    public int sheetKey(float x, float y, int level) {
+        return folded[level] ? sheetKey(level, sheetX(x, level), sheetY(y, level)) : 0;
     }
 
     /** The column of a coordinate where a range begins; {@link #onRing} gives that of the torus. */

@@ -38,6 +38,9 @@ public final class Limits {
     /** Greatest magnitude of a component of a force. */
     public static final float FORCE = 1e18f;
 
+    /** Most steps in which a circle grows to a radius. */
+    public static final int GROWTH_STEPS = 100_000;
+
     /** Greatest magnitude of a component of an impulse. */
     public static final float IMPULSE = 1e18f;
 
@@ -194,6 +197,12 @@ public final class Limits {
      */
     public static float radius(float radius, Bounds bounds) {
         return within("radius", radius, bounds.leastRadius(), bounds.greatestRadius());
+    }
+
+    /** Checks to which radius a circle is to grow or shrink, and in how many steps. */
+    public static void growth(float radius, int steps, Bounds bounds) {
+        radius(radius, bounds);
+        within("the number of steps", steps, 1, GROWTH_STEPS);
     }
 
     /**

@@ -45,4 +45,10 @@ final class RingCells {
     static int onRing(long cell, int side) {
         return (int) Math.floorMod(cell, (long) side);
     }
+
+    /** How many times the torus has gone round before a cell: any number, or of so many that begin again. */
+    static int sheet(long cell, int side, int sheets) {
+        long sheet = Math.floorDiv(cell, (long) side);
+        return (int) (sheets == GridLevels.ENDLESS ? sheet : Math.floorMod(sheet, (long) sheets));
+    }
 }

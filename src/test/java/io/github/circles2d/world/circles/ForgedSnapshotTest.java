@@ -68,6 +68,7 @@ class ForgedSnapshotTest {
             world.remove(touching);
             world.applyForce(world.add(85, 25, 1, 1), 40, 0);
             world.setPosition(travelling, 25, 22);
+            world.grow(travelling, 2, 3);
             ByteBuffer good = ByteBuffer.allocate(world.snapshotBytes()).order(ByteOrder.LITTLE_ENDIAN);
             world.snapshot(good);
             for (int k = 0; k < FORGERIES; k++) {

@@ -7,7 +7,6 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.device.plan.PersistentCpu;
 import io.github.circles2d.world.device.plan.PersistentGpu;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
@@ -36,9 +35,6 @@ class PipelinesAgreeTest {
         }
         if (PersistentGpu.fits(device)) {
             pipelines.add(Pipelines.of(device, Plans.PERSISTENT_GPU));
-        }
-        if (PersistentCpu.fits(device)) {
-            pipelines.add(Pipelines.of(device, Plans.PERSISTENT_CPU));
         }
         return pipelines.toArray(Pipeline[]::new);
     }

@@ -96,6 +96,11 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Number of circles. */
+    int size() {
+        return simulations[0].circles().size();
+    }
+
     void step(float dt, int steps) {
         for (Simulation simulation : simulations) {
             simulation.step(dt, steps);
@@ -462,9 +467,22 @@ final class Twins implements AutoCloseable {
         if (random.nextInt(8) == 0) {
             changeKinds(random);
         }
+        for (int k = 0; k < 5; k++) {
+            grow(random.nextInt(handles.length), r * between(random, 0.8f, 1.3f), 1 + random.nextInt(6));
+        }
         for (CircleField field : CircleField.values()) {
-            for (int k = 0; k < 20 && field != CircleField.TARGET; k++) {
+            boolean isOfCalls = field != CircleField.TARGET && field != CircleField.GROWTH;
+            for (int k = 0; k < 20 && isOfCalls; k++) {
                 setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+            }
+        }
+    }
+
+    /** Lets the circle that had an id last grow or shrink. */
+    private void grow(int id, float radius, int steps) {
+        if (lives(id)) {
+            for (Simulation simulation : simulations) {
+                simulation.growth().grow(handles[id], radius, steps);
             }
         }
     }

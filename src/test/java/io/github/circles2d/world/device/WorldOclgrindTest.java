@@ -48,8 +48,6 @@ class WorldOclgrindTest {
     void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
         assertThat(run(
                         "small",
-                        "PERSISTENT_CPU",
-                        "events of lanes",
                         "PERSISTENT_GPU",
                         "COLOURS",
                         "changes",
@@ -73,15 +71,13 @@ class WorldOclgrindTest {
                         "COLOURS",
                         "changes",
                         "PERSISTENT_GPU",
-                        "PERSISTENT_CPU",
                         "queries",
-                        "events of lanes",
                         "crowd",
                         "wide",
                         "fast",
                         "TILES",
                         "edges"))
-                .contains("scan_starts", "solver_solveTile", "persistentGpu_steps", "persistentCpu_mixedSteps");
+                .contains("scan_starts", "solver_solveTile", "persistentGpu_steps");
     }
 
     /** Runs worlds, some at a time, each in a process of its own; returns the kernels that ran, none of which was reported. */
@@ -147,9 +143,7 @@ class WorldOclgrindTest {
                         "solver_solve",
                         "solver_solveTile",
                         "continuousCollision_look",
-                        "persistentGpu_steps",
-                        "persistentCpu_steps",
-                        "persistentCpu_mixedSteps");
+                        "persistentGpu_steps");
         return kernels;
     }
 }

@@ -16,10 +16,14 @@ final class AllPairs {
     private final SavedState s;
     private final float[] speculativeDistance;
     private final int[] level;
+    private final float periodX;
+    private final float periodY;
 
     /** Continuous collision has shortened the speculative distance of some circles. */
     private AllPairs(SavedState s, JvmPipeline pipeline) {
         this.s = s;
+        periodX = pipeline.constants.arena.periodX();
+        periodY = pipeline.constants.arena.periodY();
         speculativeDistance = new float[s.circles];
         level = new int[s.circles];
         Map<Integer, Integer> slotOf = new HashMap<>();
@@ -56,8 +60,8 @@ final class AllPairs {
     }
 
     private boolean near(int i, int j) {
-        float dx = s.circle[4 * j] - s.circle[4 * i];
-        float dy = s.circle[4 * j + 1] - s.circle[4 * i + 1];
+        float dx = CircleMath.shortWay(s.circle[4 * j] - s.circle[4 * i], periodX);
+        float dy = CircleMath.shortWay(s.circle[4 * j + 1] - s.circle[4 * i + 1], periodY);
         float limit = speculativeDistance[i] + speculativeDistance[j];
         return dx * dx + dy * dy < limit * limit && !(isStatic(i) && isStatic(j));
     }

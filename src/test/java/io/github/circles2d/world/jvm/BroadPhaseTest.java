@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.model.AxisEdge;
+import io.github.circles2d.world.model.Bounds;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -12,6 +14,7 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** The grid finds what a test of all pairs finds. */
@@ -79,6 +82,59 @@ class BroadPhaseTest {
                 }
             }
         }
+    }
+
+    static Stream<Arguments> edges() {
+        return Stream.of(
+                Arguments.of(AxisEdge.WALL, AxisEdge.WALL),
+                Arguments.of(AxisEdge.OPEN, AxisEdge.OPEN),
+                Arguments.of(AxisEdge.WRAP, AxisEdge.WRAP),
+                Arguments.of(AxisEdge.WRAP, AxisEdge.OPEN),
+                Arguments.of(AxisEdge.WALL, AxisEdge.WRAP));
+    }
+
+    /** Lines and rings, which lie in few buckets of the torus, of circles of all sizes and speeds; also across the edges of the arena. */
+    @ParameterizedTest
+    @MethodSource("edges")
+    void findsThePairsOfLinesThatGoRoundTheTorusManyTimes(AxisEdge x, AxisEdge y) {
+        for (int round = 0; round < 6; round++) {
+            compareLines(new Bounds(0, 0, 1, 1, x, y), round);
+        }
+    }
+
+    private static void compareLines(Bounds bounds, int round) {
+        Random random = new Random(round);
+        float acrossX = 0.5f * (round & 1);
+        float acrossY = 0.5f * (round >> 1 & 1);
+        try (JvmWorld world = new JvmWorld(bounds, 2)) {
+            double more = round == 0 ? 0 : 40 * random.nextDouble();
+            SparseArena.line(
+                    900,
+                    90 * round + more,
+                    1,
+                    1,
+                    (px, py, r, mass, e, vx, vy) -> world.add(
+                            around(px + acrossX, bounds.edgeX()),
+                            around(py + acrossY, bounds.edgeY()),
+                            r * (round < 3 ? 1 : 0.25f + 2 * random.nextFloat()),
+                            random.nextInt(4) == 0 ? Float.POSITIVE_INFINITY : 1,
+                            0.5f,
+                            600 * r * (random.nextFloat() - 0.5f) * (random.nextInt(4) == 0 ? 8 : 0),
+                            600 * r * (random.nextFloat() - 0.5f)));
+            SparseArena.ring(
+                    300,
+                    1,
+                    (px, py, r, mass, e, vx, vy) ->
+                            world.add(around(px + acrossX, bounds.edgeX()), py, r, mass, e, r, -r));
+            for (int k = 0; k < 3; k++) {
+                compareOneStep(world);
+                assertThat(world.pipeline.contacts()).isGreaterThan(300);
+            }
+        }
+    }
+
+    private static float around(float x, AxisEdge edge) {
+        return edge == AxisEdge.WRAP && x >= 1 ? x - 1 : edge == AxisEdge.WALL ? Math.min(x, 1) : x;
     }
 
     private static void compareOneStep(JvmWorld world) {

@@ -6,6 +6,8 @@ import io.github.circles2d.world.SimulationScenes;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import java.nio.ByteBuffer;
 
@@ -19,6 +21,13 @@ final class JvmWorld implements AutoCloseable {
         timeStep = scene.timeStep();
         pipeline = new JvmPipeline(threads, 1, scene.size(), false);
         simulation = SimulationScenes.simulation(scene, 4, pipeline);
+    }
+
+    /** An empty world without gravity. */
+    JvmWorld(Bounds bounds, int threads) {
+        timeStep = 1 / 60f;
+        pipeline = new JvmPipeline(threads, 1, 0, false);
+        simulation = new Simulation(pipeline, new WorldParameters(bounds, 0, 0, 0, 4, 0));
     }
 
     void add(float x, float y, float r, float mass, float restitution, float vx, float vy) {

@@ -29,6 +29,51 @@ public final class SparseArena {
         }
     }
 
+    /** How many times the radius of {@link #line} and others the arena is wide. */
+    public static final int RADII = 200_000;
+
+    /** The radius of circles of a line, of a ring and of a square: the arena is wide enough for thousands of them side by side. */
+    public static final float RADIUS = 1f / RADII;
+
+    /**
+     * A straight line of circles through the middle of the arena.
+     *
+     * @param degrees its angle
+     * @param gap distance of two centres, in diameters
+     */
+    public static void line(int circles, double degrees, double gap, float mass, Taker to) {
+        double x = Math.cos(Math.toRadians(degrees));
+        double y = Math.sin(Math.toRadians(degrees));
+        for (int i = 0; i < circles; i++) {
+            double along = 2 * RADIUS * gap * (i - circles / 2);
+            to.add((float) (0.5 + along * x), (float) (0.5 + along * y), RADIUS, mass, 0, 0, 0);
+        }
+    }
+
+    /** A ring of circles, each of which touches two. */
+    public static void ring(int circles, float mass, Taker to) {
+        double radius = RADIUS / Math.sin(Math.PI / circles);
+        for (int i = 0; i < circles; i++) {
+            double angle = 2 * Math.PI * i / circles;
+            to.add(
+                    (float) (0.5 + radius * Math.cos(angle)),
+                    (float) (0.5 + radius * Math.sin(angle)),
+                    RADIUS,
+                    mass,
+                    0,
+                    0,
+                    0);
+        }
+    }
+
+    /** A square of side x side circles, each of which touches four. */
+    public static void square(int side, float mass, Taker to) {
+        for (int i = 0; i < side * side; i++) {
+            float x = 0.5f + 2 * RADIUS * (i % side - side / 2);
+            to.add(x, 0.5f + 2 * RADIUS * (i / side - side / 2), RADIUS, mass, 0, 0, 0);
+        }
+    }
+
     /**
      * Groups of four circles each, near enough to each other for contacts, at random places; one circle in eight goes a few
      * radii in a step of 1/60.

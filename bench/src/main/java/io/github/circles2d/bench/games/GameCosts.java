@@ -42,7 +42,18 @@ public final class GameCosts implements AutoCloseable {
 
     /** All features. */
     public static final List<String> FEATURES = List.of(
-            NOTHING, "positions", "hits", "walls", "half-ignored", "sensors", "forces", "record", REWIND, "fixed-step");
+            NOTHING,
+            "positions",
+            "hits",
+            "hits-later",
+            "kind",
+            "walls",
+            "half-ignored",
+            "sensors",
+            "forces",
+            "record",
+            REWIND,
+            "fixed-step");
 
     /** Features that change how circles move, so their worlds end in other states than the silent one. */
     private static final Set<String> OTHER_STATES = Set.of("half-ignored", "sensors", "forces");
@@ -58,6 +69,9 @@ public final class GameCosts implements AutoCloseable {
     private static final int PER_SENSOR = 500;
 
     private static final int SENSOR = 3;
+
+    /** A kind that no circle has. */
+    private static final int NOBODY = 4;
 
     /** Forces on circles, in parts of their weight. */
     private static final float FORCE = 0.1f;
@@ -153,9 +167,18 @@ public final class GameCosts implements AutoCloseable {
             case "hits":
             case "walls":
             case "sensors":
+            case "kind":
                 return () -> {
                     step();
-                    readEvents();
+                    look(world.events());
+                };
+            case "hits-later":
+                return () -> {
+                    step();
+                    if (frames > 0) {
+                        look(world.takeEvents());
+                    }
+                    world.requestEvents();
                 };
             case "forces":
                 return () -> {
@@ -180,8 +203,10 @@ public final class GameCosts implements AutoCloseable {
     /** Puts the world back to the start, and prepares the feature. */
     public void prepare() throws IOException {
         endRecording();
-        if (feature.equals("hits")) {
+        if (feature.startsWith("hits")) {
             world.report(REPORTED);
+        } else if (feature.equals("kind")) {
+            world.report(NOBODY, NOBODY, REPORTED);
         } else if (feature.equals("walls")) {
             world.report(REPORTED | Events.WALL);
         } else if (feature.equals("sensors")) {
@@ -264,8 +289,7 @@ public final class GameCosts implements AutoCloseable {
         sum += positions.get(positions.limit() - 1);
     }
 
-    private void readEvents() {
-        Events happened = world.events();
+    private void look(Events happened) {
         int size = happened.size();
         for (int i = 0; i < size; i++) {
             if (happened.type(i) != Events.END) {
@@ -322,19 +346,24 @@ public final class GameCosts implements AutoCloseable {
     /**
      * Prints what features cost.
      *
-     * @param arguments a name of {@link Backend}, and numbers of circles; by default JVM, 1250 and 15000
+     * @param arguments a name of {@link Backend}, numbers of circles and features; by default JVM, 1250 and 15000, and all features
      * @param out takes the tables
      * @throws IllegalArgumentException where the arguments are others
      */
     public static void run(List<String> arguments, PrintStream out) {
         Backend backend = arguments.isEmpty() ? Backend.JVM : backend(arguments.get(0));
         List<Integer> sizes = new ArrayList<>();
-        for (String size : arguments.subList(Math.min(1, arguments.size()), arguments.size())) {
-            sizes.add(size(size));
+        List<String> features = new ArrayList<>(List.of(NOTHING));
+        for (String word : arguments.subList(Math.min(1, arguments.size()), arguments.size())) {
+            if (!FEATURES.contains(word)) {
+                sizes.add(size(word));
+            } else if (!features.contains(word)) {
+                features.add(word);
+            }
         }
         try {
             for (int n : sizes.isEmpty() ? List.of(1250, 15_000) : sizes) {
-                measure(backend, n, out);
+                measure(backend, n, features.size() > 1 ? features : FEATURES, out);
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -353,7 +382,7 @@ public final class GameCosts implements AutoCloseable {
     private static int size(String text) {
         int n = text.matches("\\d{1,9}") ? Integer.parseInt(text) : 0;
         if (n < 1) {
-            throw new IllegalArgumentException("a number of circles is 1 to 999999999, not '" + text + "'");
+            throw new IllegalArgumentException("a number of circles is 1 to 999999999, a feature one of " + FEATURES + ", not '" + text + "'");
         }
         return n;
     }
@@ -364,9 +393,9 @@ public final class GameCosts implements AutoCloseable {
         return backend == Backend.JVM ? builder.threads(1) : builder;
     }
 
-    private static void measure(Backend backend, int n, PrintStream out) throws IOException {
+    private static void measure(Backend backend, int n, List<String> wanted, PrintStream out) throws IOException {
         ByteBuffer start = start(World.builder().backend(backend), n);
-        List<String> features = new ArrayList<>(FEATURES);
+        List<String> features = new ArrayList<>(wanted);
         if (n > GREATEST_REWIND) {
             features.remove(REWIND);
         }

@@ -39,6 +39,8 @@ public enum DeviceArray {
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
     RANK("int", "rank", Index.RANK, "by slot at home; later, where crowds are thinned, candidates by working slot"),
     ORDER("int2", "order", Index.SLOT, "id and slot at home, bucket by bucket"),
+    LISTED_SHEET("int", "listedSheet", Index.SLOT, "where there are sheets: as sheetKey, in the same order"),
+    SHEET_KEY("int", "sheetKey", Index.SLOT, "where there are sheets: see sheetKeyOf; 1 more of a static circle"),
     BUCKET_START("int", "bucketStart", Index.BUCKET, "first working slot"),
     BUCKET_OF("int", "bucketOf", Index.SLOT, "bucket of the working slot"),
     SIGHT(
@@ -74,11 +76,7 @@ public enum DeviceArray {
             "the share up to where it touches one that it has a contact with, NOT_FAST where it is not; how far it may leave its path"
                     + " then, negative at a static one"),
     CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
-    CARRIER(
-            "int",
-            "carrier",
-            Index.SLOT,
-            "the slot of that static circle, or NOBODY; by lanes then its candidates, in a crowd"),
+    CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
     REACH("float4", "reach", Index.SLOT, "x, y of the base, reach, 1 where it is fast and not static"),
     LAST_REACHED(
             "int2", "lastReached", Index.SLOT, "two buckets each: the slot that came last, or NONE; see ReachGrid.cl"),

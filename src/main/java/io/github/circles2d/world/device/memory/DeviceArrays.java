@@ -18,9 +18,6 @@ public final class DeviceArrays {
     /** log2 of the columns, and of the rows, of a block of cells. */
     static final int BLOCK_LOG = 2;
 
-    /** Slots that no circle has: four at a time are read to the next multiple of four. */
-    private static final int SPARE_SLOTS = 4;
-
     /** Says of an index that its arrays do not grow. */
     private static final long AS_IT_IS = 0;
 
@@ -102,7 +99,7 @@ public final class DeviceArrays {
         if (slots > slotCapacity) {
             int capacity = grown(slotCapacity, slots);
             grow(kept, index -> switch (index) {
-                case HOME_SLOT, SLOT, RANK, TILED_SLOT -> capacity + SPARE_SLOTS;
+                case HOME_SLOT, SLOT, RANK, TILED_SLOT -> capacity;
                 default -> AS_IT_IS;
             });
             slotCapacity = capacity;

@@ -25,7 +25,7 @@ public final class GrownBuffer {
     }
 
     /** Gives buffers back; null is none. */
-    static void close(DeviceBuffer... buffers) {
+    public static void close(DeviceBuffer... buffers) {
         for (DeviceBuffer buffer : buffers) {
             if (buffer != null) {
                 buffer.close();

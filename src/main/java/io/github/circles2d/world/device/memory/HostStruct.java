@@ -39,6 +39,13 @@ final class HostStruct<T> {
             return this;
         }
 
+        Words put(boolean[] values) {
+            for (boolean value : values) {
+                put(value ? 1 : 0);
+            }
+            return this;
+        }
+
         Words put(float[] values) {
             for (float value : values) {
                 put(value);

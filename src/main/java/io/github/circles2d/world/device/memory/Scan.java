@@ -31,12 +31,27 @@ public final class Scan {
 
     /** Sums up the tally into one of the stages' arrays, and clears it. */
     public void run(DeviceArrays arrays, int elements, DeviceArray sums) {
-        run(arrays.get(DeviceArray.TALLY), elements, arrays.get(DeviceArray.BLOCK_SUMS), arrays.get(sums));
+        run(
+                arrays.get(DeviceArray.TALLY),
+                elements,
+                arrays.get(DeviceArray.BLOCK_SUMS),
+                arrays.get(sums),
+                arrays.get(DeviceArray.STATUS));
     }
 
-    public void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums) {
+    /**
+     * Sums up counts, and clears them.
+     *
+     * @param status leaves sums and counts alone, if it says that a step waits for the host
+     */
+    public void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums, DeviceBuffer status) {
         long items = (long) blocks(elements) * GROUP;
         blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run(items, GROUP);
-        starts.arg(0, counts).arg(1, elements).arg(2, blockSums).arg(3, sums).run(items, GROUP);
+        starts.arg(0, counts)
+                .arg(1, elements)
+                .arg(2, blockSums)
+                .arg(3, sums)
+                .arg(4, status)
+                .run(items, GROUP);
     }
 }

@@ -30,16 +30,18 @@ public final class StageKernels {
      *     kernel allows; or {@link #USUAL_GROUPS}
      */
     public StageKernels(Session session, KernelSource source, int workGroupSize) {
-        this(session, source, workGroupSize, false);
+        this(session, source, workGroupSize, false, false);
     }
 
     /**
-     * The same, for steps that may record what contacts do.
+     * The same, for steps that may report something.
      *
-     * @param recording whether they do: then kernels are compiled that know of it
+     * @param reporting whether they do: then kernels are compiled that decide what
+     * @param recording whether they record what contacts do, too
      */
-    public StageKernels(Session session, KernelSource source, int workGroupSize, boolean recording) {
-        KernelSource compiled = recording ? source.define("RECORDING", 1) : source;
+    public StageKernels(Session session, KernelSource source, int workGroupSize, boolean reporting, boolean recording) {
+        KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
+        compiled = recording ? compiled.define("RECORDING", 1) : compiled;
         program = session.build(compiled, options(session.device()));
         this.workGroupSize = workGroupSize;
         this.recording = recording;

@@ -22,6 +22,11 @@ public final class Status {
         }
     }
 
+    /** Sets a word, until {@link #write} on the host alone. */
+    public void set(StatusWord word, int value) {
+        words[word.index()] = value;
+    }
+
     /** Reads the status, once the device has done what has been enqueued. */
     public void read(DeviceArrays arrays) {
         arrays.get(DeviceArray.STATUS).read(view);

@@ -89,6 +89,15 @@ public final class StepParameters {
                     GridLevels.COUNT + 1,
                     (s, to) -> to.put(s.first).put(s.buckets()),
                     "first bucket, and first group; and the end")
+            .field("int", "haveSheets", (s, to) -> to.put(s.haveSheets() ? 1 : 0), "1 where sheetKey is in use")
+            .field(
+                    "int",
+                    "folded[LEVELS]",
+                    GridLevels.COUNT,
+                    (s, to) -> to.put(s.folded),
+                    "1 where cells share buckets")
+            .field("int", "sheetsX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.sheetsX), "before they begin again")
+            .field("int", "sheetsY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.sheetsY), "the same")
             .field("int", "edgeX", (s, to) -> to.put(s.bounds.edgeX().ordinal()), "EDGE_WALL, EDGE_OPEN, or it wraps")
             .field("int", "edgeY", (s, to) -> to.put(s.bounds.edgeY().ordinal()), "the same")
             .field("float", "periodX", (s, to) -> to.put(s.bounds.periodX()), "infinite if it does not wrap")

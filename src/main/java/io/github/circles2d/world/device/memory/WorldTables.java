@@ -36,13 +36,13 @@ final class WorldTables {
         text.append(StepParameters.CONSTANTS.text()).append(StepParameters.LEVELS.text());
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
-        text.append(TouchArrays.text());
+        text.append(TouchArrays.text()).append(EventArrays.text());
         return text.append(parameters()).append(struct()).append(initialiser()).toString();
     }
 
     private static void commands(StringBuilder text) {
         define(text, "COMMAND_STRIDE", Commands.STRIDE, "ints of a record");
-        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next eleven");
+        define(text, "COMMAND_OPCODE", Commands.OPCODE, "one of the next twelve");
         define(text, "COMMAND_ADD", Commands.ADD, "a new circle");
         define(text, "COMMAND_REMOVE", Commands.REMOVE, "a circle goes");
         define(text, "COMMAND_POSITION", Commands.POSITION, "x, y");
@@ -53,6 +53,7 @@ final class WorldTables {
         define(text, "COMMAND_IMPULSE", Commands.IMPULSE, "x, y");
         define(text, "COMMAND_DEPART", Commands.DEPART, "x, y, length of the step");
         define(text, "COMMAND_ARRIVE", Commands.ARRIVE, "x, y");
+        define(text, "COMMAND_GROW", Commands.GROW, "radius");
         define(text, "COMMAND_FIELD", Commands.FIELD, "which int of CircleFields, the value");
         define(text, "COMMAND_ID", Commands.ID, "the circle's");
         define(text, "COMMAND_FIRST", Commands.FIRST, "first value of a change");
@@ -114,6 +115,7 @@ final class WorldTables {
         text.append("    float warmScale; // what cached impulses are multiplied by\n");
         text.append("    int subStep; // the one that is made, where walls may move\n");
         text.append("#ifdef RECORDING\n    Recording recording;\n#endif\n");
+        text.append("#ifdef REPORTING\n    Reporting reporting;\n#endif\n");
         return text.append("} World;\n").toString();
     }
 

@@ -72,6 +72,11 @@ public final class ByColours implements Plan {
         finalizePositions.run(steps.circles());
     }
 
+    @Override
+    public void tell(int circles) {
+        recorded.tell(circles);
+    }
+
     /** Runs a kernel that works on groups of contacts colour by colour, a work-item per group. Its first argument of its own is the colour. */
     static void runByColour(GridLevels levels, Kernel kernel) {
         for (int colour = 0; colour < COLOURS; colour++) {

@@ -14,6 +14,8 @@ final class ContactsStage {
     private final Kernel crowd;
     private final Kernel count;
     private final Kernel countByLevel;
+    private final Kernel countBySheet;
+    private final Kernel countByLevelAndSheet;
     private final Kernel list;
 
     ContactsStage(StageKernels kernels, DeviceArrays arrays, Scan scan) {
@@ -22,6 +24,8 @@ final class ContactsStage {
         crowd = kernels.staged("contacts_crowd");
         count = kernels.staged("contacts_count");
         countByLevel = kernels.staged("contacts_countByLevel");
+        countBySheet = kernels.staged("contacts_countBySheet");
+        countByLevelAndSheet = kernels.staged("contacts_countByLevelAndSheet");
         list = kernels.staged("contacts_list");
     }
 
@@ -34,10 +38,11 @@ final class ContactsStage {
         if (thinning) {
             crowd.run(circles);
         }
+        boolean bySheet = levels.haveSheets();
         if (levels.usedCount == 1) {
-            count.run(circles);
+            (bySheet ? countBySheet : count).run(circles);
         } else {
-            countByLevel.run((long) levels.usedCount * circles);
+            (bySheet ? countByLevelAndSheet : countByLevel).run((long) levels.usedCount * circles);
         }
         scan.run(arrays, levels.groups(circles) + 1, DeviceArray.GROUP_START);
         list.run(2L * circles);

@@ -4,7 +4,10 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
+import io.github.circles2d.world.device.memory.TileRecord;
+import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
 import java.util.Locale;
 
@@ -23,6 +26,10 @@ public final class PersistentGpu implements Plan {
     private final TileSizes sizes;
     private Stages stages;
     private Kernel steps;
+
+    /** Null if steps do not record what contacts do. */
+    private Kernel tell;
+
     private int mostGroups;
 
     PersistentGpu(TileSizes sizes) {
@@ -58,6 +65,7 @@ public final class PersistentGpu implements Plan {
     public void load(Stages shared) {
         stages = shared;
         steps = stages.kernel("persistentGpu_steps");
+        tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
         // Elsewhere nothing is known of work-groups that wait for each other.
         // On a compute unit one surely runs; whether two run at once hangs on registers, and one that does not would be
         // waited for.
@@ -76,7 +84,27 @@ public final class PersistentGpu implements Plan {
         stages.begin(wanted, true);
         int needed = Math.max(sizes.tiles(), (wanted.circles() + GROUP - 1) / GROUP);
         int groups = Math.min(needed, mostGroups);
-        stages.record(steps, 1).arg(StageKernels.own(0), wanted.count()).run((long) groups * GROUP, GROUP);
+        steps.arg(StageKernels.own(0), wanted.count());
+        if (stages.recording()) {
+            stages.tell(steps, 1)
+                    .arg(StageKernels.own(1 + TouchArrays.ARGUMENTS + EventArrays.ARGUMENTS), wanted.sensing() ? 1 : 0);
+        }
+        steps.run((long) groups * GROUP, GROUP);
+    }
+
+    @Override
+    public boolean decidesEvents(Steps wanted) {
+        return wanted.recording() && !wanted.sensing();
+    }
+
+    @Override
+    public boolean tells() {
+        return true;
+    }
+
+    @Override
+    public void tell(int circles) {
+        stages.tell(tell, 0).run((long) sizes.tiles() * TileRecord.GROUP, TileRecord.GROUP);
     }
 
     @Override

@@ -2,7 +2,6 @@ package io.github.circles2d.world.device.plan;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
-import io.github.circles2d.world.device.memory.Status;
 import java.util.List;
 
 /** A way to put steps to a device. All plans give the same bits; they differ in the worlds and devices that they suit. */
@@ -34,6 +33,19 @@ public interface Plan {
     /** Enqueues steps that it suits. */
     void enqueue(Steps steps);
 
+    /** Whether its launches decide themselves what such steps report; else there is one step a launch, and {@link EventStage} does. */
+    default boolean decidesEvents(Steps steps) {
+        return false;
+    }
+
+    /** Whether its launches tell of contacts and walls themselves; else {@link #tell} does. */
+    default boolean tells() {
+        return false;
+    }
+
+    /** Enqueues what tells of the contacts and walls of the last step, which it has made, and which recorded them. */
+    void tell(int circles);
+
     /** Counts the contacts of each circle after a step of this plan, into ranks, which are all zeros before. */
     void countDegrees(int contacts);
 
@@ -43,20 +55,4 @@ public interface Plan {
      * @param thinning whether the steps thinned crowds out
      */
     default void learn(TileUse use, boolean thinning) {}
-
-    /**
-     * Takes note of steps that this plan has made.
-     *
-     * @param status the status after them
-     * @param steps how many have been made since it was last told
-     */
-    default void stepped(Status status, int steps) {}
-
-    /** Whether a step that asks for room for very many contacts has met a crowd. */
-    default boolean wantOfRoomTellsOfCrowds() {
-        return true;
-    }
-
-    /** Takes note that a launch was called off because its work-groups did not all come. */
-    default void calledOff() {}
 }

@@ -14,10 +14,6 @@ import java.util.function.Predicate;
  * step makes it; the last plan suits all steps.
  */
 public enum Plans {
-    PERSISTENT_CPU(
-            PersistentCpu::fits,
-            device -> "a processor of " + device.computeUnits() + " threads",
-            device -> List.of(new PersistentCpu(new WorkGroups(device.computeUnits())), new ByColours())),
     PERSISTENT_GPU(
             device -> isGpu(device) && Tiles.fit(device) && PersistentGpu.fits(device),
             device -> gpu(device) + ", of a vendor whose work-groups can wait for each other",
@@ -31,7 +27,7 @@ public enum Plans {
             device -> List.of(new Tiles(new TileSizes(device.computeUnits())), new ByColours())),
     COLOURS(
             device -> true,
-            device -> isGpu(device) ? gpu(device) + ", too few for tiles" : "it is neither a GPU nor a processor",
+            device -> isGpu(device) ? gpu(device) + ", too few for tiles" : "the others are for GPUs",
             device -> List.of(new ByColours()));
 
     private static final System.Logger LOG = System.getLogger(Plans.class.getName());
@@ -80,8 +76,7 @@ public enum Plans {
     /** One plan of each kind. */
     public static List<Plan> all() {
         TileSizes sizes = new TileSizes(1);
-        return List.of(
-                new PersistentCpu(new WorkGroups(1)), new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
+        return List.of(new PersistentGpu(sizes), new Tiles(sizes), new ByColours());
     }
 
     /** The source of plans: of what all share, and of no other file than theirs. */

@@ -14,7 +14,7 @@ final class RecordedSubSteps {
     private final Kernel integratePositions;
     private final Kernel relax;
     private final Kernel finalizePositions;
-    private final Kernel end;
+    private final Kernel tell;
 
     RecordedSubSteps(Stages stages, CrossPasses cross, Kernel finalizePositions) {
         this.stages = stages;
@@ -25,7 +25,7 @@ final class RecordedSubSteps {
         solve = stages.kernel("touches_solve");
         integratePositions = stages.kernel("touches_integratePositions");
         relax = stages.kernel("touches_relax");
-        end = stages.kernel("touches_end");
+        tell = stages.kernel("touches_tell");
     }
 
     /** Enqueues what follows the filling of contacts. */
@@ -43,7 +43,11 @@ final class RecordedSubSteps {
             cross.relax(steps, last);
         }
         finalizePositions.run(steps.circles());
-        stages.record(end, 0).run(2L * steps.circles());
+    }
+
+    /** Enqueues what tells of the contacts and walls of the step. */
+    void tell(int circles) {
+        stages.tell(tell, 0).run(2L * circles);
     }
 
     private void move(Kernel kernel, int sub, Steps steps) {

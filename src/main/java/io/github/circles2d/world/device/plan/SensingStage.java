@@ -3,6 +3,7 @@ package io.github.circles2d.world.device.plan;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 
@@ -12,11 +13,13 @@ import io.github.circles2d.world.device.memory.StageKernels;
  */
 public final class SensingStage {
     private final DeviceArrays arrays;
+    private final EventArrays events;
     private final Kernel begin;
     private final Kernel find;
 
-    SensingStage(StageKernels kernels, DeviceArrays arrays) {
+    SensingStage(StageKernels kernels, DeviceArrays arrays, EventArrays events) {
         this.arrays = arrays;
+        this.events = events;
         begin = kernels.plain("sensing_begin");
         find = kernels.staged("sensing_find");
     }
@@ -31,12 +34,9 @@ public final class SensingStage {
                 .run(slots);
     }
 
-    /** Enqueues what comes behind a step, which has bound the arrays; once more if there was too little room for records. */
+    /** Enqueues what comes behind a step, which has bound the arrays: tells of the pairs. */
     public void find(SensingArrays sensing, int circles) {
-        find.arg(StageKernels.own(0), sensing.start())
-                .arg(StageKernels.own(1), sensing.seeking())
-                .arg(StageKernels.own(2), sensing.records())
-                .arg(StageKernels.own(3), sensing.room())
-                .run(circles);
+        find.arg(StageKernels.own(0), sensing.start()).arg(StageKernels.own(1), sensing.seeking());
+        events.bind(find, 2).run(circles);
     }
 }

@@ -4,6 +4,7 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.DeviceArray;
 import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
@@ -18,33 +19,51 @@ public final class Stages {
     private final GridStage grid;
     private final ContinuousCollisionStage continuousCollision;
     private final ContactsStage contacts;
-    private final SensingStage sensing;
+    private final Scan scan;
     private final Kernel degrees;
 
-    /** Where steps record what contacts do; null if they do not. */
+    /** Where steps note what contacts do, decide what they report, and find pairs that are only sensed; null if they report nothing. */
     private TouchArrays touches;
+
+    private EventArrays reporting;
+    private EventStage events;
+    private SensingStage sensing;
 
     public Stages(Device device, StageKernels kernels, DeviceArrays arrays, StepParameters parameters) {
         this.device = device;
         this.kernels = kernels;
         this.arrays = arrays;
         this.parameters = parameters;
-        Scan scan = new Scan(kernels);
+        scan = new Scan(kernels);
         grid = new GridStage(kernels, arrays, scan);
         continuousCollision = new ContinuousCollisionStage(kernels);
         contacts = new ContactsStage(kernels, arrays, scan);
-        sensing = new SensingStage(kernels, arrays);
         degrees = kernels.plain("contacts_degrees");
     }
 
-    /** Sets where the steps to come record what contacts do; null if they do not. */
-    public void record(TouchArrays arraysOfTouches) {
-        touches = arraysOfTouches;
+    /** Sets where the steps to come note what contacts do, and decide what they report; null if they report nothing. */
+    public void report(TouchArrays noted, EventArrays decided) {
+        if (reporting != decided) {
+            events = decided == null ? null : new EventStage(kernels, arrays, scan, decided);
+            sensing = decided == null ? null : new SensingStage(kernels, arrays, decided);
+        }
+        touches = noted;
+        reporting = decided;
     }
 
-    /** Where steps record what contacts do; null if they do not. */
+    /** Where steps note what contacts do; null if they report nothing. */
     public TouchArrays touches() {
         return touches;
+    }
+
+    /** Where steps decide what they report; null if they report nothing. */
+    public EventArrays reporting() {
+        return reporting;
+    }
+
+    /** What decides which events there are, behind a step of any plan. */
+    public EventStage events() {
+        return events;
     }
 
     /** What finds the pairs that are only sensed, around a step of any plan. */
@@ -71,6 +90,12 @@ public final class Stages {
             touches.bind(kernel, first);
         }
         return kernel;
+    }
+
+    /** Gives a kernel that tells of what was recorded where to: its arguments from one of its own on. */
+    Kernel tell(Kernel kernel, int first) {
+        touches.bind(kernel, first);
+        return reporting.bind(kernel, first + TouchArrays.ARGUMENTS);
     }
 
     /** Makes room for the tiles of steps, and notes their size and number. */

@@ -14,6 +14,7 @@ import io.github.circles2d.world.model.GridLevels;
  * @param sweeping whether the steps take fast circles
  * @param thinning whether the steps thin crowds out
  * @param recording whether the steps record what contacts do, for events
+ * @param sensing whether pairs are looked for that are only sensed
  */
 public record Steps(
         int count,
@@ -24,7 +25,8 @@ public record Steps(
         float warmScale,
         boolean sweeping,
         boolean thinning,
-        boolean recording) {
+        boolean recording,
+        boolean sensing) {
     /** Whether all circles are of one level. */
     boolean haveOneLevel() {
         return levels.usedCount == 1;

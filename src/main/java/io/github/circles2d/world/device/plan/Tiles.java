@@ -30,7 +30,7 @@ public final class Tiles implements Plan {
     private Kernel storeImpulses;
 
     /** Null if steps do not record what contacts do. */
-    private Kernel record;
+    private Kernel tell;
 
     Tiles(TileSizes sizes) {
         this.sizes = sizes;
@@ -71,7 +71,7 @@ public final class Tiles implements Plan {
         relax = stages.kernel("solver_relaxTile");
         levels = new LevelPasses(stages);
         storeImpulses = stages.kernel("solver_storeImpulses");
-        record = stages.recording() ? stages.kernel("touches_recordTile") : null;
+        tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
     }
 
     @Override
@@ -99,9 +99,11 @@ public final class Tiles implements Plan {
             levels.make(steps, sizes.tiles());
         }
         storeImpulses.run(2L * steps.circles());
-        if (record != null) {
-            stages.record(record, 0).run(items, TileRecord.GROUP);
-        }
+    }
+
+    @Override
+    public void tell(int circles) {
+        stages.tell(tell, 0).run((long) sizes.tiles() * TileRecord.GROUP, TileRecord.GROUP);
     }
 
     private void passes(Steps steps, long items) {

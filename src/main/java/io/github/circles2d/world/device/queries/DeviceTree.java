@@ -104,7 +104,7 @@ final class DeviceTree {
                 .arg(6, rank)
                 .arg(7, counts)
                 .run(slots);
-        scan.run(counts, cells(bits), blockSums, starts);
+        scan.run(counts, cells(bits), blockSums, starts, arrays.get(DeviceArray.STATUS));
         extentOf.read(IntBuffer.wrap(extent));
         if (extent[CROWDED] != 0) {
             return false;

@@ -1,6 +1,7 @@
 package io.github.circles2d.world.device.plan;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
@@ -33,17 +34,20 @@ class PlansTest {
     @ParameterizedTest
     @MethodSource("devices")
     void aStepGoesToTheFirstPlanThatSuitsIt(Device device) {
-        List<Plan> processor = Plans.PERSISTENT_CPU.of(device);
-        assertThat(Plans.first(processor, steps(1, 1000, false))).isInstanceOf(PersistentCpu.class);
-        assertThat(Plans.first(processor, steps(1, 1000, true))).isInstanceOf(PersistentCpu.class);
-        assertThat(Plans.first(processor, steps(2, 1000, false))).isInstanceOf(PersistentCpu.class);
-        assertThat(Plans.first(processor, steps(2, 1000, true))).isInstanceOf(PersistentCpu.class);
         List<Plan> gpu = Plans.PERSISTENT_GPU.of(device);
         assertThat(Plans.first(gpu, steps(1, 1000, false))).isInstanceOf(PersistentGpu.class);
         assertThat(Plans.first(gpu, steps(1, 1000, true))).isInstanceOf(Tiles.class);
         assertThat(Plans.first(gpu, steps(1, MANY_CIRCLES, false))).isInstanceOf(Tiles.class);
         assertThat(Plans.first(gpu, steps(2, 1000, false))).isInstanceOf(PersistentGpu.class);
         assertThat(Plans.first(gpu, steps(2, 1000, true))).isInstanceOf(Tiles.class);
+    }
+
+    @ParameterizedTest
+    @MethodSource("devices")
+    void aProcessorMakesStepsByColours(Device device) {
+        assumeThat(device.kind()).isEqualTo(Device.Kind.CPU);
+        assertThat(Plans.choose(device)).isEqualTo(Plans.COLOURS);
+        assertThat(Plans.COLOURS.of(device)).singleElement().isInstanceOf(ByColours.class);
     }
 
     @ParameterizedTest
@@ -67,7 +71,8 @@ class PlansTest {
                 s.warmScale(),
                 s.sweeping(),
                 s.thinning(),
-                true);
+                true,
+                s.sensing());
     }
 
     @ParameterizedTest
@@ -88,19 +93,15 @@ class PlansTest {
     @ParameterizedTest
     @MethodSource("devices")
     void aDeviceCompilesNoFileThatItsPlansDoNotNeed(Device device) {
-        assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "Lane", "Resident");
-        assertThat(Plans.source(Plans.PERSISTENT_CPU.of(device)).toString())
-                .contains("Lanes.cl", "Solver.cl")
-                .doesNotContain("Tile", "Resident");
+        assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "Resident");
         assertThat(Plans.source(Plans.TILES.of(device)).toString())
                 .contains("TileSolver.cl")
-                .doesNotContain("Lane", "Resident");
+                .doesNotContain("Resident");
     }
 
     @Test
     void theFingerprintIsOfTheFilesOfAllPlans() {
-        assertThat(Plans.source(Plans.all()).toString())
-                .contains("Solver.cl", "TileSolver.cl", "Resident.cl", "Lanes.cl");
+        assertThat(Plans.source(Plans.all()).toString()).contains("Solver.cl", "TileSolver.cl", "Resident.cl");
     }
 
     private static Steps steps(int sizes, int circles, boolean thinning) {
@@ -109,8 +110,8 @@ class PlansTest {
         // Three size classes apart, so that the levels do not join.
         counts[3 * (sizes - 1)] = circles;
         GridLevels levels = new GridLevels();
-        levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts);
+        levels.layOut(new Bounds(0, 0, 100, 100), 0.1f, counts, false);
         assertThat(levels.usedCount).isEqualTo(sizes);
-        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false);
+        return new Steps(1, levels, circles, circles, 4, 1f, false, thinning, false, false);
     }
 }

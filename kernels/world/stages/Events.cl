@@ -1,0 +1,349 @@
+// uses: world/shared/Contact.cl world/shared/TouchRule.cl world/stages/World.cl
+// Decides what a step reports: which pairs begin to touch, hit each other, and end to touch; in the order of a step's events. The Java
+// class world.events.TouchTracker does the same. It goes by phases, each behind all of the one before:
+//
+// 1. startEvents, by one work-item.
+// 2. tell, for each pair that may be in touch: contacts, walls and sensed pairs.
+// 3. tellOfEnds, for each place of the table.
+// 4. eventStart: prefix sums of eventTally.
+// 5. settleEvents, for each draft and newcomer; or the step waits for the host, since there is too little room.
+// 6. writeEvent, for each draft; and writeHeader, by one work-item.
+//
+// touching: a hash table of the pairs that touch, with linear probing: ids (the higher may be a wall), the number of the last step in
+// which the pair touched, its hit that is not complete. A pair whose last step is over is no longer there, and its place is free again.
+// newcomers: pairs that begin to touch, as in the table. openHits: by hit and parity of the step, two float4: the values of an event.
+// drafts: the events of a step in no order, three int4 each (the Java class EventRow), in the last of which is its number among those of
+// its lower id. decided: a header of three int4, then events in order, of one step or more. eventTally, eventStart: by id.
+//
+// What fails for lack of room is made again: until phase 5 nothing changes that a second try does not change in the same way.
+
+#ifdef REPORTING
+
+#define NEVER_USED (-1) // the step of a place that no pair has had
+#define NO_STEP 0       // the step of a pair that is not there any more
+#define MANY_OF_ONE 64  // events of one circle of lower id, beyond which the host sorts those of the step
+
+// Where the header has what it says of a batch of steps: events, the number of the last step, whether the host has to sort them.
+#define HEADER_EVENTS 0
+#define HEADER_STEP 1
+#define HEADER_UNORDERED 2
+
+// Where the table of what is reported has its parts.
+#define REPORTED_BY_KIND 0 // whether types go by kinds
+#define REPORTED_TYPES 1   // else those of all pairs,
+#define REPORTED_WALLS 2   // and those of all walls
+#define REPORTED_AXES 3    // a bit for each axis that has walls
+#define REPORTED_TABLE 4   // types of pairs of kinds, then of kinds and walls, four to an int
+
+// What is to be told of a pair.
+#define BEGINS 1
+#define HITS 2
+#define GOES_ON 4 // with the hit of the step before
+
+typedef struct {
+    int lower, higher, types, place, flags;
+} Told;
+
+int reportedAt(const World *w, int n) { return (w->reporting.reported[REPORTED_TABLE + (n >> 2)] >> 8 * (n & 3)) & 255; }
+
+// The types of events that are reported of a pair.
+int typesOf(const World *w, int lower, int higher) {
+    global const int *reported = w->reporting.reported;
+    int wall = higher - FIRST_WALL;
+    if (wall >= 0 && !(reported[REPORTED_AXES] >> (wall >> 1) & 1)) return 0;
+    if (!reported[REPORTED_BY_KIND]) return reported[wall >= 0 ? REPORTED_WALLS : REPORTED_TYPES];
+    int kind = w->fields[lower].kind;
+    return reportedAt(w, wall >= 0 ? 256 * 256 + kind : 256 * kind + w->fields[higher].kind);
+}
+
+// The place in the table of a pair that touched in the step before, or that this one has told of; or NONE.
+int findTouching(const World *w, int lower, int higher) {
+    const Reporting *r = &w->reporting;
+    for (int place = pairHash(lower, higher) & r->mask;; place = (place + 1) & r->mask) {
+        int4 pair = r->touching[place];
+        if (pair.z == NEVER_USED) return NONE;
+        if (pair.x == lower && pair.y == higher && pair.z >= r->step - 1) return place;
+    }
+}
+
+// A hit that is not complete, as the table has it: its number and the step, of which two bits tell whether it is of the one before.
+int openOf(int hit, int step) { return hit << 2 | (step & 3); }
+
+bool isOpen(int open, int step) { return open != NONE && (open & 3) == (step & 3); }
+
+global float4 *openHit(const World *w, int hit, int step) { return w->reporting.openHits + 2 * (2 * hit + (step & 1)); }
+
+// Whether there is something to tell of a pair that is in touch, or near enough to stay so. touches: whether it touches even if it did
+// not before; threshold: the square of the speed of a hit.
+bool concerns(const World *w, int lower, int higher, bool touches, float approach, float impulse, float threshold, Told *told) {
+    const Reporting *r = &w->reporting;
+    told->types = typesOf(w, lower, higher);
+    if (told->types == 0) return false; // if it touched, it ends, and nobody is told
+    told->lower = lower;
+    told->higher = higher;
+    told->place = findTouching(w, lower, higher);
+    told->flags = isHit(approach, impulse, threshold, r->hitSpeed) ? HITS : 0;
+    if (told->place == NONE) {
+        told->flags |= BEGINS;
+        return touches;
+    }
+    r->touching[told->place].z = r->step;
+    int open = r->touching[told->place].w;
+    if (isOpen(open, r->step - 1)) {
+        told->flags |= GOES_ON;
+    } else if (open != NONE && !isOpen(open, r->step)) {
+        r->touching[told->place].w = NONE; // before two bits of another step are the same
+    }
+    return told->flags != 0;
+}
+
+// Drafts an event, if it is reported. rank: of EventRow.
+void draft(const World *w, int lower, int higher, int types, int type, int rank, float4 values, float2 point) {
+    const Reporting *r = &w->reporting;
+    if (!(types & type)) return;
+    int k = atomic_inc(&w->status[DRAFTS]);
+    if (k >= r->room) return;
+    global int4 *event = r->drafts + 3 * k;
+    event[0] = (int4)(lower, higher, rank, r->step);
+    event[1] = as_int4(values);
+    event[2] = (int4)(as_int(point.x), as_int(point.y), atomic_inc(&r->eventTally[lower]), 0);
+    r->eventOrder[k] = 0; // for those who find the place otherwise
+}
+
+// Tells of a pair. vn: normal speed after the step.
+void tell(const World *w, const Told *told, float approach, float impulse, float vn, float2 normal, float2 point) {
+    const Reporting *r = &w->reporting;
+    float4 values = (float4)(approach, impulse > 0.0f ? impulse : 0.0f, normal.x, normal.y);
+    int open = NONE;
+    if (told->flags & BEGINS) draft(w, told->lower, told->higher, told->types, TYPE_BEGIN, RANK_BEGIN, values, point);
+    if (told->flags & GOES_ON) {
+        global const float4 *before = openHit(w, r->touching[told->place].w >> 2, r->step - 1);
+        float sum = before[0].y + values.y;
+        if (!(approach > before[0].x)) {
+            values = before[0];
+            point = before[1].xy;
+        }
+        values.y = sum;
+        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point);
+    } else if ((told->flags & HITS) && isIncomplete(vn, approach)) {
+        int hit = atomic_inc(&w->status[OPEN_HITS]);
+        if (hit < r->openRoom) {
+            openHit(w, hit, r->step)[0] = values;
+            openHit(w, hit, r->step)[1] = (float4)(point.x, point.y, 0.0f, 0.0f);
+            open = openOf(hit, r->step);
+        }
+    } else if (told->flags & HITS) {
+        draft(w, told->lower, told->higher, told->types, TYPE_HIT, RANK_HIT, values, point);
+    }
+    if (told->flags & BEGINS) {
+        int k = atomic_inc(&w->status[NEWCOMERS]);
+        if (k < r->room) r->newcomers[k] = (int4)(told->lower, told->higher, r->step, open);
+    } else if (open != NONE) {
+        r->touching[told->place].w = open;
+    }
+}
+
+// Whether the step of the events has been made. Whether it was refused does not tell that: a plan may take fast circles unasked.
+bool isMade(const World *w) { return w->status[STEPS_DONE] == w->reporting.step - 1 && !w->status[EVENTS_LACK]; }
+
+// Phase 1. A single work-item.
+void startEvents(const World *w) {
+    const Reporting *r = &w->reporting;
+    global int *header = (global int *) r->decided;
+    if (r->starting) {
+        header[HEADER_EVENTS] = 0;
+        header[HEADER_UNORDERED] = 0;
+    }
+    w->status[EVENTS_BEFORE] = header[HEADER_EVENTS];
+    w->status[PLACES_BEFORE] = w->status[PLACES_USED];
+    w->status[DRAFTS] = 0;
+    w->status[NEWCOMERS] = 0;
+    w->status[LEAVERS] = 0;
+    w->status[OPEN_HITS] = 0;
+}
+
+// Phase 3: ends the pair of a place of the table, if it touched in the step before and not in this one.
+void tellOfEnds(const World *w, int place) {
+    const Reporting *r = &w->reporting;
+    int4 pair = r->touching[place];
+    if (pair.z != r->step - 1) return;
+    atomic_inc(&w->status[LEAVERS]);
+    int types = typesOf(w, pair.x, pair.y);
+    if (isOpen(pair.w, r->step - 1)) {
+        global const float4 *hit = openHit(w, pair.w >> 2, r->step - 1);
+        draft(w, pair.x, pair.y, types, TYPE_HIT, RANK_HIT, hit[0], hit[1].xy);
+    }
+    draft(w, pair.x, pair.y, types, TYPE_END, RANK_END, (float4)(0.0f), (float2)(0.0f));
+}
+
+// Whether there is too little room to go on from phase 5; the same for all work-items.
+bool lacksEventRoom(const World *w) {
+    const Reporting *r = &w->reporting;
+    int drafts = w->status[DRAFTS];
+    int newcomers = w->status[NEWCOMERS];
+    return drafts > r->room - w->status[EVENTS_BEFORE] || newcomers > r->room || w->status[OPEN_HITS] > r->openRoom ||
+           newcomers > r->mask - (r->mask >> 2) - w->status[PLACES_BEFORE];
+}
+
+// Refuses all steps behind this one, until the host has made room. A single work-item.
+void noteLackOfEventRoom(const World *w) {
+    w->status[EVENTS_LACK] = 1;
+    w->status[OUT_OF_ROOM] = 1;
+}
+
+// Puts a pair into the table. Pairs that are put there at the same time are all others.
+void addTouching(const World *w, int4 pair) {
+    const Reporting *r = &w->reporting;
+    for (int place = pairHash(pair.x, pair.y) & r->mask;; place = (place + 1) & r->mask) {
+        volatile global int *step = (volatile global int *) (r->touching + place) + 2;
+        int last = *step;
+        if (last == pair.z || atomic_cmpxchg(step, last, pair.z) != last) continue;
+        if (last == NEVER_USED) atomic_inc(&w->status[PLACES_USED]);
+        global int *words = (global int *) (r->touching + place);
+        words[0] = pair.x;
+        words[1] = pair.y;
+        words[3] = pair.w;
+        return;
+    }
+}
+
+// Phase 5. first, each: which drafts and newcomers a work-item takes.
+void settleEvents(const World *w, int first, int each) {
+    const Reporting *r = &w->reporting;
+    int drafts = w->status[DRAFTS];
+    int newcomers = w->status[NEWCOMERS];
+    for (int k = first; k < drafts; k += each) {
+        global const int4 *event = r->drafts + 3 * k;
+        r->eventOrder[r->eventStart[event[0].x] + event[2].z] = k;
+    }
+    for (int k = first; k < newcomers; k += each) addTouching(w, r->newcomers[k]);
+}
+
+// Whether an event comes before another of the same step.
+bool comesBefore(int4 event, int4 other) {
+    return event.x < other.x || (event.x == other.x && (event.y < other.y || (event.y == other.y && event.z < other.z)));
+}
+
+// Phase 6: writes an event to its place among those of the step.
+void writeEventAt(const World *w, int k, int place) {
+    const Reporting *r = &w->reporting;
+    global int4 *row = r->decided + 3 * (1 + w->status[EVENTS_BEFORE] + place);
+    for (int i = 0; i < 3; i++) row[i] = r->drafts[3 * k + i];
+}
+
+void writeEvent(const World *w, int k) {
+    const Reporting *r = &w->reporting;
+    global const int4 *event = r->drafts + 3 * k;
+    int4 own = event[0];
+    int from = r->eventStart[own.x];
+    int to = r->eventStart[own.x + 1];
+    int place = from;
+    if (to - from > MANY_OF_ONE) {
+        place += event[2].z;
+        ((global int *) r->decided)[HEADER_UNORDERED] = 1;
+    } else {
+        for (int i = from; i < to; i++) {
+            place += comesBefore(r->drafts[3 * r->eventOrder[i]], own);
+        }
+    }
+    writeEventAt(w, k, place);
+}
+
+void writeHeader(const World *w) {
+    const Reporting *r = &w->reporting;
+    global int *header = (global int *) r->decided;
+    header[HEADER_EVENTS] = w->status[EVENTS_BEFORE] + w->status[DRAFTS];
+    header[HEADER_STEP] = r->step;
+    w->status[TOUCHING] += w->status[NEWCOMERS] - w->status[LEAVERS];
+}
+
+// What the kernels below have of a world: an argument costs the host a part of a microsecond.
+#define EVENT_PARAMETERS global int *status, global CircleFields *fields REPORTING_PARAMETERS
+#define EVENTS_IN(w)                                                                                                   \
+    World w;                                                                                                           \
+    w.status = status;                                                                                                 \
+    w.fields = fields;                                                                                                 \
+    REPORT_IN(w);
+
+// Index space of each: any number of work-items, which take what there is in turn.
+
+kernel void events_begin(EVENT_PARAMETERS) {
+    EVENTS_IN(w)
+    bool comes = status[STEPS_DONE] >= w.reporting.step - 2 && !status[EVENTS_LACK];
+    if (get_global_id(0) == 0 && comes) startEvents(&w);
+}
+
+kernel void events_end(EVENT_PARAMETERS) {
+    EVENTS_IN(w)
+    if (!isMade(&w)) return;
+    for (int place = (int) get_global_id(0); place <= w.reporting.mask; place += (int) get_global_size(0)) {
+        tellOfEnds(&w, place);
+    }
+}
+
+kernel void events_settle(EVENT_PARAMETERS) {
+    EVENTS_IN(w)
+    if (status[STEPS_DONE] != w.reporting.step - 1) return;
+    bool lacks = lacksEventRoom(&w);
+    if (!lacks && !status[EVENTS_LACK]) settleEvents(&w, (int) get_global_id(0), (int) get_global_size(0));
+    if (lacks && get_global_id(0) == 0) noteLackOfEventRoom(&w);
+}
+
+kernel void events_write(EVENT_PARAMETERS) {
+    EVENTS_IN(w)
+    if (!isMade(&w)) return;
+    int count = status[DRAFTS];
+    for (int k = (int) get_global_id(0); k < count; k += (int) get_global_size(0)) writeEvent(&w, k);
+    if (get_global_id(0) == 0) writeHeader(&w);
+}
+
+// Empties the table.
+kernel void events_clear(global int4 *touching, int mask) {
+    for (int place = (int) get_global_id(0); place <= mask; place += (int) get_global_size(0)) {
+        touching[place] = (int4)(NONE, NONE, NEVER_USED, NONE);
+    }
+}
+
+// Puts the first newcomers into the table.
+kernel void events_add(EVENT_PARAMETERS, int count) {
+    EVENTS_IN(w)
+    for (int k = (int) get_global_id(0); k < count; k += (int) get_global_size(0)) addTouching(&w, w.reporting.newcomers[k]);
+}
+
+// Puts the pairs of another table, which touched in the step before, into the table.
+kernel void events_move(EVENT_PARAMETERS, global const int4 *from, int fromMask) {
+    EVENTS_IN(w)
+    for (int place = (int) get_global_id(0); place <= fromMask; place += (int) get_global_size(0)) {
+        int4 pair = from[place];
+        if (pair.z < w.reporting.step - 1) continue;
+        pair.z = w.reporting.step - 1;
+        if (!isOpen(pair.w, w.reporting.step - 1)) pair.w = NONE;
+        addTouching(&w, pair);
+    }
+}
+
+// Marks circles in eventTally, which is all zeros between steps, or takes the marks away.
+kernel void events_mark(global const int *ids, int count, global int *eventTally, int mark, global int *status) {
+    int k = (int) get_global_id(0);
+    if (k == 0 && mark) status[PAIRS_MARKED] = 0;
+    if (k < count) eventTally[ids[k]] = mark;
+}
+
+// Lists the pairs of marked circles as newcomers, or forgets them.
+kernel void events_ofMarked(EVENT_PARAMETERS, int forgets) {
+    EVENTS_IN(w)
+    const Reporting *r = &w.reporting;
+    for (int place = (int) get_global_id(0); place <= r->mask; place += (int) get_global_size(0)) {
+        int4 pair = r->touching[place];
+        if (pair.z < r->step) continue;
+        if (!r->eventTally[pair.x] && (pair.y >= FIRST_WALL || !r->eventTally[pair.y])) continue;
+        int k = atomic_inc(&status[PAIRS_MARKED]);
+        if (forgets) {
+            r->touching[place].z = NO_STEP;
+            atomic_dec(&status[TOUCHING]);
+        } else if (k < r->room) {
+            r->newcomers[k] = pair;
+        }
+    }
+}
+#endif

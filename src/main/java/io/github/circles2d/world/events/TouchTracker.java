@@ -1,0 +1,200 @@
+package io.github.circles2d.world.events;
+
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.TouchRule;
+
+/**
+ * Follows the pairs that touch from step to step, and makes events of them. It is told of all pairs in touch in a step, {@link
+ * #concerns}, and takes the records of those that something happened to, {@link #endStep}. A pair that it does not hear of has ended.
+ * {@code kernels/world/stages/Events.cl} does the same on a device.
+ */
+final class TouchTracker {
+    static final int FIRST_STAMP = 1;
+
+    private final ReportTable reported;
+    private final KnownCircles circles;
+    private final TouchingPairs pairs;
+
+    /** Events of the step to come, in no order: at first those of removed circles. */
+    private final EventRows step;
+
+    /** Hits that were not complete after the last step, and those after this one. */
+    private TouchRecords open = new TouchRecords();
+
+    private TouchRecords stillOpen = new TouchRecords();
+
+    private Bounds arena = new Bounds(0, 0, 1, 1);
+
+    private float hitSpeed = ContactEvents.OF_PAIR;
+
+    /** The stamp of the step that is being looked at: another than that of the step before. */
+    private int now;
+
+    TouchTracker(ReportTable reported, KnownCircles circles, TouchingPairs pairs, EventRows step, int stamp) {
+        this.reported = reported;
+        this.circles = circles;
+        this.pairs = pairs;
+        this.step = step;
+        now = stamp;
+    }
+
+    Bounds arena() {
+        return arena;
+    }
+
+    void setArena(Bounds bounds) {
+        arena = bounds;
+    }
+
+    float hitSpeed() {
+        return hitSpeed;
+    }
+
+    void setHitSpeed(float speed) {
+        hitSpeed = speed;
+    }
+
+    /** The values of hits that are not complete, by {@link TouchingPairs#open}. */
+    TouchRecords open() {
+        return open;
+    }
+
+    /** Forgets all pairs. */
+    void clear() {
+        pairs.clear();
+        open.clear();
+    }
+
+    /** The types that are reported of two circles. */
+    int typesOfCircles(int id, int otherId) {
+        return reported.isUniform() ? reported.types(0, 0) : reported.types(circles.kind(id), circles.kind(otherId));
+    }
+
+    /** The types that are reported of a pair: the one place that decides. */
+    int typesOf(int lower, int higher) {
+        if (EventOrder.isWall(higher)) {
+            return ContactEvents.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
+        }
+        return typesOfCircles(lower, higher);
+    }
+
+    /** Forgets the pairs that are not reported any more. */
+    void forgetUnreported() {
+        for (int pair = pairs.count - 1; pair >= 0; pair--) {
+            if (typesOf(pairs.lower(pair), pairs.higher(pair)) == 0) {
+                pairs.remove(pair);
+            }
+        }
+    }
+
+    /** Makes room for the events of pairs that the batch of commands ends. */
+    void makeRoomForRemoved() {
+        int ends = 0;
+        for (int pair = 0; pair < pairs.count; pair++) {
+            ends += isOfRemoved(pair) ? 1 : 0;
+        }
+        step.ensure(step.count + 2 * ends);
+    }
+
+    /** Ends the pairs of circles that the batch of commands has removed so far. */
+    void endRemoved() {
+        for (int pair = pairs.count - 1; pair >= 0; pair--) {
+            if (isOfRemoved(pair)) {
+                addOpenHit(pair, EventRow.LATE_HIT);
+                add(pair, EventRow.LATE_END);
+                pairs.remove(pair);
+            }
+        }
+    }
+
+    private boolean isOfRemoved(int pair) {
+        int higher = pairs.higher(pair);
+        return circles.isRemoved(pairs.lower(pair)) || !EventOrder.isWall(higher) && circles.isRemoved(higher);
+    }
+
+    /** See {@link ContactEvents#concerns}. */
+    boolean concerns(int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
+        if (pair == TouchingPairs.NONE) {
+            return touches && typesOf(lower, higher) != 0;
+        }
+        if (reported.dependsOnKinds() && typesOf(lower, higher) == 0) {
+            return false; // a kind has changed: it ends, and nobody is told
+        }
+        pairs.stamp(pair, now);
+        return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
+    }
+
+    private boolean isHit(float approach, float impulse, float threshold) {
+        return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
+    }
+
+    /** Ends a step. */
+    void endStep(TouchRecords... records) {
+        stillOpen.clear();
+        for (TouchRecords list : records) {
+            for (int r = 0; r < list.count; r++) {
+                if (arena.wraps()) {
+                    list.bringInside(r, arena);
+                }
+                take(list, r);
+            }
+        }
+        for (int pair = pairs.count - 1; pair >= 0; pair--) {
+            if (pairs.stamp(pair) != now) {
+                addOpenHit(pair, EventRow.HIT);
+                add(pair, EventRow.END);
+                pairs.remove(pair);
+            }
+        }
+        TouchRecords complete = open;
+        open = stillOpen;
+        stillOpen = complete;
+        now = now == Integer.MAX_VALUE ? FIRST_STAMP : now + 1;
+    }
+
+    private void take(TouchRecords list, int r) {
+        int lower = list.lower(r);
+        int higher = list.higher(r);
+        int pair = pairs.find(lower, higher);
+        if (pair == TouchingPairs.NONE) {
+            pair = pairs.add(
+                    lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
+            pairs.stamp(pair, now);
+            add(pair, EventRow.BEGIN, list, r);
+        }
+        boolean goesOn = pairs.open(pair) != TouchingPairs.NONE;
+        boolean isHit = isHit(list.approach(r), list.impulse(r), list.threshold(r));
+        if (goesOn) {
+            list.addTo(r, open, pairs.open(pair));
+            addOpenHit(pair, EventRow.HIT);
+            pairs.setOpen(pair, TouchingPairs.NONE);
+        } else if (isHit && TouchRule.isIncomplete(list.vn(r), list.approach(r))) {
+            pairs.setOpen(pair, stillOpen.add(list, r));
+        } else if (isHit) {
+            add(pair, EventRow.HIT, list, r);
+        }
+    }
+
+    private void addOpenHit(int pair, int rank) {
+        if (pairs.open(pair) != TouchingPairs.NONE) {
+            add(pair, rank, open, pairs.open(pair));
+        }
+    }
+
+    private void add(int pair, int rank, TouchRecords list, int r) {
+        int row = add(pair, rank);
+        if (row >= 0) {
+            list.copy(r, step, row);
+        }
+    }
+
+    /** Adds an event without values, and returns its row, or -1 if it is not reported. */
+    private int add(int pair, int rank) {
+        int lower = pairs.lower(pair);
+        int higher = pairs.higher(pair);
+        if ((typesOf(lower, higher) & EventRow.type(rank)) == 0) {
+            return -1;
+        }
+        return step.add(lower, higher, rank, pairs.a[pair], pairs.b[pair]);
+    }
+}

@@ -1,0 +1,533 @@
+package io.github.circles2d;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.SplittableRandom;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Frames that are made with predictions and again come out as those of a game that knew all inputs. */
+class RollbackTest {
+    private static final int FRAMES = 150;
+    private static final int WINDOW = 8;
+
+    /** The confirmed frames of a game without predictions, which does not use Rollback. */
+    private static List<String> straight() {
+        RollbackGame game = new RollbackGame(Backend.JVM);
+        SplittableRandom random = new SplittableRandom(42);
+        game.random = bound -> (int) ((random.nextLong() >>> 32) * bound >>> 32);
+        try (game.world) {
+            for (int frame = 0; frame < FRAMES; frame++) {
+                game.beforeStep(frame, new long[] {RollbackGame.input(0, frame), RollbackGame.input(1, frame)});
+                game.world.step(RollbackGame.STEP);
+                Events events = game.world.events();
+                game.afterStep(frame, events);
+                game.confirmed(frame, events);
+            }
+        }
+        return game.frames;
+    }
+
+    static Backend[] backends() {
+        return RewindTest.backends();
+    }
+
+    @ParameterizedTest
+    @MethodSource("backends")
+    void confirmedFramesAreThoseOfAStraightRunOnEveryBackEnd(Backend backend) {
+        RollbackGame game = new RollbackGame(backend);
+        Rollback rollback = play(game, game, 1, Integer.MAX_VALUE);
+        assertThat(game.frames).isEqualTo(straight());
+        assertThat(rollback.rollbacks()).isGreaterThan(20);
+        assertThat(rollback.repeatedFrames()).isGreaterThan(2 * rollback.rollbacks());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {2, 3, 4, 5, 6, 7})
+    void confirmedFramesAreThoseOfAStraightRunHoweverInputsAreLate(int seed) {
+        RollbackGame game = new RollbackGame(Backend.JVM);
+        play(game, game, seed, Integer.MAX_VALUE);
+        assertThat(game.frames).isEqualTo(straight());
+    }
+
+    /** Any of its methods throws now and then, when it has begun, or when it is done. */
+    @ParameterizedTest
+    @ValueSource(ints = {11, 12, 13})
+    void aGameThatThrowsLosesNothing(int seed) {
+        RollbackGame game = new RollbackGame(Backend.JVM);
+        Throwing throwing = new Throwing(game, seed);
+        play(game, throwing, seed, 20_000);
+        assertThat(game.frames).isEqualTo(straight());
+        assertThat(throwing.thrown).isGreaterThan(50);
+    }
+
+    /** Plays with a network that delays, repeats and reorders inputs. Calls that a game has made fail are made again. */
+    private static Rollback play(RollbackGame game, Rollback.Game rules, int seed, int mostFailures) {
+        Random network = new Random(seed);
+        Rollback rollback = new Rollback(game.world, rules, RollbackGame.STEP, RollbackGame.PLAYERS, WINDOW);
+        rollback.seed(42);
+        game.random = rollback::randomInt;
+        List<int[]> packets = new ArrayList<>(); // tick of arrival, player, frame
+        int failures = 0;
+        try (game.world) {
+            for (int tick = 0; rollback.confirmedFrames() < FRAMES; tick++) {
+                assertThat(tick).isLessThan(mostFailures);
+                for (int player = 0; player < RollbackGame.PLAYERS; player++) {
+                    for (int copy = 0; copy < 2; copy++) {
+                        packets.add(new int[] {tick + network.nextInt(1 + 9 * player), player, tick});
+                    }
+                }
+                for (int[] packet : List.copyOf(packets)) {
+                    if (packet[0] <= tick) {
+                        rollback.setInput(packet[1], packet[2], RollbackGame.input(packet[1], packet[2]));
+                        packets.remove(packet);
+                    }
+                }
+                boolean done = false;
+                while (!done) {
+                    try {
+                        if (rollback.frame() < FRAMES && rollback.frame() <= tick && rollback.canAdvance()) {
+                            rollback.advance();
+                        } else {
+                            rollback.reconcile();
+                            done = true;
+                        }
+                    } catch (Thrown e) {
+                        assertThat(failures++).isLessThan(mostFailures);
+                    }
+                }
+            }
+            assertThat(rollback.frame()).isEqualTo(FRAMES);
+        }
+        return rollback;
+    }
+
+    private static final class Thrown extends RuntimeException {
+        private static final long serialVersionUID = 1;
+    }
+
+    private static final class Throwing implements Rollback.Game {
+        private final Rollback.Game game;
+        private final Random random;
+        int thrown;
+
+        Throwing(Rollback.Game game, int seed) {
+            this.game = game;
+            random = new Random(seed);
+        }
+
+        private void mayThrow() {
+            if (random.nextInt(25) == 0) {
+                thrown++;
+                throw new Thrown();
+            }
+        }
+
+        @Override
+        public void beforeStep(int frame, long[] inputs) {
+            mayThrow();
+            game.beforeStep(frame, inputs);
+            mayThrow();
+        }
+
+        @Override
+        public void afterStep(int frame, Events events) {
+            mayThrow();
+            game.afterStep(frame, events);
+            mayThrow();
+        }
+
+        @Override
+        public void save(ByteBuffer to) {
+            mayThrow();
+            game.save(to);
+            mayThrow();
+        }
+
+        @Override
+        public void restore(ByteBuffer from) {
+            mayThrow();
+            game.restore(from);
+            mayThrow();
+        }
+
+        @Override
+        public void confirmed(int frame, Events events) {
+            mayThrow();
+            game.confirmed(frame, events);
+        }
+    }
+
+    /** A small game for what follows: the inputs of both players add up. */
+    private static class Sum implements Rollback.Game {
+        final World world = WorldScenes.jvm().build();
+        final List<String> calls = new ArrayList<>();
+        long sum;
+
+        @Override
+        public void beforeStep(int frame, long[] inputs) {
+            sum = 10 * sum + inputs[0] + inputs[1];
+        }
+
+        @Override
+        public void save(ByteBuffer to) {
+            to.putLong(sum);
+        }
+
+        @Override
+        public void restore(ByteBuffer from) {
+            sum = from.getLong();
+        }
+
+        @Override
+        public void confirmed(int frame, Events events) {
+            calls.add("confirmed " + frame);
+        }
+
+        Rollback rollback(int window) {
+            return new Rollback(world, this, 1 / 60f, 2, window);
+        }
+    }
+
+    @Test
+    void anInputThatHasNotComeIsThatOfTheFrameBefore() {
+        Sum game = new Sum();
+        try (game.world) {
+            Rollback rollback = game.rollback(4);
+            rollback.advance();
+            assertThat(game.sum).as("nothing in frame 0").isZero();
+            rollback.setInput(0, 0, 1);
+            rollback.setInput(1, 1, 3);
+            rollback.advance();
+            rollback.advance();
+            assertThat(game.sum).isEqualTo(144);
+            assertThat(rollback.rollbacks()).isEqualTo(1);
+            assertThat(rollback.confirmedFrames()).isZero();
+            rollback.setInput(1, 0, 2);
+            rollback.setInput(0, 1, 0);
+            assertThat(game.sum).as("nothing happens yet").isEqualTo(144);
+            rollback.reconcile();
+            assertThat(game.sum).isEqualTo(333);
+            assertThat(rollback.rollbacks()).isEqualTo(2);
+            assertThat(rollback.repeatedFrames()).isEqualTo(1 + 3);
+            assertThat(rollback.confirmedFrames()).isEqualTo(2);
+            rollback.setInput(0, 2, 0);
+            rollback.setInput(1, 2, 3);
+            rollback.reconcile();
+            assertThat(rollback.rollbacks()).as("it was predicted").isEqualTo(2);
+            assertThat(game.calls).containsExactly("confirmed 0", "confirmed 1", "confirmed 2");
+            rollback.advance();
+            assertThat(game.sum).as("behind frames that are all confirmed").isEqualTo(3333);
+        }
+    }
+
+    @Test
+    void aFrameThatIsTooFarAheadIsRefusedAndMayBeMadeWhenInputsHaveCome() {
+        Sum game = new Sum();
+        try (game.world) {
+            Rollback rollback = game.rollback(2);
+            rollback.setInput(0, 0, 5);
+            rollback.advance();
+            rollback.advance();
+            assertThat(rollback.canAdvance()).isFalse();
+            assertThatIllegalStateException()
+                    .isThrownBy(rollback::advance)
+                    .withMessage(
+                            "frame 2 would be 2 frames ahead of frame 0, which lacks an input: call canAdvance first");
+            rollback.reconcile();
+            assertThat(game.sum).isEqualTo(55);
+            assertThat(rollback.frame()).isEqualTo(2);
+            rollback.setInput(1, 0, 1);
+            assertThat(rollback.canAdvance()).isTrue();
+            rollback.advance();
+            assertThat(game.sum).isEqualTo(666);
+            assertThat(rollback.frame()).isEqualTo(3);
+        }
+    }
+
+    @Test
+    void anInputThatCannotBeIsRefusedAndChangesNothing() {
+        Sum game = new Sum();
+        try (game.world) {
+            Rollback rollback = game.rollback(2);
+            refused(() -> rollback.setInput(2, 0, 1), "the player is 2, but must be from 0 to 1");
+            refused(() -> rollback.setInput(0, -1, 1), "the frame is -1, but must be from 0 to 7");
+            refused(() -> rollback.setInput(0, 8, 1), "the frame is 8, but must be from 0 to 7");
+            rollback.setInput(0, 7, 1);
+            for (int frame = 0; frame < 7; frame++) {
+                rollback.setInput(0, frame, 1);
+                rollback.setInput(1, frame, 2);
+                rollback.advance();
+            }
+            rollback.reconcile();
+            refused(
+                    () -> rollback.setInput(0, 7, 2),
+                    "player 0 has the input 1 in frame 7 already, and cannot have 2 too");
+            refused(() -> rollback.setInput(0, 15, 1), "the frame is 15, but must be from 0 to 14");
+            rollback.setInput(0, 7, 1); // once more
+            rollback.setInput(0, 3, 99); // of a frame that is confirmed, and counts no more
+            rollback.setInput(1, 7, 0);
+            rollback.advance();
+            assertThat(game.sum).isEqualTo(33333331);
+            assertThat(rollback.rollbacks()).isZero();
+        }
+    }
+
+    private static void refused(ThrowingCallable call, String message) {
+        assertThatIllegalArgumentException().isThrownBy(call).withMessage(message);
+    }
+
+    @Test
+    void valuesOutOfRangeAreRefused() {
+        Sum game = new Sum();
+        try (game.world) {
+            World world = game.world;
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Rollback(world, game, 0, 2, 8))
+                    .withMessageContaining("the time step");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Rollback(world, game, 1, 65, 8))
+                    .withMessageContaining("the number of players");
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> new Rollback(world, game, 1, 1, 0))
+                    .withMessageContaining("the window");
+        }
+    }
+
+    @Test
+    void whatIsReportedAndTheHitSpeedComeBackWithAFrame() {
+        class Reports extends Sum {
+            final long ball = world.add(0.5f, 0.5f, 0.1f, 1, 0, 0);
+            final List<Integer> types = new ArrayList<>();
+
+            @Override
+            public void beforeStep(int frame, long[] inputs) {
+                if (frame == 1 && inputs[0] != 0) {
+                    world.report(Events.HIT | Events.WALL);
+                    world.reportWalls(1, 0);
+                    world.setHitSpeed(1000);
+                }
+                if (frame == 2) {
+                    world.setPosition(ball, 0.1f, 0.5f);
+                    world.setVelocity(ball, -1, 0);
+                }
+            }
+
+            @Override
+            public void afterStep(int frame, Events events) {
+                for (int i = 0; i < events.size(); i++) {
+                    types.add(frame * 10 + events.type(i));
+                }
+            }
+        }
+        Reports game = new Reports();
+        try (game.world) {
+            game.world.reportWalls(0, Events.BEGIN);
+            Rollback rollback = game.rollback(8);
+            rollback.setInput(0, 0, 1);
+            for (int frame = 0; frame < 4; frame++) {
+                rollback.advance();
+            }
+            assertThat(game.types).as("no hit is so fast").isEmpty();
+            rollback.setInput(0, 1, 0); // the prediction was wrong: it goes on to report begins of walls
+            rollback.reconcile();
+            assertThat(game.types).containsExactly(20 + Events.BEGIN);
+        }
+    }
+
+    @Test
+    void randomNumbersAreThoseOfTheSeedAndComeBack() {
+        class Dice extends Sum {
+            Rollback rollback;
+
+            @Override
+            public void beforeStep(int frame, long[] inputs) {
+                long number = rollback.randomLong();
+                for (long k = 0; k < inputs[0]; k++) {
+                    rollback.randomFloat(); // a wrong prediction takes more of them
+                }
+                sum = 31 * sum + number;
+            }
+        }
+        Dice game = new Dice();
+        try (game.world) {
+            game.rollback = game.rollback(8);
+            game.rollback.seed(5);
+            game.rollback.setInput(0, 0, 2);
+            for (int frame = 0; frame < 4; frame++) {
+                game.rollback.advance();
+            }
+            game.rollback.setInput(0, 1, 0);
+            game.rollback.reconcile();
+            SplittableRandom random = new SplittableRandom(5);
+            long sum = random.nextLong();
+            random.nextLong();
+            random.nextLong();
+            for (int frame = 1; frame < 4; frame++) {
+                sum = 31 * sum + random.nextLong();
+            }
+            assertThat(game.sum).isEqualTo(sum);
+            String message = "no frame is being made: random numbers belong into beforeStep and afterStep";
+            assertThatIllegalStateException()
+                    .isThrownBy(game.rollback::randomLong)
+                    .withMessage(message);
+            assertThatIllegalStateException()
+                    .isThrownBy(() -> game.rollback.seed(1))
+                    .withMessage(message);
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> game.rollback.randomInt(0))
+                    .withMessageContaining("the bound");
+        }
+    }
+
+    @Test
+    void aMethodOfTheGameMayNotMakeFramesOrGiveInputs() {
+        class Nested extends Sum {
+            Rollback rollback;
+            Runnable call;
+            int refusals;
+
+            private void nest() {
+                for (Runnable each : new Runnable[] {
+                    rollback::advance, rollback::reconcile, () -> rollback.setInput(0, rollback.frame(), 1)
+                }) {
+                    assertThatIllegalStateException()
+                            .isThrownBy(each::run)
+                            .withMessage("a method of the game is running: it cannot give inputs or make frames");
+                    refusals++;
+                }
+            }
+
+            @Override
+            public void beforeStep(int frame, long[] inputs) {
+                nest();
+            }
+
+            @Override
+            public void afterStep(int frame, Events events) {
+                nest();
+            }
+
+            @Override
+            public void confirmed(int frame, Events events) {
+                nest();
+            }
+        }
+        Nested game = new Nested();
+        try (game.world) {
+            game.rollback = game.rollback(8);
+            game.rollback.setInput(0, 0, 1);
+            game.rollback.setInput(1, 0, 1);
+            game.rollback.advance();
+            game.rollback.reconcile();
+            assertThat(game.refusals).isEqualTo(9);
+        }
+    }
+
+    @Test
+    void aGameThatDoesNotReadAllThatItWroteIsTold() {
+        Sum game = new Sum() {
+            @Override
+            public void restore(ByteBuffer from) {
+                from.getInt();
+            }
+        };
+        try (game.world) {
+            Rollback rollback = game.rollback(8);
+            rollback.advance();
+            rollback.setInput(0, 0, 1);
+            assertThatIllegalStateException()
+                    .isThrownBy(rollback::reconcile)
+                    .withMessage("restore has read 4 of the 8 bytes that save has written");
+        }
+    }
+
+    @Test
+    void aClosedWorldIsRefused() {
+        Sum game = new Sum();
+        Rollback rollback = game.rollback(8);
+        rollback.advance();
+        game.world.close();
+        assertThatThrownBy(rollback::advance).hasMessage("this World has been closed");
+        assertThatThrownBy(rollback::reconcile).hasMessage("this World has been closed");
+        assertThatThrownBy(() -> game.rollback(8)).hasMessage("this World has been closed");
+        assertThat(rollback.frame()).isEqualTo(1);
+    }
+
+    /** Events that nobody has taken when a frame begins would be there the first time, and not when it is made again. */
+    @Test
+    void eventsOfStepsBetweenFramesAreInNoFrame() {
+        List<Integer> sizes = new ArrayList<>();
+        Sum game = new Sum() {
+            @Override
+            public void afterStep(int frame, Events events) {
+                sizes.add(events.size());
+            }
+        };
+        try (game.world) {
+            game.world.add(0.1f, 0.5f, 0.1f, 1);
+            game.world.report(Events.BEGIN | Events.WALL);
+            game.world.step(1 / 60f);
+            Rollback rollback = game.rollback(8);
+            rollback.advance();
+            rollback.setInput(0, 0, 1);
+            rollback.reconcile();
+            assertThat(sizes).containsExactly(0, 0);
+        }
+    }
+
+    @Test
+    void memoryDoesNotGrowWithTime() {
+        RollbackGame game = new RollbackGame(Backend.JVM);
+        try (game.world) {
+            Rollback rollback = new Rollback(game.world, new Forgetful(game), RollbackGame.STEP, 2, WINDOW);
+            game.random = rollback::randomInt;
+            long bytes = 0;
+            for (int frame = 0; frame < 900; frame++) {
+                rollback.setInput(0, frame, 0);
+                if (frame >= 5) {
+                    rollback.setInput(1, frame - 5, frame % 2 << 30);
+                }
+                rollback.advance();
+                if (frame == 600) {
+                    bytes = rollback.bytes();
+                }
+            }
+            assertThat(rollback.rollbacks()).isGreaterThan(800);
+            assertThat(bytes).isGreaterThan(WINDOW * 33L * game.world.size());
+            assertThat(rollback.bytes()).as("a pile may still grow").isLessThan(bytes + bytes / 20);
+        }
+    }
+
+    /** The same rules, without what is written down. */
+    private record Forgetful(RollbackGame game) implements Rollback.Game {
+        @Override
+        public void beforeStep(int frame, long[] inputs) {
+            if (inputs[1] != 0) {
+                long[] handles = new long[game.world.size()];
+                game.world.readHandles(handles);
+                game.world.setVelocity(handles[0], 1, 1);
+            }
+        }
+
+        @Override
+        public void save(ByteBuffer to) {
+            game.save(to);
+        }
+
+        @Override
+        public void restore(ByteBuffer from) {
+            game.restore(from);
+        }
+    }
+}
