@@ -127,7 +127,7 @@ final class ReportReader implements AutoCloseable {
             events.bringHere();
             return;
         }
-        deciding.ensure(arrays);
+        deciding.ensure(arrays, recording ? arrays.slotCapacity() : 0);
         if (sensed) {
             sensing.ensure(arrays);
             sensing.send(k);

@@ -255,6 +255,9 @@ final class OclgrindWorlds {
             if (events == 0) {
                 throw new IllegalStateException("nothing has touched");
             }
+            twins.remove(1); // the pairs of a circle that goes are asked for
+            twins.step(scene.timeStep(), 1);
+            twins.assertSameEvents(scene.name() + " after a removal");
             twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
         }

@@ -136,6 +136,8 @@ class WorldOclgrindTest {
                 }
             }
         }
+        kernels.remove(
+                "events_move"); // runs if more pairs touch than Oclgrind can look at; EventsAgreeTest has such worlds
         assertThat(kernels)
                 .contains(
                         "scan_starts",

@@ -159,8 +159,13 @@ public final class EventArrays implements AutoCloseable {
         hitSpeed = speed;
     }
 
-    /** Makes room for ids that other arrays have room for, and takes the first memory for the rest. */
-    public void ensure(DeviceArrays arrays) {
+    /**
+     * Makes room for ids that other arrays have room for, and takes the first memory for the rest.
+     *
+     * @param events of a step for which there is room at first
+     */
+    public void ensure(DeviceArrays arrays, int events) {
+        ensureRoom(Math.max(LEAST_ROOM, events));
         if (arrays.idCapacity() > ids) {
             int elements = Scan.padded(arrays.idCapacity() + 1);
             tally = replace("events: by id", tally, (long) Integer.BYTES * elements);
@@ -169,7 +174,6 @@ public final class EventArrays implements AutoCloseable {
             blockSums = replace("events: blocks", blockSums, (long) Integer.BYTES * Scan.blocks(elements));
             ids = arrays.idCapacity();
         }
-        ensureRoom(Math.max(LEAST_ROOM, arrays.slotCapacity()));
         if (openHits == null) {
             openHits = openHits(LEAST_OPEN_ROOM);
         }
@@ -184,12 +188,12 @@ public final class EventArrays implements AutoCloseable {
                         + (Integer.MAX_VALUE / EventRow.STRIDE - 1));
             }
             long event = (long) Integer.BYTES * EventRow.STRIDE;
+            for (int k = decided.length - 1; k >= 0; k--) {
+                decided[k] = replace("events", decided[k], event * (1 + c));
+            }
             newcomers = replace("events: newcomers", newcomers, (long) Integer.BYTES * PAIR * c);
             drafts = replace("events: drafts", drafts, event * c);
             order = replace("events: order", order, Integer.BYTES * c);
-            for (int k = 0; k < decided.length; k++) {
-                decided[k] = replace("events", decided[k], event * (1 + c));
-            }
             room = (int) c;
         }
     }
