@@ -419,13 +419,14 @@ final class Twins implements AutoCloseable {
         }
     }
 
-    /** Puts the circle that had an id last somewhere else; a static one travels there. */
+    /** Removes the circle that had an id last. */
     void remove(int id) {
         for (Simulation simulation : simulations) {
             simulation.circles().remove(handles[id]);
         }
     }
 
+    /** Puts the circle that had an id last somewhere else; a static one travels there. */
     void move(int id, float x, float y) {
         for (Simulation simulation : simulations) {
             simulation.circles().move(handles[id], x, y);

@@ -136,8 +136,10 @@ class WorldOclgrindTest {
                 }
             }
         }
-        kernels.remove(
-                "events_move"); // runs if more pairs touch than Oclgrind can look at; EventsAgreeTest has such worlds
+        // Other tests have worlds for these: more pairs than Oclgrind can look at, pairs that the host sends, which it
+        // calls unwritten, and
+        // circles of several levels in an arena that is not folded.
+        kernels.removeAll(Set.of("events_move", "events_add", "contacts_countByLevel"));
         assertThat(kernels)
                 .contains(
                         "scan_starts",
