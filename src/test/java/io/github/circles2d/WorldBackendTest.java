@@ -70,7 +70,7 @@ class WorldBackendTest {
             }
         }
         // What a sensor's world has besides: where circles began the step, records, pairs and tables of kinds.
-        assertThat(held[1] - held[0]).isBetween(1L, 120L * scene.size());
+        assertThat(held[1] - held[0]).isBetween(1L, 100L * scene.size());
     }
 
     @ParameterizedTest

@@ -39,7 +39,7 @@ public final class EventArrays implements AutoCloseable {
     /** A step's number is that of the steps made before it and this: the table uses those below for itself. */
     public static final int FIRST_STEP = 2;
 
-    private static final int LEAST_ROOM = 1024;
+    private static final int LEAST_ROOM = 512;
     private static final int LEAST_OPEN_ROOM = 256;
     private static final int KINDS = PairTable.KINDS;
     private static final int REPORTED_HEAD = 4;
