@@ -4,12 +4,11 @@ import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.Tuning;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 
 /**
  * Static circles that move take along what they come upon, so that they pass through nothing. Continuous collision has told
@@ -21,8 +20,6 @@ import java.lang.invoke.VarHandle;
  * <p>Circles that are carried stop at nothing, so a crowd in the way of a fast static circle is pressed into each other.
  */
 final class Carrying {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     private static final float NEVER = 2f;
     private static final int NOBODY = Integer.MAX_VALUE;
 
@@ -104,8 +101,8 @@ final class Carrying {
 
     private static void lower(int[] values, int slot, int value) {
         int seen = values[slot];
-        while (value < seen && !INTS.compareAndSet(values, slot, seen, value)) {
-            seen = (int) INTS.getVolatile(values, slot);
+        while (value < seen && !SharedInts.compareAndSet(values, slot, seen, value)) {
+            seen = SharedInts.get(values, slot);
         }
     }
 

@@ -10,6 +10,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
@@ -20,8 +21,6 @@ import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 
 /**
  * Continuous collision: keeps fast circles from passing through others, and makes them meet as rigid circles would. A circle is
@@ -41,8 +40,6 @@ import java.lang.invoke.VarHandle;
  * loses time, at most one step, and with it what gravity would give it in that time: so its energy stays.
  */
 public final class ContinuousCollision {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     /** Blocks are 4 x 4 cells. */
     private static final int BLOCK_LOG = 2;
 
@@ -511,10 +508,10 @@ public final class ContinuousCollision {
     }
 
     private void restrain(int slot, float most, boolean stands) {
-        int seen = (int) INTS.getVolatile(allowance, slot);
+        int seen = SharedInts.get(allowance, slot);
         int next = restrained(seen, most, stands);
-        while (next != seen && !INTS.compareAndSet(allowance, slot, seen, next)) {
-            seen = (int) INTS.getVolatile(allowance, slot);
+        while (next != seen && !SharedInts.compareAndSet(allowance, slot, seen, next)) {
+            seen = SharedInts.get(allowance, slot);
             next = restrained(seen, most, stands);
         }
     }
@@ -533,8 +530,8 @@ public final class ContinuousCollision {
     private static void lower(int[] shares, int slot, float t) {
         int bits = Float.floatToRawIntBits(t);
         int seen = shares[slot];
-        while (bits < seen && !INTS.compareAndSet(shares, slot, seen, bits)) {
-            seen = (int) INTS.getVolatile(shares, slot);
+        while (bits < seen && !SharedInts.compareAndSet(shares, slot, seen, bits)) {
+            seen = SharedInts.get(shares, slot);
         }
     }
 

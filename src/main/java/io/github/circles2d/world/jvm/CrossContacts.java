@@ -4,13 +4,12 @@ import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
@@ -20,8 +19,6 @@ import java.util.Arrays;
  * slots of their light circles, and those of one light circle in the order of the ids of the heavy ones.
  */
 final class CrossContacts {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     private final State state;
     private final Grid grid;
     private final GridLevels levels;
@@ -238,7 +235,7 @@ final class CrossContacts {
 
     private int countIn(int[] counts, int slot, int more) {
         if (team.size() > 1) {
-            return (int) INTS.getAndAdd(counts, slot, more);
+            return SharedInts.getAndAdd(counts, slot, more);
         }
         int before = counts[slot];
         counts[slot] = before + more;

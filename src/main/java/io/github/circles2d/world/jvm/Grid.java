@@ -7,6 +7,7 @@ import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
@@ -14,8 +15,6 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.StepConstants;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -25,8 +24,6 @@ import java.util.concurrent.atomic.AtomicInteger;
  * the threads does not show.
  */
 public final class Grid {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     /** Slots that are looked through one by one. */
     private static final int FEW = 8;
 
@@ -147,7 +144,7 @@ public final class Grid {
                 bucket = bucket(circle[s + X], circle[s + Y], atLevel);
             }
             bucketBefore[slot] = bucket;
-            rank[slot] = shared ? (int) INTS.getAndAdd(start, bucket, 1) : start[bucket]++;
+            rank[slot] = shared ? SharedInts.getAndAdd(start, bucket, 1) : start[bucket]++;
         }
     }
 

@@ -7,12 +7,11 @@ import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.StepConstants;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 
 /**
@@ -39,8 +38,6 @@ final class HeavyCircles {
     static final int GAIN_Y = 1;
     static final int SUM_IMPULSE_X = 2;
     static final int SUM_IMPULSE_Y = 3;
-
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
 
     private final State state;
     private final Team team;
@@ -129,9 +126,9 @@ final class HeavyCircles {
 
     /** Claims the next bounce off a heavy circle for a light one. */
     void claim(int number, int idOfLight) {
-        int before = (int) INTS.getVolatile(claim, number);
-        while (before <= idOfLight && !INTS.compareAndSet(claim, number, before, idOfLight + 1)) {
-            before = (int) INTS.getVolatile(claim, number);
+        int before = SharedInts.get(claim, number);
+        while (before <= idOfLight && !SharedInts.compareAndSet(claim, number, before, idOfLight + 1)) {
+            before = SharedInts.get(claim, number);
         }
     }
 

@@ -2,8 +2,7 @@ package io.github.circles2d.world.jvm;
 
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.StateHash;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import java.util.Arrays;
 
 /**
@@ -15,8 +14,6 @@ import java.util.Arrays;
  * found last: a processor guesses that right, and the end of a chain it does not.
  */
 final class ImpulseCache {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     /** Entries that are looked at before a chain is followed: others come between, or have gone. */
     private static final int NEAR = 4;
 
@@ -122,7 +119,7 @@ final class ImpulseCache {
     void storeShared(int c, int lower, int id, float impulse) {
         ids[c] = (long) state.id[lower] << 32 | id;
         normalImpulse[c] = impulse;
-        next[c] = (int) INTS.getAndSet(state.firstCached, lower, c);
+        next[c] = SharedInts.getAndSet(state.firstCached, lower, c);
     }
 
     /** Whether the circle of higher id is still the one that the impulse belongs to. */

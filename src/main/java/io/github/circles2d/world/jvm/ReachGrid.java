@@ -4,14 +4,13 @@ import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.Reach;
-import java.lang.invoke.MethodHandles;
-import java.lang.invoke.VarHandle;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -21,8 +20,6 @@ import java.util.concurrent.atomic.AtomicInteger;
  * order, so what is made of them must not depend on it.
  */
 final class ReachGrid {
-    private static final VarHandle INTS = MethodHandles.arrayElementVarHandle(int[].class);
-
     private static final int NONE = -1;
 
     /** A circle reaches far in a level if it does so over more than so many of its cells. It changes the time alone. */
@@ -111,7 +108,7 @@ final class ReachGrid {
                     k,
                     buckets);
             if (shared) {
-                before[slot] = (int) INTS.getAndSet(last, b, slot);
+                before[slot] = SharedInts.getAndSet(last, b, slot);
             } else {
                 before[slot] = last[b];
                 last[b] = slot;
