@@ -148,7 +148,7 @@ public final class Calibration {
     private static List<Timings.Entry> measure(
             Device device, Meter meter, List<Integer> worldSizes, List<Integer> circles2dSizes) {
         List<Timings.Entry> entries = new ArrayList<>();
-        if (BackendChoice.isCandidate(device)) {
+        if (OpenClChoice.isCandidate(device)) {
             Runner runner = Runners.world(device);
             entries.addAll(worlds(runner, worldSizes, crowd -> meter.world(Optional.of(device), crowd)));
         }
@@ -203,7 +203,7 @@ public final class Calibration {
     private static Timings others(Collection<Device> devices) {
         Timings known = timings();
         for (Device device : devices) {
-            known = BackendChoice.isCandidate(device) ? known : known.without(Workload.WORLD, Runners.name(device));
+            known = OpenClChoice.isCandidate(device) ? known : known.without(Workload.WORLD, Runners.name(device));
         }
         return known;
     }

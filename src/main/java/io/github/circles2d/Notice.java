@@ -1,11 +1,12 @@
 package io.github.circles2d;
 
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 
 /** Tells a user once what is worth knowing once, and those who debug every time. */
 final class Notice {
-    private static final Set<String> GIVEN = ConcurrentHashMap.newKeySet();
+    private static final Set<String> GIVEN = Collections.synchronizedSet(new HashSet<>());
 
     private Notice() {}
 
@@ -18,5 +19,28 @@ final class Notice {
      */
     static System.Logger.Level level(System.Logger.Level first, String subject) {
         return GIVEN.add(subject) ? first : System.Logger.Level.DEBUG;
+    }
+
+    /** Logs a text of World at INFO the first time, later at DEBUG. Does nothing on Android, which has no System.Logger. */
+    static void once(String subject, String text) {
+        try {
+            WorldLog.LOG.log(level(System.Logger.Level.INFO, subject), text);
+        } catch (LinkageError e) {
+            return; // No world fails because it cannot say what it runs on.
+        }
+    }
+
+    /** Logs a text of World at DEBUG, likewise. */
+    static void debug(String text) {
+        try {
+            WorldLog.LOG.log(System.Logger.Level.DEBUG, text);
+        } catch (LinkageError e) {
+            return;
+        }
+    }
+
+    /** The logger, made when it is first used. */
+    private static final class WorldLog {
+        static final System.Logger LOG = System.getLogger(World.class.getName());
     }
 }

@@ -1440,7 +1440,14 @@ public final class World implements AutoCloseable {
         }
 
         static int defaultThreads() {
-            return Math.min(Runtime.getRuntime().availableProcessors(), 16);
+            return defaultThreads(
+                    Runtime.getRuntime().availableProcessors(),
+                    "Dalvik".equals(System.getProperty("java.vm.name")));
+        }
+
+        /** A phone has slow processors besides its fast ones, and threads that wait at a barrier drain its battery. */
+        static int defaultThreads(int processors, boolean android) {
+            return Math.min(processors, android ? 2 : 16);
         }
 
         /**
@@ -1605,7 +1612,8 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * Threads of the JVM back end, the caller's included. By default one a processor, at most 16. No effect on results.
+         * Threads of the JVM back end, the caller's included. By default one a processor, at most 16, and on Android at most 2. No effect on
+         * results. In a browser there is one, whatever is said here.
          *
          * @param threads 1 to 256
          * @return this

@@ -43,7 +43,7 @@ public final class CalibrationPicks {
         Map<String, Double> millis = new LinkedHashMap<>();
         millis.put("JVM", median(meter, Optional.empty(), crowd));
         for (Device device : Calibration.devices()) {
-            if (BackendChoice.isCandidate(device)) {
+            if (OpenClChoice.isCandidate(device)) {
                 millis.put(device.toString(), median(meter, Optional.of(device), crowd));
             }
         }

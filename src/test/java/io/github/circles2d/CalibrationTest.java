@@ -105,7 +105,7 @@ class CalibrationTest {
 
     /** The back end of what is fast on a device: on a processor AUTO takes the JVM. */
     private static Backend fastBackend(Device device) {
-        return BackendChoice.isCandidate(device) ? Backend.OPENCL_GPU : Backend.JVM;
+        return OpenClChoice.isCandidate(device) ? Backend.OPENCL_GPU : Backend.JVM;
     }
 
     @Test
@@ -121,7 +121,7 @@ class CalibrationTest {
         WorldStats many = statsOf(World.builder().capacity(5_000));
         assertThat(many.backend()).isEqualTo(fastBackend(device));
         assertThat(many.reason()).contains("by calibration", "5000 circles", "JVM 5.");
-        if (BackendChoice.isCandidate(device)) {
+        if (OpenClChoice.isCandidate(device)) {
             assertThat(many.device()).isEqualTo(device.toString());
             assertThat(many.reason()).contains(device.name() + " 1.0");
         }
@@ -364,7 +364,7 @@ class CalibrationTest {
         Device device = TestDevices.all().get(0);
         Calibration.run(List.of(device, device), meter, Calibration.WORLD_SIZES, Calibration.CIRCLES2D_SIZES);
         List<String> expected = new ArrayList<>(jvm);
-        if (BackendChoice.isCandidate(device)) {
+        if (OpenClChoice.isCandidate(device)) {
             // By the time of 250 circles of radii 1:100, which is that of all others, each takes 8 s in all.
             expected.addAll(world.subList(0, 3 * Calibration.WORLD_SIZES.size() + 1));
         }
@@ -505,7 +505,7 @@ class CalibrationTest {
         }
         for (Device device : devices) {
             assertThat(timings.find(Workload.WORLD, "", Runners.world(device)).isPresent())
-                    .isEqualTo(BackendChoice.isCandidate(device));
+                    .isEqualTo(OpenClChoice.isCandidate(device));
             for (PairIndexing indexing : IndexingChoice.CANDIDATES) {
                 Curve loops = timings.find(Workload.CIRCLES2D, indexing.name(), Runners.circles2d(device, indexing))
                         .orElseThrow();

@@ -30,6 +30,14 @@ class WorldBackendTest {
                 .toArray(Backend[]::new);
     }
 
+    @Test
+    void aPhoneHasTwoThreadsUnasked() {
+        assertThat(World.Builder.defaultThreads(8, true)).isEqualTo(2);
+        assertThat(World.Builder.defaultThreads(1, true)).isEqualTo(1);
+        assertThat(World.Builder.defaultThreads(8, false)).isEqualTo(8);
+        assertThat(World.Builder.defaultThreads(64, false)).isEqualTo(16);
+    }
+
     @ParameterizedTest
     @MethodSource("openClBackends")
     void aBackEndAskedForIsTakenAndHasTheSameHashAsTheJvm(Backend backend) {

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.function.IntUnaryOperator;
-import java.util.zip.CRC32C;
 
 /**
  * Reads a log from a stream, block by block, and checks its form. The stream may be anything: it takes as much memory as it has bytes,
@@ -21,6 +21,9 @@ public final class LogReader {
         /** Nothing more. */
         END
     }
+
+    /** Bytes that memory is taken for before any has come. */
+    private static final int FIRST_BYTES = 8192;
 
     private final InputStream in;
     private final IntUnaryOperator wordsOf;
@@ -40,7 +43,7 @@ public final class LogReader {
     public LogReader(InputStream in, IntUnaryOperator wordsOf) throws IOException {
         this.in = in;
         this.wordsOf = wordsOf;
-        byte[] magic = in.readNBytes(Integer.BYTES);
+        byte[] magic = readUpTo(Integer.BYTES);
         position = magic.length;
         require(
                 magic.length == Integer.BYTES && littleEndian(magic).getInt() == LogFormat.MAGIC,
@@ -78,9 +81,7 @@ public final class LogReader {
                                 || length <= (type == LogFormat.CALLS ? LogFormat.CALLS_BYTES : 0)),
                 "a block is too long");
         content = read(length);
-        CRC32C check = new CRC32C();
-        check.update(content.duplicate());
-        if ((int) check.getValue() != head.getInt()) {
+        if (Crc32c.of(content.array(), length) != head.getInt()) {
             throw new IllegalArgumentException(
                     "this log is damaged: a check does not fit, in the " + length + " bytes before byte " + position);
         }
@@ -119,12 +120,32 @@ public final class LogReader {
     }
 
     private ByteBuffer read(int length) throws IOException {
-        byte[] bytes = in.readNBytes(length); // takes memory as bytes come
+        byte[] bytes = readUpTo(length);
         position += bytes.length;
         if (bytes.length < length) {
             throw new IllegalArgumentException("this log is cut: it ends after " + position + " bytes");
         }
         return littleEndian(bytes);
+    }
+
+    /**
+     * Reads bytes up to the end of the stream, and takes memory as they come. Android 12 has no InputStream.readNBytes, and TeaVM's
+     * ByteArrayInputStream.readNBytes does not move on.
+     */
+    private byte[] readUpTo(int length) throws IOException {
+        byte[] bytes = new byte[Math.min(length, FIRST_BYTES)];
+        int size = 0;
+        while (size < length) {
+            if (size == bytes.length) {
+                bytes = Arrays.copyOf(bytes, (int) Math.min(length, 2L * size));
+            }
+            int more = in.read(bytes, size, bytes.length - size);
+            if (more < 0) {
+                return Arrays.copyOf(bytes, size);
+            }
+            size += more;
+        }
+        return bytes;
     }
 
     private static ByteBuffer littleEndian(byte[] bytes) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
-import java.util.zip.CRC32C;
 
 /**
  * Writes a log to a stream, block by block, without garbage. It throws nothing if the stream fails: it remembers the failure and writes
@@ -14,7 +13,6 @@ public final class LogWriter {
     private final OutputStream out;
     private final ByteBuffer calls = ByteBuffer.allocate(LogFormat.CALLS_BYTES).order(ByteOrder.LITTLE_ENDIAN);
     private final ByteBuffer head = ByteBuffer.allocate(LogFormat.BLOCK_HEAD).order(ByteOrder.LITTLE_ENDIAN);
-    private final CRC32C check = new CRC32C();
     private long bytes;
 
     /** Steps whose calls are in blocks that the stream has taken. */
@@ -145,9 +143,8 @@ public final class LogWriter {
         if (failure != null) {
             return;
         }
-        check.reset();
-        check.update(content, 0, length);
-        head.clear().put((byte) type).putInt(length).putInt((int) check.getValue());
+        head.clear();
+        head.put((byte) type).putInt(length).putInt(Crc32c.of(content, length));
         try {
             out.write(head.array());
             out.write(content, 0, length);
