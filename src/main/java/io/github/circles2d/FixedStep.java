@@ -1,9 +1,11 @@
 package io.github.circles2d;
 
+import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
 import java.io.IOException;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.FloatBuffer;
@@ -324,8 +326,8 @@ public final class FixedStep {
         take();
         int length = after.limit();
         ensure(length);
-        before.get(0, from, 0, length);
-        after.get(0, to, 0, length);
+        BulkCopies.get(before, from, length);
+        BulkCopies.get(after, to, length);
         float alpha = alpha();
         Bounds arena = world.arena();
         if (arena.wraps()) {
@@ -335,9 +337,10 @@ public final class FixedStep {
                 to[k] = from[k] + (to[k] - from[k]) * alpha;
             }
         }
-        shown.put(0, to, 0, length);
+        BulkCopies.put(shown, to, length);
         world.markGone(shown, 2, living);
-        return view.clear().limit(length);
+        ((Buffer) view).clear().limit(length);
+        return view;
     }
 
     /**
@@ -364,7 +367,8 @@ public final class FixedStep {
             shownRadii.put(k, radiiBefore[k] + (radiiAfter[k] - radiiBefore[k]) * alpha);
         }
         world.markGone(shownRadii, 1, null);
-        return viewOfRadii.clear().limit(length);
+        ((Buffer) viewOfRadii).clear().limit(length);
+        return viewOfRadii;
     }
 
     /** A circle that has crossed the seam is drawn on its way across, on one side or the other. */

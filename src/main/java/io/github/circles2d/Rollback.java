@@ -3,6 +3,7 @@ package io.github.circles2d;
 import io.github.circles2d.world.ReportSettings;
 import io.github.circles2d.world.events.KeptEvents;
 import io.github.circles2d.world.model.Limits;
+import java.nio.Buffer;
 import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;
 
@@ -301,7 +302,8 @@ public final class Rollback {
         world.simulation().reports().restore(reported[place]); // first: it decides which pairs that touch are restored
         rewind.restore(next);
         random = randoms[place];
-        ByteBuffer state = states[place].rewind();
+        ByteBuffer state = states[place];
+        ((Buffer) state).rewind();
         game.restore(state);
         if (state.hasRemaining()) {
             throw new IllegalStateException("restore has read " + state.position() + " of the " + state.limit()
@@ -326,8 +328,9 @@ public final class Rollback {
 
     private boolean hasSavedGame(int place) {
         try {
-            game.save(states[place].clear());
-            states[place].flip();
+            ((Buffer) states[place]).clear();
+            game.save(states[place]);
+            ((Buffer) states[place]).flip();
             return true;
         } catch (BufferOverflowException e) {
             if (states[place].capacity() >= GREATEST_STATE) {

@@ -1441,8 +1441,7 @@ public final class World implements AutoCloseable {
 
         static int defaultThreads() {
             return defaultThreads(
-                    Runtime.getRuntime().availableProcessors(),
-                    "Dalvik".equals(System.getProperty("java.vm.name")));
+                    Runtime.getRuntime().availableProcessors(), "Dalvik".equals(System.getProperty("java.vm.name")));
         }
 
         /** A phone has slow processors besides its fast ones, and threads that wait at a barrier drain its battery. */

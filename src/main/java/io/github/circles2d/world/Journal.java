@@ -7,6 +7,7 @@ import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.log.LogWriter;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -229,7 +230,8 @@ public final class Journal {
         if (snapshot.capacity() < length) {
             snapshot = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
         }
-        SnapshotCodec.writeAtStart(state, snapshot.clear());
+        ((Buffer) snapshot).clear();
+        SnapshotCodec.writeAtStart(state, snapshot);
         to.snapshot(snapshot.array(), length);
     }
 

@@ -5,6 +5,7 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.circles.SnapshotCodec;
 import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.model.Limits;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 
 /** Takes snapshots and restores them. A state that has been saved is not saved again until it changes. */
@@ -67,7 +68,7 @@ public final class Snapshots {
             savedCurrent = false;
             int length = SnapshotCodec.read(from, saved);
             makeRoom();
-            from.position(from.position() + length);
+            ((Buffer) from).position(from.position() + length);
             load();
         } catch (RuntimeException | Error e) {
             throw guard.failed(e);

@@ -4,6 +4,7 @@ import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * The table of the fields that only calls change, one row each. From a row follow the field's memory and its part of the hash
@@ -51,7 +52,7 @@ public enum CircleField {
 
     /** The fields that steps read; their places in this list number them in commands and in the kernels' struct. */
     public static final List<CircleField> OF_STEPS =
-            Arrays.stream(values()).filter(f -> f.ofSteps).toList();
+            Arrays.stream(values()).filter(f -> f.ofSteps).collect(Collectors.toUnmodifiableList());
 
     private final int number;
     private final String label;

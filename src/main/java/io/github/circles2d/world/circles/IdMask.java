@@ -14,6 +14,9 @@ public final class IdMask {
     /** Values from which on a bulk copy is faster than one by one. */
     private static final int LONG_RUN = 64;
 
+    /** What a bulk copy goes through. */
+    private float[] moving = new float[0];
+
     private long[] words = new long[0];
     private int end;
 
@@ -95,10 +98,16 @@ public final class IdMask {
         }
     }
 
-    private static void move(FloatBuffer values, int from, int to, int length) {
+    private void move(FloatBuffer values, int from, int to, int length) {
+        if (from == to) {
+            return;
+        }
         if (length >= LONG_RUN) {
-            values.put(to, values, from, length);
-        } else if (from != to) {
+            if (moving.length == 0) {
+                moving = new float[1024];
+            }
+            BulkCopies.moveDown(values, from, to, length, moving);
+        } else {
             for (int k = 0; k < length; k++) {
                 values.put(to + k, values.get(from + k));
             }

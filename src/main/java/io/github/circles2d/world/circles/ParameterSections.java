@@ -4,6 +4,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.Limits;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 
 /**
@@ -82,8 +83,9 @@ final class ParameterSections {
         SnapshotCodec.require(in.getInt() == FLOATS, "a section of parameters has not its length");
         WorldParameters p = s.parameters();
         if (number == WALL_START && p.wallsMove() || number == CONTACTS && hasContacts(s)) {
-            in.position(
-                    in.position() + FLOATS * Float.BYTES); // they were known before, and new objects would be garbage
+            ((Buffer) in)
+                    .position(in.position()
+                            + FLOATS * Float.BYTES); // they were known before, and new objects would be garbage
         } else if (number == WALL_START) {
             Bounds start = new Bounds(wall(in), wall(in), wall(in), wall(in));
             s.setParameters(

@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Limits;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -116,7 +117,7 @@ public final class SnapshotCodec {
     public static void write(SavedState s, ByteBuffer to) {
         ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
         writeAtStart(s, out);
-        to.position(to.position() + out.position());
+        ((Buffer) to).position(to.position() + out.position());
     }
 
     /** Writes a snapshot to a little-endian buffer, from position 0 on, without garbage. */
@@ -256,7 +257,7 @@ public final class SnapshotCodec {
      */
     static void decode(ByteBuffer in, SavedState s, WorldParameters known) {
         int length = in.limit();
-        in.position(CIRCLES_AT);
+        ((Buffer) in).position(CIRCLES_AT);
         int circles = in.getInt();
         int ids = in.getInt();
         int impulses = in.getInt();
@@ -274,7 +275,7 @@ public final class SnapshotCodec {
         s.setCircles(circles);
         s.ensureImpulses(impulses);
         s.impulses = 0;
-        in.position(HEADER);
+        ((Buffer) in).position(HEADER);
         int circle = 0;
         for (int id = 0; id < ids; id++) {
             circle = readRecord(in, s, id, circle, circles, impulses);
@@ -295,7 +296,7 @@ public final class SnapshotCodec {
                 length >= HEADER && length <= from.limit(),
                 "its length is " + length + ", but there are " + from.limit() + " bytes");
         byte[] bytes = new byte[length];
-        from.get(0, bytes);
+        BulkCopies.get(from, bytes);
         return ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
     }
 

@@ -1,5 +1,6 @@
 package io.github.circles2d.world.circles;
 
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -104,8 +105,9 @@ public final class SnapshotRing {
             before--;
         }
         size = before; // the place has no frame until all is written
-        SnapshotCodec.encode(s, bytes[place].clear());
-        bytes[place].flip();
+        ((Buffer) bytes[place]).clear();
+        SnapshotCodec.encode(s, bytes[place]);
+        ((Buffer) bytes[place]).flip();
         parameters[place] = s.parameters();
         number[place] = frame;
         size = before + 1;
@@ -118,6 +120,7 @@ public final class SnapshotRing {
 
     /** Reads the frame of a place. */
     public void load(int place, SavedState s) {
-        SnapshotCodec.decode(bytes[place].rewind(), s, parameters[place]);
+        ((Buffer) bytes[place]).rewind();
+        SnapshotCodec.decode(bytes[place], s, parameters[place]);
     }
 }

@@ -6,6 +6,7 @@ import static io.github.circles2d.world.events.EventRow.LOWER;
 import static io.github.circles2d.world.events.EventRow.RANK;
 import static io.github.circles2d.world.events.EventRow.STRIDE;
 
+import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
 import java.util.Arrays;
@@ -76,7 +77,7 @@ public final class EventRows {
     /** Adds rows of a step that a device has decided, with the handles that their circles have. */
     void addDecided(IntBuffer from, int firstRow, int rows, long stepNumber, KnownCircles circles, Bounds arena) {
         ensure(count + rows);
-        from.get(STRIDE * firstRow, words, STRIDE * count, STRIDE * rows);
+        BulkCopies.get(from, STRIDE * firstRow, words, STRIDE * count, STRIDE * rows);
         Arrays.fill(step, count, count + rows, stepNumber);
         for (int row = count; row < count + rows; row++) {
             int higher = words[STRIDE * row + HIGHER];

@@ -6,6 +6,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.model.CircleRow;
+import java.nio.Buffer;
 import java.nio.FloatBuffer;
 
 /** Positions that callers read in place. */
@@ -50,7 +51,8 @@ public final class Positions {
             living.closeGaps(floats, 2);
         }
         liesById = false;
-        return view.clear().limit(2 * circles);
+        ((Buffer) view).clear().limit(2 * circles);
+        return view;
     }
 
     /** What was copied last, by id, read-only, and NaN for ids that are not to be shown. */
@@ -60,6 +62,7 @@ public final class Positions {
         }
         liesById = true;
         shown.markGaps(floats, 2);
-        return view.clear().limit(2 * living.end());
+        ((Buffer) view).clear().limit(2 * living.end());
+        return view;
     }
 }

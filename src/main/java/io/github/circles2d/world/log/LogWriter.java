@@ -2,6 +2,7 @@ package io.github.circles2d.world.log;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.nio.Buffer;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
@@ -135,7 +136,7 @@ public final class LogWriter {
                 steps += waitingSteps;
             }
             waitingSteps = 0;
-            calls.clear();
+            ((Buffer) calls).clear();
         }
     }
 
@@ -143,7 +144,7 @@ public final class LogWriter {
         if (failure != null) {
             return;
         }
-        head.clear();
+        ((Buffer) head).clear();
         head.put((byte) type).putInt(length).putInt(Crc32c.of(content, length));
         try {
             out.write(head.array());
