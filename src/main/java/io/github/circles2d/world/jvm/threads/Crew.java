@@ -82,6 +82,11 @@ final class Crew {
      */
     private volatile Throwable end;
 
+    /** The number of workers that there can be if so many are asked for. It is a method because in browsers it is 1. */
+    static int possible(int workers) {
+        return workers;
+    }
+
     Crew(int most) {
         this.most = most;
         threads = new Thread[most];

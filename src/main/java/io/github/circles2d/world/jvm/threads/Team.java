@@ -40,9 +40,9 @@ public final class Team implements AutoCloseable {
      * @param most greatest number of workers, at least 1; threads beyond the caller's start when they are first needed
      */
     public Team(int most) {
-        this.most = most;
-        crew = most > 1 ? new Crew(most) : null;
-        cleanable = most > 1 ? Crew.CLEANER.register(this, crew::dismiss) : null;
+        this.most = Crew.possible(most);
+        crew = this.most > 1 ? new Crew(this.most) : null;
+        cleanable = crew != null ? Crew.CLEANER.register(this, crew::dismiss) : null;
     }
 
     /** Number of workers of this run, or of the last one. */
