@@ -1,0 +1,176 @@
+// Plays with the page in headless browsers, with real clicks: `node browsers.mjs SITE PICTURES BROWSER=PROGRAM...`, where BROWSER is
+// chrome or firefox. Writes screenshots, and fails if something does not do what it should.
+import assert from 'node:assert/strict';
+import http from 'node:http';
+import { mkdirSync, readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+// From the folder of the call, which has node_modules.
+const require = createRequire(join(process.cwd(), 'x.js'));
+const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
+
+const [site, pictures, ...browsers] = process.argv.slice(2);
+const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', wasm: 'application/wasm', txt: 'text/plain' };
+
+mkdirSync(pictures, { recursive: true });
+const server = http.createServer((request, response) => {
+  const name = request.url === '/' ? 'index.html' : request.url.slice(1);
+  try {
+    const body = readFileSync(join(site, name));
+    response.writeHead(200, { 'content-type': TYPES[name.split('.').pop()] ?? 'application/octet-stream' });
+    response.end(body);
+  } catch {
+    response.writeHead(404);
+    response.end();
+  }
+}).listen(0, '127.0.0.1');
+await new Promise(resolve => server.on('listening', resolve));
+const address = `http://127.0.0.1:${server.address().port}/`;
+
+const sleep = millis => new Promise(resolve => setTimeout(resolve, millis));
+const text = (page, selector) => page.$eval(selector, e => e.textContent);
+const figure = async (page, k) =>
+  Number((await page.$$eval('#figures b', all => all.map(e => e.textContent)))[k].replaceAll(',', ''));
+const circles = page => figure(page, 0);
+const steps = page => figure(page, 1);
+const hash = page => text(page, '#hash');
+
+async function at(page, x, y) {
+  const box = await (await page.$('#arena')).boundingBox();
+  return [box.x + x / 160 * box.width, box.y + (1 - y / 100) * box.height];
+}
+async function drag(page, ...points) {
+  await page.mouse.move(...await at(page, ...points[0]));
+  await page.mouse.down();
+  for (const point of points.slice(1)) {
+    await page.mouse.move(...await at(page, ...point), { steps: 8 });
+    await sleep(60);
+  }
+  await page.mouse.up();
+  await sleep(200);
+}
+
+async function play(name, program) {
+  const browser = await puppeteer.launch({
+    browser: name,
+    executablePath: program,
+    headless: true,
+    args: name === 'chrome' ? ['--no-sandbox'] : [],
+    protocolTimeout: 120_000,
+  });
+  const page = await browser.newPage();
+  const errors = [];
+  page.on('pageerror', e => errors.push(e.message));
+  page.on('requestfailed', r => errors.push(`failed: ${r.url()}`));
+  page.on('request', r => assert.ok(/^(data|blob):/.test(r.url()) || r.url().startsWith(address), r.url()));
+  const picture = what => page.screenshot({ path: join(pictures, `${name}-${what}.png`) });
+  await page.setViewport({ width: 1100, height: 860 });
+  await page.goto(address);
+  await page.waitForSelector('#hash', { timeout: 60_000 });
+
+  await page.click('[data-tool=pour]');
+  const before = await circles(page);
+  await drag(page, [80, 85], [82, 85], [84, 85], [80, 85]);
+  assert.ok(await circles(page) > before, 'pouring adds circles');
+
+  await page.click('[data-tool=wall]');
+  const poured = await circles(page);
+  await drag(page, [20, 30], [60, 34]);
+  assert.ok(await circles(page) > poured, 'a wall is drawn');
+  await picture('walls');
+
+  await page.click('#pause');
+  await sleep(300);
+  const [paused, pausedHash] = [await steps(page), await hash(page)];
+  await sleep(300);
+  assert.equal(await steps(page), paused, 'nothing moves while it is paused');
+  for (let k = 1; k <= 3; k++) {
+    await page.click('#step');
+    await sleep(150);
+    assert.equal(await steps(page), paused + k, 'a step is one step');
+  }
+  assert.notEqual(await hash(page), pausedHash);
+  await page.mouse.move(...await centre(page, '#back'));
+  await page.mouse.down();
+  await page.waitForFunction(to => Number(document.querySelectorAll('#figures b')[1].textContent) < to, {}, paused);
+  await page.mouse.up();
+  await sleep(300);
+  for (let k = await steps(page); k < paused; k++) {
+    await page.click('#step');
+    await sleep(100);
+  }
+  assert.equal(await steps(page), paused);
+  assert.equal(await hash(page), pausedHash, 'rewinding and going on gives the same bits');
+  await page.click('#pause');
+
+  await page.click('[data-mode="1"]');
+  await page.click('[data-tool=explode]');
+  await page.mouse.click(...await at(page, 120, 10));
+  await sleep(250);
+  await picture('explosion');
+
+  await page.select('#stage', 'marbles');
+  await sleep(1500);
+  assert.equal(await circles(page), 40);
+  await page.click('[data-mode="0"]');
+  await page.click('[data-tool=grab]');
+  await drag(page, [80, 10], [80, 60], [120, 80]);
+  await picture('marbles');
+
+  await page.select('#stage', 'crowd');
+  await page.click('[data-mode="2"]');
+  await sleep(6000);
+  const figures = await text(page, '#figures');
+  console.log(`${name} ${await browser.version()}: ${figures}`);
+  assert.equal(await circles(page), 5000);
+  await picture('crowd');
+
+  await page.click('#bits');
+  await page.waitForFunction(
+    () => document.querySelectorAll('#scenes tr').length > 0 && !document.getElementById('bits').disabled,
+    { timeout: 120_000 });
+  const verdicts = await page.$$eval('#scenes td:last-child', cells => cells.map(c => [c.className, c.textContent]));
+  assert.ok(verdicts.length >= 8);
+  for (const [kind, words] of verdicts) {
+    assert.equal(kind, 'same', words);
+  }
+  await page.screenshot({ path: join(pictures, `${name}-bits.png`), fullPage: true });
+
+  await page.setViewport({ width: 390, height: 780, hasTouch: name === 'chrome', isMobile: name === 'chrome' });
+  await page.goto(address);
+  await page.waitForSelector('#hash', { timeout: 60_000 });
+  if (name === 'chrome') { // puppeteer's touches are Chrome's alone
+    await page.tap('[data-tool=pour]');
+    const few = await circles(page);
+    await page.touchscreen.touchStart(...await at(page, 80, 90));
+    await sleep(700);
+    await page.touchscreen.touchEnd();
+    assert.ok(await circles(page) > few, 'a finger pours');
+  }
+  const width = await page.evaluate(() => document.documentElement.scrollWidth);
+  assert.ok(width <= 390, `nothing is cut off on a phone: ${width}`);
+  await picture('phone');
+  assert.deepEqual(errors, []);
+
+  const old = await browser.newPage();
+  await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
+  await old.goto(address);
+  assert.match(await text(old, '#message'), /no WebAssembly GC/);
+  await browser.close();
+}
+
+async function centre(page, selector) {
+  const box = await (await page.$(selector)).boundingBox();
+  return [box.x + box.width / 2, box.y + box.height / 2];
+}
+
+try {
+  for (const browser of browsers) {
+    const [name, program] = browser.split('=');
+    await play(name, program);
+  }
+} finally {
+  server.close();
+}

@@ -1,0 +1,116 @@
+package io.github.circles2d.toy;
+
+import io.github.circles2d.Backend;
+import io.github.circles2d.World;
+import java.util.Random;
+
+/** What there is to begin with. */
+final class Stages {
+    private static final float FIXED = Float.POSITIVE_INFINITY;
+
+    private Stages() {}
+
+    /** Opens a stage by its name on the page. */
+    static World open(String name) {
+        World world = World.builder()
+                .backend(Backend.JVM)
+                .bounds(0, 0, Sandbox.WIDTH, Sandbox.HEIGHT)
+                .gravity(0, -60)
+                .restitution(0.3f)
+                .build();
+        switch (name) {
+            case "hourglass" -> hourglass(world);
+            case "pegs" -> pegs(world);
+            case "marbles" -> marbles(world);
+            case "crowd" -> heap(world, 1, 1, 159, 99, 0.62f, 0.82f, 9, 5_000);
+            case "ramps" -> ramps(world);
+            default -> throw new IllegalArgumentException("there is no stage " + name);
+        }
+        return world;
+    }
+
+    private static void ramps(World world) {
+        line(world, 4, 72, 62, 52, 0.8f);
+        line(world, 156, 60, 92, 40, 0.8f);
+        heap(world, 6, 76, 56, 98, 0.7f, 1.1f, 2, 600);
+        heap(world, 104, 64, 154, 98, 0.7f, 1.1f, 3, 900);
+        world.add(62, 7, 5, 60);
+        world.add(120, 8, 7, 110);
+    }
+
+    private static void hourglass(World world) {
+        line(world, 36, 99, 36, 84, 0.8f);
+        line(world, 124, 99, 124, 84, 0.8f);
+        line(world, 36, 84, 76, 52, 0.8f);
+        line(world, 124, 84, 84, 52, 0.8f);
+        line(world, 76, 52, 76, 48, 0.8f);
+        line(world, 84, 52, 84, 48, 0.8f);
+        line(world, 76, 48, 36, 16, 0.8f);
+        line(world, 84, 48, 124, 16, 0.8f);
+        line(world, 36, 16, 36, 1, 0.8f);
+        line(world, 124, 16, 124, 1, 0.8f);
+        heap(world, 40, 85, 120, 98, 0.5f, 0.7f, 5, 600);
+        heap(world, 58, 71, 102, 84, 0.5f, 0.7f, 6, 400);
+    }
+
+    private static void pegs(World world) {
+        for (int row = 0; row < 9; row++) {
+            for (int column = 0; column < 25; column++) {
+                float x = 8 + 6 * column + 3 * (row % 2);
+                if (x < 155) {
+                    world.add(x, 32 + 5 * row, 0.7f, FIXED);
+                }
+            }
+        }
+        for (int wall = 1; wall < 14; wall++) {
+            line(world, 160f * wall / 14, 1, 160f * wall / 14, 22, 0.5f);
+        }
+        heap(world, 40, 80, 120, 98, 0.7f, 0.9f, 7, 900);
+    }
+
+    private static void marbles(World world) {
+        Random random = new Random(8);
+        for (int k = 0; k < 40; k++) {
+            float r = 2.5f + 3.5f * random.nextFloat();
+            float x = 10 + 18 * (k % 8) + 4 * random.nextFloat();
+            float y = 12 + 17 * (k / 8) + 3 * random.nextFloat();
+            long marble = world.add(x, y, r, r * r, 30 * random.nextFloat() - 15, 0);
+            world.setRestitution(marble, 0.85f);
+        }
+    }
+
+    /** Circles in rows, a little out of line, from below to above. */
+    private static void heap(
+            World world,
+            float left,
+            float bottom,
+            float right,
+            float top,
+            float least,
+            float most,
+            int seed,
+            int count) {
+        Random random = new Random(seed);
+        float pitch = 2 * most + 0.1f;
+        int room = count;
+        for (float y = bottom + most; y <= top - most; y += pitch * 0.87f) {
+            float shift = pitch / 2 * random.nextFloat();
+            for (float x = left + most + shift; x <= right - most && room > 0; x += pitch) {
+                float r = least + (most - least) * random.nextFloat();
+                world.add(x, y, r, r * r);
+                room--;
+            }
+        }
+    }
+
+    /** Static circles, each beside the next. */
+    static void line(World world, float x, float y, float toX, float toY, float radius) {
+        float dx = toX - x;
+        float dy = toY - y;
+        int parts = (int) Math.ceil(Math.sqrt(dx * dx + dy * dy) / (1.2f * radius));
+        for (int k = 0; k <= parts; k++) {
+            float share = parts == 0 ? 0 : (float) k / parts;
+            world.add(x + dx * share, y + dy * share, radius, FIXED);
+        }
+    }
+}

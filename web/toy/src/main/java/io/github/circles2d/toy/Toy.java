@@ -1,0 +1,99 @@
+package io.github.circles2d.toy;
+
+import org.teavm.jso.JSExport;
+import org.teavm.jso.typedarrays.Float32Array;
+
+/** The calls of the page. */
+public final class Toy {
+    private static Sandbox sandbox;
+    private static Picture picture;
+
+    private Toy() {}
+
+    /** Nothing runs unless it is called. */
+    public static void main(String[] arguments) {}
+
+    /** Opens a stage in place of what is. */
+    @JSExport
+    public static void open(String stage) {
+        Sandbox next = new Sandbox(stage);
+        if (sandbox != null) {
+            sandbox.close();
+        }
+        sandbox = next;
+        picture = new Picture();
+    }
+
+    /** The pointer is there now. */
+    @JSExport
+    public static void moveTo(float x, float y) {
+        sandbox.moveTo(x, y);
+    }
+
+    /** Begins to drag the circle at the pointer. */
+    @JSExport
+    public static void grab() {
+        sandbox.grab();
+    }
+
+    /** Begins to pour circles at the pointer. */
+    @JSExport
+    public static void pour() {
+        sandbox.pour();
+    }
+
+    /** Ends what the pointer does. */
+    @JSExport
+    public static void release() {
+        sandbox.release();
+    }
+
+    /** Pushes all circles away from the pointer. */
+    @JSExport
+    public static void explode() {
+        sandbox.explode();
+    }
+
+    /** Draws a wall to the pointer. */
+    @JSExport
+    public static void wallFrom(float x, float y) {
+        sandbox.wallFrom(x, y);
+    }
+
+    /** Makes a step. */
+    @JSExport
+    public static void step() {
+        sandbox.step();
+    }
+
+    /** Goes back by a step. */
+    @JSExport
+    public static void back() {
+        sandbox.back();
+    }
+
+    /** Steps from the start. */
+    @JSExport
+    public static int steps() {
+        return sandbox.steps();
+    }
+
+    /** The state as a number, in 16 hexadecimal digits. */
+    @JSExport
+    public static String hash() {
+        String digits = Long.toHexString(sandbox.world().hash());
+        return "0".repeat(16 - digits.length()) + digits;
+    }
+
+    /** Four numbers a circle: x, y, radius and shade. */
+    @JSExport
+    public static Float32Array picture(int mode) {
+        return picture.of(sandbox.world(), mode);
+    }
+
+    /** The hash of a scene on record after some steps. */
+    @JSExport
+    public static String sameBits(String scene, int steps) {
+        return SameBits.hash(scene, steps);
+    }
+}

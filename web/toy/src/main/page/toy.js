@@ -1,0 +1,314 @@
+// The page: it draws what the worker sends, and tells it what the pointer does.
+const WIDTH = 160;
+const HEIGHT = 100;
+const STEP_MILLIS = 1000 / 60;
+const MOST_STEPS = 3; // a frame; a slow machine falls behind instead of choking
+const SHADES = 24;
+const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300], ['balls2', 100], ['no-collide', 300],
+  ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
+const STATIC = ['#5a6878', '#76869a'];
+const RAMPS = [
+  ['#4aa8d8', '#5bc0be', '#7fb7e6', '#9b8cf0', '#6d9eeb', '#48c9b0', '#8fd3f4', '#74a9cf'],
+  ['#2c4a7c', '#3178b8', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
+  ['#26415e', '#4b4a9a', '#9a3f9d', '#e0526f', '#ff9a56', '#fff1b8'],
+];
+
+const $ = id => document.getElementById(id);
+const canvas = $('arena');
+const context = canvas.getContext('2d', { alpha: false });
+
+let worker;
+let tool = 'grab';
+let mode = 0;
+let paused = false;
+let rewinding = false;
+let single = 0;
+let waiting = true; // for the worker
+let owed = 0;
+let last;
+let actions = [];
+let picture = { circles: new Float32Array(0), steps: 0, hash: '', millis: 0 };
+let dirty = true;
+let blasts = [];
+let pointer = null;
+let frames = [];
+let stepMillis = 0;
+let testing = false;
+
+// ---- Drawing
+
+const mixed = (a, b, share) => {
+  const part = shift => Math.round((a >> shift & 255) + ((b >> shift & 255) - (a >> shift & 255)) * share);
+  return `rgb(${part(16)},${part(8)},${part(0)})`;
+};
+const number = colour => parseInt(colour.slice(1), 16);
+
+function shadesOf(ramp) {
+  return Array.from({ length: SHADES }, (_, k) => {
+    const place = k / (SHADES - 1) * (ramp.length - 1);
+    const stop = Math.min(Math.floor(place), ramp.length - 2);
+    return mixed(number(ramp[stop]), number(ramp[stop + 1]), place - stop);
+  });
+}
+
+// A disc of each colour and of some sizes, drawn once: copying pictures is faster than filling thousands of paths.
+const sprites = new Map();
+function sprite(colour, radius) {
+  const size = Math.max(2, 2 ** Math.ceil(Math.log2(radius * 4)) / 4); // powers of two, in quarter pixels
+  const key = colour + size;
+  let image = sprites.get(key);
+  if (!image) {
+    const edge = Math.ceil(size) * 2 + 2;
+    image = new OffscreenCanvas(edge, edge);
+    image.radius = size;
+    const c = image.getContext('2d');
+    c.translate(edge / 2, edge / 2);
+    const disc = r => { c.beginPath(); c.arc(0, 0, r, 0, 7); c.fill(); };
+    c.fillStyle = colour;
+    disc(size);
+    c.fillStyle = 'rgba(0,0,0,0.38)'; // the rim
+    disc(size);
+    c.fillStyle = colour;
+    disc(size * 0.86);
+    sprites.set(key, image);
+  }
+  return image;
+}
+
+let palettes = RAMPS.map(shadesOf);
+
+function draw() {
+  const ratio = Math.min(devicePixelRatio || 1, 2);
+  const width = Math.round(canvas.clientWidth * ratio);
+  const height = Math.round(width * HEIGHT / WIDTH);
+  if (canvas.width !== width || canvas.height !== height) {
+    canvas.width = width;
+    canvas.height = height;
+  }
+  const scale = width / WIDTH;
+  context.fillStyle = '#131922';
+  context.fillRect(0, 0, width, height);
+  const { circles } = picture;
+  const palette = palettes[mode];
+  for (let k = 0; k < circles.length; k += 4) {
+    const radius = circles[k + 2] * scale;
+    const shade = circles[k + 3];
+    const image = sprite(shade < 0 ? STATIC[0] : palette[Math.round(shade * (SHADES - 1))], radius);
+    const edge = image.width * radius / image.radius;
+    context.drawImage(image, circles[k] * scale - edge / 2, height - circles[k + 1] * scale - edge / 2, edge, edge);
+  }
+  for (const blast of blasts) {
+    const age = (performance.now() - blast.at) / 400;
+    context.strokeStyle = `rgba(255,180,84,${Math.max(0, 1 - age)})`;
+    context.lineWidth = 3 * ratio;
+    context.beginPath();
+    context.arc(blast.x * scale, height - blast.y * scale, 20 * Math.sqrt(age) * scale, 0, 7);
+    context.stroke();
+  }
+  blasts = blasts.filter(blast => performance.now() - blast.at < 400);
+  dirty = blasts.length > 0;
+}
+
+function tell() {
+  const n = picture.circles.length / 4;
+  const fps = frames.length > 1 ? (frames.length - 1) * 1000 / (frames[frames.length - 1] - frames[0]) : 0;
+  $('figures').innerHTML = `<b>${n.toLocaleString('en')}</b> circles  step <b>${picture.steps}</b>  `
+    + `<b>${stepMillis.toFixed(1)}</b> ms a step  <b>${fps.toFixed(0)}</b> fps  hash <b id="hash">${picture.hash}</b>`;
+}
+
+// ---- Time
+
+function tick(now) {
+  requestAnimationFrame(tick);
+  const passed = last === undefined ? STEP_MILLIS : now - last;
+  last = now;
+  if (!worker || testing) {
+    return;
+  }
+  owed = Math.min(owed + passed, MOST_STEPS * STEP_MILLIS);
+  if (!waiting) {
+    let steps = 0;
+    if (rewinding) {
+      steps = -1;
+      owed = 0;
+    } else if (paused) {
+      steps = single;
+      single = 0;
+      owed = 0;
+    } else {
+      steps = Math.floor(owed / STEP_MILLIS + 0.25); // a frame that comes a little early makes its step, too
+      owed = Math.max(0, owed - steps * STEP_MILLIS);
+    }
+    if (steps !== 0 || actions.length > 0) {
+      waiting = true;
+      worker.postMessage({ steps, actions });
+      actions = [];
+    }
+  }
+  if (dirty) {
+    draw();
+    frames.push(now);
+    frames = frames.filter(at => now - at < 1000);
+  }
+}
+
+function received({ data }) {
+  if (data.failure) {
+    fail(data.failure);
+  } else if (data.ready) {
+    $('message').textContent = '';
+    waiting = false;
+    act({ what: 'open', stage: $('stage').value });
+  } else if (data.scene !== undefined) {
+    reported(data);
+  } else {
+    waiting = false;
+    picture = data;
+    dirty = true;
+    if (data.made > 0) {
+      stepMillis += 0.1 * (data.millis / data.made - stepMillis);
+    }
+    tell();
+  }
+}
+
+function act(action) {
+  actions.push(action);
+}
+
+// ---- Pointer: mouse, pen and finger alike
+
+function place(event) {
+  const box = canvas.getBoundingClientRect();
+  return { x: (event.clientX - box.left) / box.width * WIDTH, y: (1 - (event.clientY - box.top) / box.height) * HEIGHT };
+}
+
+canvas.addEventListener('pointerdown', event => {
+  canvas.setPointerCapture(event.pointerId);
+  const at = place(event);
+  pointer = { id: event.pointerId, ...at };
+  act({ what: 'move', ...at });
+  if (tool === 'explode') {
+    blasts.push({ ...at, at: performance.now() });
+    act({ what: 'explode' });
+  } else if (tool !== 'wall') {
+    act({ what: tool });
+  }
+});
+canvas.addEventListener('pointermove', event => {
+  if (pointer?.id !== event.pointerId) {
+    return;
+  }
+  const at = place(event);
+  if (tool === 'wall') {
+    if (Math.hypot(at.x - pointer.x, at.y - pointer.y) > 2) {
+      act({ what: 'move', ...at });
+      act({ what: 'wall', x: pointer.x, y: pointer.y });
+      pointer = { ...pointer, ...at };
+    }
+  } else {
+    act({ what: 'move', ...at });
+  }
+});
+for (const end of ['pointerup', 'pointercancel']) {
+  canvas.addEventListener(end, event => {
+    if (pointer?.id === event.pointerId) {
+      pointer = null;
+      act({ what: 'release' });
+    }
+  });
+}
+
+// ---- Buttons
+
+function choose(group, name, button) {
+  for (const other of $(group).querySelectorAll('button')) {
+    other.setAttribute('aria-pressed', String(other === button));
+  }
+  return button.dataset[name];
+}
+function setPaused(on) {
+  paused = on;
+  $('pause').textContent = on ? 'go on' : 'pause';
+  $('pause').setAttribute('aria-pressed', String(on));
+}
+
+$('tools').addEventListener('click', event => {
+  if (event.target.dataset.tool) {
+    tool = choose('tools', 'tool', event.target);
+  }
+});
+$('modes').addEventListener('click', event => {
+  if (event.target.dataset.mode) {
+    mode = Number(choose('modes', 'mode', event.target));
+    act({ what: 'mode', mode });
+  }
+});
+$('pause').addEventListener('click', () => setPaused(!paused));
+$('step').addEventListener('click', () => { setPaused(true); single++; });
+$('back').addEventListener('pointerdown', event => {
+  event.target.setPointerCapture(event.pointerId);
+  rewinding = true;
+});
+for (const end of ['pointerup', 'pointercancel']) {
+  $('back').addEventListener(end, () => { rewinding = false; setPaused(true); });
+}
+$('stage').addEventListener('change', () => act({ what: 'open', stage: $('stage').value }));
+addEventListener('resize', () => { dirty = true; });
+
+// ---- The same bits
+
+async function sameBits() {
+  const text = await (await fetch('world.txt')).text();
+  const golden = text.split('\n').map(line => line.split(' '))
+    .filter(([name, steps]) => SCENES.some(scene => scene[0] === name && scene[1] === Number(steps)));
+  testing = true;
+  $('bits').disabled = true;
+  $('report').hidden = false;
+  $('scenes').replaceChildren(...golden.map(([name, steps]) => {
+    const row = document.createElement('tr');
+    row.dataset.scene = name;
+    for (const text of [name, steps, '…', '']) {
+      row.append(Object.assign(document.createElement('td'), { textContent: text }));
+    }
+    return row;
+  }));
+  $('report').scrollIntoView({ behavior: 'smooth', block: 'nearest' });
+  expected = new Map(golden.map(([name, , hash]) => [name, hash]));
+  worker.postMessage({ scenes: golden.map(([name, steps]) => ({ name, steps: Number(steps) })) });
+}
+let expected;
+
+function reported({ scene, hash, millis }) {
+  if (scene === null) {
+    testing = false;
+    $('bits').disabled = false;
+    return;
+  }
+  const cells = $('scenes').querySelector(`[data-scene="${scene}"]`).children;
+  const same = hash === expected.get(scene);
+  cells[2].textContent = hash;
+  cells[3].textContent = same ? `the JVM's, in ${Math.round(millis)} ms` : `the JVM has ${expected.get(scene)}`;
+  cells[3].className = same ? 'same' : 'other';
+}
+
+$('bits').addEventListener('click', sameBits);
+
+// ---- Start
+
+function fail(text) {
+  $('message').textContent = text;
+}
+
+// A module with one struct type: a browser that accepts it has WebAssembly GC.
+const STRUCT = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 95, 1, 120, 0]);
+
+if (typeof WebAssembly !== 'object' || !WebAssembly.validate(STRUCT)) {
+  fail('This browser has no WebAssembly GC, which this page needs. Chrome and Edge have it from version 119 on, '
+    + 'Firefox from 120, Safari from 18.2.');
+} else {
+  worker = new Worker('worker.js', { type: 'module' });
+  worker.onmessage = received;
+  worker.onerror = event => fail(`The world could not be loaded: ${event.message ?? 'is it served over HTTP?'}`);
+  requestAnimationFrame(tick);
+}
