@@ -13,7 +13,7 @@ import java.nio.file.Path;
  */
 final class GoldenLogs {
     /** Circles times steps that one log may take. */
-    private static final long AFFORDABLE = 400_000;
+    private static final long AFFORDABLE = 150_000;
 
     /** Steps between two hashes in a log. */
     private static final int HASH_EVERY = 100;
