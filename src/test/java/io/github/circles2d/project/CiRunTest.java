@@ -66,6 +66,14 @@ class CiRunTest {
     }
 
     @Test
+    void aPageThatFailsIsAFailure() throws Exception {
+        run("[ \"$1\" != web ] || STATUS=1");
+        assertThat(status).isEqualTo(1);
+        assertThat(output).contains("circles2d web --test failed");
+        assertThat(lastLine()).matches("(3|6) passed, 1 failed");
+    }
+
+    @Test
     void aTestJvmThatDiedIsAFailureWithItsReason() throws Exception {
         String reason = "The forked VM terminated without properly saying goodbye. VM crash or System.exit called?";
         run("STATUS=1; for k in 1 2; do echo '" + reason + "'; echo 'Crashed tests:'; echo SomeTest; done");

@@ -81,6 +81,7 @@ final class FakeMachine {
         FakeMachine machine = new FakeMachine(folder, cloneName);
         machine.addJdk(jdkVersion);
         machine.fake("mvn", logged("mvn"));
+        machine.fake("npm", logged("npm"));
         machine.addLoader();
         Files.createFile(machine.oclgrind());
         machine.addApt("");

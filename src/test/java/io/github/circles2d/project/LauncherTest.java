@@ -341,6 +341,22 @@ class LauncherTest {
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
     }
 
+    @Test
+    void testComparesWorldInWebAssemblyWithTheJvmIfThereIsNpm() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        Path job = Files.createDirectories(machine.clone.resolve("web")).resolve("run");
+        Files.writeString(job, "#!/bin/sh\necho web/run \"$*\"\nexit 6\n");
+        assertThat(job.toFile().setExecutable(true)).isTrue();
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.status).as(test.output).isEqualTo(6);
+        assertThat(test.output).contains("web/run check");
+        Files.delete(machine.bin().resolve("npm"));
+        FakeMachine.Result without = machine.launch("test");
+        assertThat(without.status).as(without.output).isZero();
+        assertThat(without.output).contains("going on without npm", "WARNING: there is no npm");
+    }
+
     /** As on a release without a package of it, or where nothing may be installed. */
     @Test
     void withoutOclgrindTestWarnsAndTellsTheTestsThatItIsAbsent() throws Exception {
