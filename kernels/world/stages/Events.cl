@@ -196,8 +196,8 @@ void addTouching(const World *w, int4 pair) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(pair.x, pair.y) & r->mask;; place = (place + 1) & r->mask) {
         volatile global int *step = (volatile global int *) (r->touching + place) + 2;
-        int last = *step;
-        if (last == pair.z || atomic_cmpxchg(step, last, pair.z) != last) continue;
+        int last = atomic_cmpxchg(step, NEVER_USED, pair.z);
+        if (last == pair.z || (last != NEVER_USED && atomic_cmpxchg(step, last, pair.z) != last)) continue;
         if (last == NEVER_USED) atomic_inc(&w->status[PLACES_USED]);
         global int *words = (global int *) (r->touching + place);
         words[0] = pair.x;

@@ -7,8 +7,8 @@ import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
 import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.device.plan.PersistentGpu;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.ResidentGroups;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
@@ -33,7 +33,7 @@ class PipelinesAgreeTest {
         if (Tiles.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.TILES));
         }
-        if (PersistentGpu.fits(device)) {
+        if (ResidentGroups.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.PERSISTENT_GPU));
         }
         return pipelines.toArray(Pipeline[]::new);
