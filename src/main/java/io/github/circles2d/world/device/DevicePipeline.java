@@ -315,6 +315,9 @@ public final class DevicePipeline implements Pipeline {
     /** Sees to it that the steps asked for have been made. */
     private void settle() {
         while (pendingSteps > 0) {
+            if (reader != null) {
+                reader.readAhead();
+            }
             status.read(arrays);
             int done = status.get(StatusWord.STEPS_DONE) - stepsSeen;
             stepsSeen += done;

@@ -57,6 +57,9 @@ final class ReportReader implements AutoCloseable {
 
     private HostBuffer read;
 
+    /** Events of the batch, as it is, that {@link #read} has or is about to have; 0 if it has none. */
+    private int readAhead;
+
     /** Null until events are requested, as what they arrive in. */
     private CopyQueue copies;
 
@@ -179,6 +182,15 @@ final class ReportReader implements AutoCloseable {
         stages.events().decide(circles);
     }
 
+    /** Has the events of the batch read together with the status, which the caller reads next: a wait of its own costs more. */
+    void readAhead() {
+        if (isActive() && batchBegun && requestedHalf == NONE) {
+            readAhead = guess();
+            read = roomFor(read, readAhead);
+            deciding.decided(half).readLater(read, bytes(readAhead));
+        }
+    }
+
     /**
      * Publishes the events of steps.
      *
@@ -205,6 +217,7 @@ final class ReportReader implements AutoCloseable {
             requestedHalf = NONE;
         }
         batchBegun = false;
+        readAhead = 0;
     }
 
     /**
@@ -225,6 +238,7 @@ final class ReportReader implements AutoCloseable {
 
     /** Makes the room that the last step lacked for its events, and has them decided once more. */
     private void makeUp(Status status, int stepsMade, Stages stages, Plan plan, int circles) {
+        readAhead = 0; // it has the steps before alone
         while (status.has(StatusWord.EVENTS_LACK)) {
             int newcomers = status.get(StatusWord.NEWCOMERS);
             int wanted = Math.max(status.get(StatusWord.DRAFTS), newcomers);
@@ -258,9 +272,13 @@ final class ReportReader implements AutoCloseable {
             return;
         }
         DeviceBuffer decided = deciding.decided(which);
-        int guess = guess();
-        read = roomFor(read, guess);
-        decided.read(0, read, 0, bytes(guess));
+        int guess = readAhead;
+        readAhead = 0;
+        if (guess == 0) {
+            guess = guess();
+            read = roomFor(read, guess);
+            decided.read(0, read, 0, bytes(guess));
+        }
         int count = read.ints().get(EventArrays.HEADER_EVENTS);
         if (count > guess) {
             HostBuffer few = read;
