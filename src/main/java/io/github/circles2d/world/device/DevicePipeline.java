@@ -5,7 +5,6 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -26,8 +25,9 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.queries.RemoteSearch;
+import io.github.circles2d.world.shared.Pipeline;
 import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
@@ -224,27 +224,27 @@ public final class DevicePipeline implements Pipeline {
     }
 
     @Override
-    public void step(StepConstants constants, GridLevels shape, int steps) {
+    public void step(StepInput input, GridLevels shape, int steps) {
         if (circles == 0) {
             settle();
             slots = 0;
             commands.slotsInOrder();
             return;
         }
-        if (pendingSteps == 0 || !continues(constants, shape)) {
+        if (pendingSteps == 0 || !continues(input, shape)) {
             settle();
             // Copies: the caller may change both before these steps are known to have found room.
             levels.copy(shape);
-            subSteps = constants.subSteps;
-            warmScale = constants.warmScale;
-            parameters.set(constants, shape);
+            subSteps = input.constants.subSteps;
+            warmScale = input.constants.warmScale;
+            parameters.set(input, shape);
             if (reader != null) {
-                reader.learn(constants);
+                reader.learn(input.reports);
             }
             loadForReports();
             arrays.ensureBuckets(levels.groups(circles));
             if (reader != null) {
-                reader.prepare(constants, stages, status);
+                reader.prepare(input.reports, stages, status);
             }
         }
         for (int left = steps; left > 0; ) {
@@ -261,11 +261,11 @@ public final class DevicePipeline implements Pipeline {
     }
 
     /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
-    private boolean continues(StepConstants constants, GridLevels shape) {
+    private boolean continues(StepInput input, GridLevels shape) {
         return warmScale == 1f
-                && constants.warmScale == 1f
-                && parameters.areOf(constants, shape)
-                && (reader == null || reader.areOf(constants));
+                && input.constants.warmScale == 1f
+                && parameters.areOf(input, shape)
+                && (reader == null || reader.areOf(input.reports));
     }
 
     private int slotsBehindPending() {

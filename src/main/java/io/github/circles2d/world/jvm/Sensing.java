@@ -15,6 +15,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
@@ -37,6 +38,9 @@ final class Sensing {
     /** By kind: whether it looks for another, even if it is slow. */
     private final boolean[] seeks = new boolean[PairTable.KINDS];
 
+    /** By pair of kinds, who looks for whom. */
+    private int[] seeking;
+
     private int version = -1;
 
     Sensing(State state, Grid grid, GridLevels levels, Team team, ContactEvents events) {
@@ -46,8 +50,8 @@ final class Sensing {
         this.events = events;
     }
 
-    void ensure(StepConstants k) {
-        learn(k);
+    void ensure(StepReports reports) {
+        learn(reports);
         if (start.length < CircleRow.vector(state.capacity())) {
             start = new float[CircleRow.vector(state.capacity())];
         }
@@ -62,16 +66,17 @@ final class Sensing {
     }
 
     /** Learns who looks for whom. */
-    private void learn(StepConstants k) {
-        if (version == k.seekingVersion) {
+    private void learn(StepReports reports) {
+        seeking = reports.seeking;
+        if (version == reports.seekingVersion) {
             return;
         }
-        version = k.seekingVersion;
+        version = reports.seekingVersion;
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             takesPart[kind] = false;
             seeks[kind] = false;
             for (int other = 0; other < PairTable.KINDS; other++) {
-                int row = PairTable.get(k.seeking, kind, other);
+                int row = PairTable.get(seeking, kind, other);
                 takesPart[kind] |= row != SensorRule.NONE;
                 seeks[kind] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
             }
@@ -135,7 +140,7 @@ final class Sensing {
         int kind = kind(slot);
         boolean isFast = isFast(slot);
         for (int other = from; other < to; other++) {
-            int row = PairTable.get(k.seeking, kind, kind(other));
+            int row = PairTable.get(seeking, kind, kind(other));
             if (row != SensorRule.NONE
                     && other != slot
                     && (isFast || row != SensorRule.FOUND)

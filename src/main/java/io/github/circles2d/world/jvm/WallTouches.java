@@ -9,6 +9,7 @@ import static io.github.circles2d.world.model.CircleRow.X;
 
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
+import io.github.circles2d.world.events.WallCode;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.StepConstants;
@@ -164,7 +165,7 @@ final class WallTouches {
             StepConstants k) {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
-        int wall = ContactEvents.wall(axis, side);
+        int wall = WallCode.of(axis, side);
         int pair = events.find(ContactEvents.NONE, id, wall);
         if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
             float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
