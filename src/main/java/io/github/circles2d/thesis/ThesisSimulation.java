@@ -12,7 +12,7 @@ import io.github.circles2d.opencl.Session;
  * The buffers and the kernels of a running simulation. A step makes no garbage; a read makes the arrays that it
  * returns and nothing else.
  */
-public final class Simulation implements AutoCloseable {
+public final class ThesisSimulation implements AutoCloseable {
     private final Session session;
     private final PairStrategy strategy;
     private final int size;
@@ -37,7 +37,7 @@ public final class Simulation implements AutoCloseable {
     /** How many work-items a compute unit of a GPU runs at once, at most. */
     private static final int ITEMS_OF_A_UNIT = 2048;
 
-    private Simulation(Session session, PairStrategy strategy, int size) {
+    private ThesisSimulation(Session session, PairStrategy strategy, int size) {
         this.session = session;
         this.strategy = strategy;
         this.size = size;
@@ -75,9 +75,9 @@ public final class Simulation implements AutoCloseable {
      * @param parameters time step, restitution, gravity
      * @return the simulation, before its first step
      */
-    public static Simulation start(
+    public static ThesisSimulation start(
             Session session, Program program, PairStrategy strategy, CircleList circles, Parameters parameters) {
-        Simulation simulation = new Simulation(session, strategy, circles.size());
+        ThesisSimulation simulation = new ThesisSimulation(session, strategy, circles.size());
         try {
             simulation.fillBuffers(circles, parameters);
             simulation.makeKernels(program, parameters);

@@ -9,10 +9,10 @@ import java.util.List;
  * Paints a frame: black ground, the outline of the arena, the discs, and the overlay where it is wanted. One thread at
  * a time; it keeps its raster from one frame to the next.
  */
-final class Painter {
+final class DemoPainter {
     private static final int OUTLINE = 0x2c3338;
 
-    private final Raster raster = new Raster();
+    private final DemoRaster raster = new DemoRaster();
 
     /**
      * Paints over (0, 0) .. (width, height) of the graphics. Where its transform scales (a screen with small pixels),
@@ -20,7 +20,7 @@ final class Painter {
      *
      * @param keys what to press, under the arena; drawn with the overlay only
      */
-    void paint(Graphics2D g, int width, int height, Frame frame, boolean overlay, List<String> keys) {
+    void paint(Graphics2D g, int width, int height, DemoFrame frame, boolean overlay, List<String> keys) {
         double scale = Math.max(g.getTransform().getScaleX(), 1e-3);
         fill((int) Math.ceil(width * scale), (int) Math.ceil(height * scale), scale, frame.circles());
         AffineTransform given = g.getTransform();
@@ -35,7 +35,7 @@ final class Painter {
     }
 
     /** The same as a picture of its own. */
-    BufferedImage picture(int width, int height, Frame frame, boolean overlay) {
+    BufferedImage picture(int width, int height, DemoFrame frame, boolean overlay) {
         BufferedImage picture = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = picture.createGraphics();
         paint(g, width, height, frame, overlay, List.of());

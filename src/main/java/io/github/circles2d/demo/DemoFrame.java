@@ -14,7 +14,7 @@ package io.github.circles2d.demo;
  * @param paused          whether the simulation waits
  * @param message         a remark for the person at the screen, or the empty string
  */
-record Frame(
+record DemoFrame(
         float[][] circles,
         long number,
         String engine,

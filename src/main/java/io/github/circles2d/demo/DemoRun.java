@@ -12,7 +12,7 @@ import java.util.function.LongSupplier;
  * <p>It belongs to one thread, which must not be the event thread: a step may take longer than a person waits for a
  * window.
  */
-final class Simulation {
+final class DemoRun {
     /**
      * Weight of the newest time in the running mean that the overlay shows: steady enough to be read at 60 frames a
      * second.
@@ -35,7 +35,7 @@ final class Simulation {
      * @param nanoTime  the clock, in nanoseconds
      * @param loopTimes told the milliseconds of every call of {@link Engine#loop}
      */
-    Simulation(Engine engine, LongSupplier nanoTime, DoubleConsumer loopTimes) {
+    DemoRun(Engine engine, LongSupplier nanoTime, DoubleConsumer loopTimes) {
         this.engine = engine;
         this.nanoTime = nanoTime;
         this.loopTimes = loopTimes;
@@ -118,8 +118,8 @@ final class Simulation {
         switchTo((engine.strategy() + 1) % engine.strategies().size());
     }
 
-    Frame frame() {
-        return new Frame(
+    DemoFrame frame() {
+        return new DemoFrame(
                 circles,
                 number,
                 engine.name(),

@@ -7,14 +7,14 @@ import io.github.circles2d.world.device.memory.StageKernels;
  * The cross contacts of a pass, behind its like contacts, in two launches: light circles visit theirs, then heavy circles take the sums;
  * {@code kernels/world/stages/CrossSolver.cl}. It does nothing where there is one level.
  */
-final class CrossPasses {
+final class CrossKernels {
     private final Stages stages;
     private final Kernel fill;
     private final Kernel solve;
     private final Kernel relax;
     private final Kernel take;
 
-    CrossPasses(Stages stages) {
+    CrossKernels(Stages stages) {
         this.stages = stages;
         fill = stages.kernel("cross_fill");
         solve = stages.kernel("cross_solve");

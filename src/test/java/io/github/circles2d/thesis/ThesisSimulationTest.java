@@ -13,7 +13,7 @@ import io.github.circles2d.opencl.TestDevices;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-class SimulationTest {
+class ThesisSimulationTest {
     private static final Parameters PARAMETERS = Parameters.of(1 / 60f, 0.5f, new float[] {0, -0.01f});
 
     static Iterable<Device> devices() {
@@ -24,10 +24,10 @@ class SimulationTest {
     @MethodSource("devices")
     void itHoldsWhatItsMemoryNeedSaysAndGivesAllOfItBack(Device device) {
         CircleList circles = TestScene.crowd(70, 0.05f, 1).circles();
-        for (PairStrategy strategy : Stages.strategies()) {
+        for (PairStrategy strategy : ThesisStages.strategies()) {
             try (Session session = Session.open(device)) {
-                Program program = session.build(Simulation.source(strategy, 70, device));
-                Simulation simulation = Simulation.start(session, program, strategy, circles, PARAMETERS);
+                Program program = session.build(ThesisSimulation.source(strategy, 70, device));
+                ThesisSimulation simulation = ThesisSimulation.start(session, program, strategy, circles, PARAMETERS);
                 simulation.step();
                 assertThat(session.allocatedBytes()).isEqualTo(simulation.deviceBytes());
                 MemoryNeed.of(strategy, 70).requireRoom(device, simulation.deviceBytes());
@@ -47,8 +47,8 @@ class SimulationTest {
         for (Failing.Stage stage : Failing.Stage.values()) {
             try (Session session = Session.open(device)) {
                 Failing strategy = new Failing(stage);
-                Program program = session.build(Simulation.source(strategy, 70, device));
-                assertThatThrownBy(() -> Simulation.start(session, program, strategy, circles, PARAMETERS))
+                Program program = session.build(ThesisSimulation.source(strategy, 70, device));
+                assertThatThrownBy(() -> ThesisSimulation.start(session, program, strategy, circles, PARAMETERS))
                         .isInstanceOf(OpenClException.class)
                         .hasMessage(stage.name());
                 assertThat(session.allocatedBytes()).isZero();

@@ -11,7 +11,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /** The three kernels of a strategy, run one by one on state that the test can set and see. */
-final class Stages implements AutoCloseable {
+final class ThesisStages implements AutoCloseable {
     private final Session session;
     /** Fewer than most scenes have slots, so that each work-item has several; and not a divisor of their number. */
     private static final int FEW = 256;
@@ -33,12 +33,12 @@ final class Stages implements AutoCloseable {
     }
 
     /** The kernels as they are compiled for the device's kind. */
-    Stages(Device device, PairStrategy strategy, TestScene scene, float h, float e, float gx, float gy) {
+    ThesisStages(Device device, PairStrategy strategy, TestScene scene, float h, float e, float gx, float gy) {
         this(device, strategy, device.kind() == Device.Kind.GPU, scene, h, e, gx, gy);
     }
 
     /** The kernels with few work-items, each for several slots, or with one a slot. */
-    Stages(
+    ThesisStages(
             Device device,
             PairStrategy strategy,
             boolean fewWorkItems,
@@ -58,7 +58,7 @@ final class Stages implements AutoCloseable {
         gravity.write(FloatBuffer.wrap(new float[] {gx, gy}));
         strategy.open(session, n);
         slotItems = fewWorkItems ? Math.min(slots, FEW) : slots;
-        KernelSource source = strategy.source(n).and(Simulation.ROWS_KERNEL);
+        KernelSource source = strategy.source(n).and(ThesisSimulation.ROWS_KERNEL);
         Program program =
                 session.build(fewWorkItems ? source.define("FEW_WORK_ITEMS", true) : source, "-cl-finite-math-only");
         PairStrategy.State state = new PairStrategy.State(n, circle, velocities, collision);

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class PainterTest {
+class DemoPainterTest {
     private static final int WIDTH = 500;
     private static final int HEIGHT = 520;
     /** The colour inside the heaviest disc. */
@@ -57,7 +57,7 @@ class PainterTest {
 
     @Test
     void theEdgeIsSmooth() {
-        Raster raster = new Raster();
+        DemoRaster raster = new DemoRaster();
         raster.resize(100, 100);
         raster.disc(50.25, 50, 20, new int[] {0xffffff});
         long greys = 0;
@@ -78,7 +78,7 @@ class PainterTest {
     @ValueSource(doubles = {0.3, 0.7, 1, 1.5, 2, 3, 6})
     void aSmallDiscHasTheLightOfItsAreaWhereverItLies(double radius) {
         for (double shift = 0; shift < 1; shift += 0.25) {
-            Raster raster = new Raster();
+            DemoRaster raster = new DemoRaster();
             raster.resize(20, 20);
             raster.disc(10 + shift, 10 - shift / 2, radius, new int[] {0xffffff});
             double light = 0;
@@ -122,8 +122,8 @@ class PainterTest {
 
     @Test
     void aPainterFollowsTheWindowWhenItIsResized() {
-        Painter painter = new Painter();
-        Frame frame = frame(circles(0.5f, 0.25f, 0.05f, 10));
+        DemoPainter painter = new DemoPainter();
+        DemoFrame frame = frame(circles(0.5f, 0.25f, 0.05f, 10));
         painter.picture(WIDTH, HEIGHT, frame, false);
         BufferedImage larger = painter.picture(980, 1040, frame, false);
 
@@ -135,7 +135,7 @@ class PainterTest {
 
     @Test
     void nothingOfTheLastFrameIsLeft() {
-        Painter painter = new Painter();
+        DemoPainter painter = new DemoPainter();
         painter.picture(WIDTH, HEIGHT, frame(circles(0.2f, 0.2f, 0.05f, 10)), false);
         BufferedImage next = painter.picture(WIDTH, HEIGHT, frame(circles(0.8f, 0.8f, 0.05f, 10)), false);
 
@@ -147,10 +147,10 @@ class PainterTest {
         BufferedImage screen = new BufferedImage(1000, 1040, BufferedImage.TYPE_INT_RGB);
         Graphics2D g = screen.createGraphics();
         g.scale(2, 2);
-        new Painter().paint(g, WIDTH, HEIGHT, frame(circles(0.5f, 0.5f, 0.05f, 10)), false, List.of());
+        new DemoPainter().paint(g, WIDTH, HEIGHT, frame(circles(0.5f, 0.5f, 0.05f, 10)), false, List.of());
         g.dispose();
 
-        BufferedImage direct = new Painter().picture(1000, 1040, frame(circles(0.5f, 0.5f, 0.05f, 10)), false);
+        BufferedImage direct = new DemoPainter().picture(1000, 1040, frame(circles(0.5f, 0.5f, 0.05f, 10)), false);
         assertThat(rgb(screen, 500, 520)).isEqualTo(CORE);
         int centre = 520;
         int reach = 0;
@@ -178,7 +178,7 @@ class PainterTest {
 
     @Test
     void theOverlaySaysEngineStrategySizeDeviceTimesAndRemark() {
-        Frame frame = new Frame(
+        DemoFrame frame = new DemoFrame(
                 new float[4][12345],
                 678,
                 "Circles2D",
@@ -199,17 +199,17 @@ class PainterTest {
 
     @Test
     void theOverlayIsDrawnOnlyWhereItIsWanted() {
-        Frame frame = frame(circles());
+        DemoFrame frame = frame(circles());
 
-        assertThat(lightOf(new Painter().picture(WIDTH, HEIGHT, frame, true)))
-                .isGreaterThan(lightOf(new Painter().picture(WIDTH, HEIGHT, frame, false)));
+        assertThat(lightOf(new DemoPainter().picture(WIDTH, HEIGHT, frame, true)))
+                .isGreaterThan(lightOf(new DemoPainter().picture(WIDTH, HEIGHT, frame, false)));
     }
 
     @Test
     void theOverlayStaysInsideTheArenaHoweverLongTheDevicesName() {
-        Frame frame = new Frame(new float[4][0], 0, "Circles2D", "x".repeat(500), "0", 0, 0, false, "");
-        BufferedImage with = new Painter().picture(WIDTH, HEIGHT, frame, true);
-        BufferedImage without = new Painter().picture(WIDTH, HEIGHT, frame, false);
+        DemoFrame frame = new DemoFrame(new float[4][0], 0, "Circles2D", "x".repeat(500), "0", 0, 0, false, "");
+        BufferedImage with = new DemoPainter().picture(WIDTH, HEIGHT, frame, true);
+        BufferedImage without = new DemoPainter().picture(WIDTH, HEIGHT, frame, false);
 
         for (int y = 0; y < HEIGHT; y++) {
             for (int x = 489; x < WIDTH; x++) {
@@ -219,11 +219,11 @@ class PainterTest {
     }
 
     private static BufferedImage paint(int width, int height, float[][] circles) {
-        return new Painter().picture(width, height, frame(circles), false);
+        return new DemoPainter().picture(width, height, frame(circles), false);
     }
 
-    private static Frame frame(float[][] circles) {
-        return new Frame(circles, 1, "Test", "no device", "0", 1, 60, false, "");
+    private static DemoFrame frame(float[][] circles) {
+        return new DemoFrame(circles, 1, "Test", "no device", "0", 1, 60, false, "");
     }
 
     /** Circles from rows of x, y, radius, mass. */

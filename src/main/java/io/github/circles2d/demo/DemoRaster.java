@@ -11,7 +11,7 @@ import java.util.Arrays;
  * within 0.02 pixels at a radius of 6, and no square root is needed. Centres are not rounded to pixels, so slow circles
  * glide. The result does not depend on the platform's graphics pipeline.
  */
-final class Raster {
+final class DemoRaster {
     private BufferedImage image = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
     private int[] pixels = pixelsOf(image);
     private int width = 1;

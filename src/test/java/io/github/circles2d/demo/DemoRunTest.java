@@ -11,16 +11,16 @@ import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
-class SimulationTest {
+class DemoRunTest {
     private final AtomicLong clock = new AtomicLong();
     private final List<Double> times = new ArrayList<>();
     private final TestEngine engine = new TestEngine(TestEngine.scene(20, 1, 1));
     /** A clock that goes on by 5 ms with each look at it: a frame looks twice. */
-    private final Simulation simulation = new Simulation(engine, () -> clock.addAndGet(5_000_000), times::add);
+    private final DemoRun simulation = new DemoRun(engine, () -> clock.addAndGet(5_000_000), times::add);
 
     @Test
     void theFirstFrameShowsTheStart() {
-        Frame frame = simulation.frame();
+        DemoFrame frame = simulation.frame();
 
         assertThat(frame.number()).isZero();
         assertThat(frame.circles()).isDeepEqualTo(TestEngine.scene(20, 1, 1));
@@ -80,7 +80,7 @@ class SimulationTest {
         simulation.step();
         simulation.restart();
 
-        Frame frame = simulation.frame();
+        DemoFrame frame = simulation.frame();
         assertThat(frame.number()).isZero();
         assertThat(frame.circles()).isDeepEqualTo(TestEngine.scene(20, 1, 1));
         assertThat(frame.paused()).isTrue();
@@ -91,10 +91,10 @@ class SimulationTest {
     @Test
     void aSwitchKeepsTheCirclesAndTheFrameNumberAndStartsTheTimesAnew() throws EngineException {
         simulation.advance();
-        Frame before = simulation.frame();
+        DemoFrame before = simulation.frame();
         simulation.switchTo(1);
 
-        Frame after = simulation.frame();
+        DemoFrame after = simulation.frame();
         assertThat(after.strategy()).isEqualTo("1 (two)");
         assertThat(after.message()).isEqualTo("strategy 1 is remarkable");
         assertThat(after.circles()).isSameAs(before.circles());
@@ -128,7 +128,7 @@ class SimulationTest {
                 strategy = wanted;
             }
         };
-        Simulation turning = new Simulation(three, System::nanoTime, millis -> {});
+        DemoRun turning = new DemoRun(three, System::nanoTime, millis -> {});
         List<Integer> seen = new ArrayList<>();
         for (int k = 0; k < 4; k++) {
             turning.nextStrategy();
