@@ -445,28 +445,28 @@ public final class ContinuousCollision {
         }
         float r = circle[s + RADIUS];
         float ro = circle[o + RADIUS];
-        boolean stands = state.isStatic(other);
-        if (!stands && !CircleMath.sweeps(r, ro)) {
+        boolean isStatic = state.isStatic(other);
+        if (!isStatic && !CircleMath.sweeps(r, ro)) {
             return;
         }
         float dx = state.differenceX(slot, other);
         float dy = state.differenceY(slot, other);
-        if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
+        if (isStatic && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, false);
         }
         // first what most pairs fail
         float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
-        if (!(t < 1f) || stands && carrying.pushes(other, r)) {
+        if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }
         if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
-        float slack = stands ? Tuning.MARGIN : Tuning.HOLD;
+        float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
         if (PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, stands), stands);
-        } else if (stands) {
+            hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, isStatic), isStatic);
+        } else if (isStatic) {
             if (grid.path[other] == 0f) {
                 shorten(slot, t);
             }
@@ -505,24 +505,24 @@ public final class ContinuousCollision {
     }
 
     /** Ends the path of a circle where it touches one that it has a contact with, and says how far it may leave it. */
-    private void hold(int slot, float t, float most, boolean stands) {
+    private void hold(int slot, float t, float most, boolean isStatic) {
         lower(near, slot, t);
-        restrain(slot, most, stands);
+        restrain(slot, most, isStatic);
     }
 
-    private void restrain(int slot, float most, boolean stands) {
+    private void restrain(int slot, float most, boolean isStatic) {
         int seen = (int) INTS.getVolatile(allowance, slot);
-        int next = restrained(seen, most, stands);
+        int next = restrained(seen, most, isStatic);
         while (next != seen && !INTS.compareAndSet(allowance, slot, seen, next)) {
             seen = (int) INTS.getVolatile(allowance, slot);
-            next = restrained(seen, most, stands);
+            next = restrained(seen, most, isStatic);
         }
     }
 
-    private static int restrained(int bits, float most, boolean stands) {
+    private static int restrained(int bits, float most, boolean isStatic) {
         float allowance = Float.intBitsToFloat(bits);
         float least = CircleMath.least(most, Math.abs(allowance));
-        return Float.floatToRawIntBits(stands || allowance < 0f ? -least : least);
+        return Float.floatToRawIntBits(isStatic || allowance < 0f ? -least : least);
     }
 
     private void shorten(int slot, float t) {

@@ -144,8 +144,7 @@ final class Sensing {
             if (row != SensorRule.NONE
                     && other != slot
                     && (isFast || row != SensorRule.FOUND)
-                    && !(state.isStatic(slot) && state.isStatic(other))
-                    && !PairFilter.areOfOneGroup(state, state.id[slot], state.id[other])
+                    && PairFilter.maySense(state, slot, other)
                     && SensorRule.finds(
                             row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
                 boolean isLower = state.id[slot] < state.id[other];

@@ -486,11 +486,11 @@ public final class CircleMath {
      * @param r radius
      * @param path length of what it moves in a step
      * @param other radius of the other
-     * @param stands whether the other is static
+     * @param isStatic whether the other is static
      * @return a length
      */
-    public static float holdAllowance(float r, float path, float other, boolean stands) {
-        if (stands) {
+    public static float holdAllowance(float r, float path, float other, boolean isStatic) {
+        if (isStatic) {
             return Tuning.CLAMP_ALLOWANCE * r;
         }
         return other < r ? Tuning.CLAMP_ALLOWANCE * other : bounded(path, Tuning.CLAMP_ALLOWANCE * r, r);

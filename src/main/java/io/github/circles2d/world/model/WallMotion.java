@@ -15,7 +15,7 @@ public final class WallMotion {
     public final float[] travel = new float[COUNT];
 
     /** What a wall that comes in moves in a sub-step; 0 for others. */
-    public final float[] sweep = new float[COUNT];
+    public final float[] advance = new float[COUNT];
 
     /** The speed of a wall. */
     public final float[] speed = new float[COUNT];
@@ -69,7 +69,7 @@ public final class WallMotion {
             if (travel[wall] == 0f) {
                 travel[wall] = 0f; // not -0, which would change the sign of a velocity of 0
             }
-            sweep[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
+            advance[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
             speed[wall] = CircleMath.limitSpeed(travel[wall] / dt);
             moves |= travel[wall] != 0f;
         }
@@ -82,7 +82,7 @@ public final class WallMotion {
 
     /** How far a wall is behind its last place at the end of a sub-step. */
     public float behind(int wall, int subStep) {
-        return sweep[wall] * (subSteps - 1 - subStep);
+        return advance[wall] * (subSteps - 1 - subStep);
     }
 
     /** Whether a circle feels the velocity of a wall: for smaller ones the wall jumps, and they have been brought inside. */
@@ -97,7 +97,7 @@ public final class WallMotion {
 
     /** What a wall moves in a sub-step, for a circle. */
     public float sweepFor(int wall, float r) {
-        return carries(wall, r) ? sweep[wall] : 0f;
+        return carries(wall, r) ? advance[wall] : 0f;
     }
 
     /** What a wall that comes in moves in the step, for a circle; 0 for others. */

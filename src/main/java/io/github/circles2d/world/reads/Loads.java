@@ -50,7 +50,7 @@ public final class Loads {
         float subStep = settings.lastSubStep();
         addWalls(state, subStep, loads);
         for (int k = 0; k < state.impulses; k++) {
-            float force = state.lambda[k] / subStep;
+            float force = state.normalImpulse[k] / subStep;
             add(loads, state.lo[k], force);
             add(loads, state.hi[k], force);
         }

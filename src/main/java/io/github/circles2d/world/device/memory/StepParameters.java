@@ -62,7 +62,12 @@ public final class StepParameters {
     /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
     static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
             .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
-            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.sweep), "in a sub-step; 0 if it goes out")
+            .field(
+                    "float",
+                    "sweep[4]",
+                    WallMotion.COUNT,
+                    (m, to) -> to.put(m.advance),
+                    "in a sub-step; 0 if it goes out")
             .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
             .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
