@@ -109,7 +109,10 @@ public final class Circles {
         return handle;
     }
 
-    /** Adds circles, four elements each. Without velocities they are at rest, without kinds of kind 0; the handles are optional, too. */
+    /**
+     * Adds circles, four elements each. Without velocities they are at rest, without kinds of kind 0; the handles are optional,
+     * too.
+     */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] to) {
         guard.enter();
         try {
@@ -164,7 +167,9 @@ public final class Circles {
         }
     }
 
-    /** Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array. */
+    /**
+     * Copies the kinds of circles that are to be added, and makes room for them. Another thread may write to the caller's array.
+     */
     private int[] copy(int[] kinds) {
         if (newKinds.length < kinds.length) {
             newKinds = new int[kinds.length];

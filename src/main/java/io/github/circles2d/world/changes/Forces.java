@@ -10,8 +10,10 @@ import io.github.circles2d.world.model.Limits;
 import java.util.Arrays;
 
 /**
- * The forces on circles. The one that is set for a circle is a field that steps read. What is applied for one step waits on the host:
- * the pipelines get the sum for that step, and then what was set again. If a step fails before it has begun, the next one does the same
+ * The forces on circles. The one that is set for a circle is a field that steps read. What is applied for one step waits on the
+ * host:
+ * the pipelines get the sum for that step, and then what was set again. If a step fails before it has begun, the next one does the
+ * same
  * once more.
  */
 public final class Forces {
@@ -58,7 +60,7 @@ public final class Forces {
 
     /** The sum of two forces, within the greatest one; never -0. */
     private static float sum(float a, float b) {
-        return CircleMath.bounded(a + b, -Limits.FORCE, Limits.FORCE) + 0f;
+        return CircleMath.clamp(a + b, -Limits.FORCE, Limits.FORCE) + 0f;
     }
 
     /** A force as the bits of a field: there is one zero. */

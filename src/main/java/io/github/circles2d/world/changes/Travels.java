@@ -90,8 +90,8 @@ public final class Travels {
         for (int k = 0; k < count; k++) {
             long target = target(ids[k]);
             if (target != TARGET.initial()) {
-                float x = CircleMath.bounded(CircleField.placeX(target), bounds.minX(), bounds.maxX());
-                float y = CircleMath.bounded(CircleField.placeY(target), bounds.minY(), bounds.maxY());
+                float x = CircleMath.clamp(CircleField.placeX(target), bounds.minX(), bounds.maxX());
+                float y = CircleMath.clamp(CircleField.placeY(target), bounds.minY(), bounds.maxY());
                 fields.set(TARGET, ids[k], CircleField.place(x, y));
             }
         }

@@ -16,6 +16,7 @@ import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
@@ -99,16 +100,16 @@ final class Sensing {
 
     private float pathX(int slot) {
         float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
-        return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
+        return state.wraps ? Wrapping.shortWay(path, state.periodX) : path;
     }
 
     private float pathY(int slot) {
         float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
-        return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
+        return state.wraps ? Wrapping.shortWay(path, state.periodY) : path;
     }
 
     private float path(int slot) {
-        return CircleMath.norm(pathX(slot), pathY(slot));
+        return CircleMath.length(pathX(slot), pathY(slot));
     }
 
     private boolean isFast(int slot) {
@@ -125,10 +126,10 @@ final class Sensing {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float margin = SensorRule.margin(r, path, levels.top[level]);
-            float left = CircleMath.least(x, toX) - margin;
-            float below = CircleMath.least(y, toY) - margin;
-            float right = CircleMath.greatest(x, toX) + margin;
-            float above = CircleMath.greatest(y, toY) + margin;
+            float left = CircleMath.min(x, toX) - margin;
+            float below = CircleMath.min(y, toY) - margin;
+            float right = CircleMath.max(x, toX) + margin;
+            float above = CircleMath.max(y, toY) + margin;
             near.begin(level, left, right, below, above, !state.isStatic(slot));
             while (near.next()) {
                 lookAt(records, slot, near.from, near.to, path, k);

@@ -155,7 +155,7 @@ public final class StepConstants {
     private void setThresholds(float gravityX, float gravityY, float fixed) {
         boolean byGravity = fixed == ContactSettings.BY_GRAVITY;
         float half = byGravity ? Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f : 0f;
-        thresholdRate = half * CircleMath.norm(gravityX, gravityY);
+        thresholdRate = half * CircleMath.length(gravityX, gravityY);
         thresholdRateX = half * Math.abs(gravityX);
         thresholdRateY = half * Math.abs(gravityY);
         restRate = byGravity ? Tuning.REST_SPEED * 0.5f : 0f;

@@ -29,7 +29,7 @@ public final class WallMotion {
      * The number of a wall.
      *
      * @param axis 0 for x, 1 for y
-     * @param side 1 for the lower wall, -1 for the upper, by {@link CircleMath#wallSide}
+     * @param side 1 for the lower wall, -1 for the upper, by {@link Walls#wallSide}
      */
     public static int of(int axis, float side) {
         return 2 * axis + (side > 0f ? 0 : 1);
@@ -70,7 +70,7 @@ public final class WallMotion {
                 travel[wall] = 0f; // not -0, which would change the sign of a velocity of 0
             }
             advance[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
-            speed[wall] = CircleMath.limitSpeed(travel[wall] / dt);
+            speed[wall] = Motion.limitSpeed(travel[wall] / dt);
             moves |= travel[wall] != 0f;
         }
     }
@@ -102,6 +102,6 @@ public final class WallMotion {
 
     /** What a wall that comes in moves in the step, for a circle; 0 for others. */
     public float travelFor(int wall, float r) {
-        return carries(wall, r) ? CircleMath.greatest(travel[wall], 0f) : 0f;
+        return carries(wall, r) ? CircleMath.max(travel[wall], 0f) : 0f;
     }
 }

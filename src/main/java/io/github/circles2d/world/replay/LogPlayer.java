@@ -10,7 +10,10 @@ import io.github.circles2d.world.shared.LoggedCall;
 import java.io.IOException;
 import java.io.InputStream;
 
-/** Makes the calls of a log again, step by step, and compares hashes. Calls are checked as any others, so a log may come from anywhere. */
+/**
+ * Makes the calls of a log again, step by step, and compares hashes. Calls are checked as any others, so a log may come from
+ * anywhere.
+ */
 public final class LogPlayer {
     private final Simulation simulation;
     private final RepeatedCalls calls;
