@@ -2,11 +2,16 @@
 // The rule that decides, of two circles that are near, whether they may meet: whether they become a contact, and whether
 // continuous collision looks at them. All that finds pairs asks it. The Java class PairFilter is the same.
 
+// Whether two circles are of one group and so ignore each other.
+bool areOfOneGroup(CircleFields a, CircleFields b) {
+    return a.group != 0 && a.group == b.group;
+}
+
 // What two circles do to each other: those of one group nothing, others what their kinds say.
 int responseOf(const World *w, int id, int otherId) {
     CircleFields a = w->fields[id];
     CircleFields b = w->fields[otherId];
-    if (a.group != 0 && a.group == b.group) return PAIR_IGNORE;
+    if (areOfOneGroup(a, b)) return PAIR_IGNORE;
     return (w->responses[a.kind << 4 | b.kind >> 4] >> 2 * (b.kind & 15)) & 3;
 }
 

@@ -1,4 +1,4 @@
-// uses: world/stages/Events.cl
+// uses: world/stages/Events.cl world/stages/PairFilter.cl
 // Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
 // (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
 //
@@ -99,7 +99,7 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
         CircleFields fields = w->fields[w->homeId[slot]];
         int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
         if (row == NOT_SOUGHT || slot == s->slot) continue;
-        if (fields.group != 0 && fields.group == s->fields.group) continue;
+        if (areOfOneGroup(fields, s->fields)) continue;
         Sensed o = sensedAt(w, start, slot);
         if ((s->isStatic && o.isStatic) || !findsSensed(row, s, &o)) continue;
         if (s->id < o.id) {

@@ -17,7 +17,7 @@ final class DemoCanvas extends JComponent {
             List.of("space pause", "S step", "R restart", "digit or T strategy or back end", "O overlay", "Q quit");
 
     private final transient SimulationLoop loop;
-    private final transient Painter painter = new Painter();
+    private final transient DemoPainter painter = new DemoPainter();
     private final transient boolean textWorks = Overlay.available();
     private boolean overlay;
 

@@ -55,7 +55,7 @@ class WorldEngineTest {
     @Test
     void theOverlaySaysWhichEngineAndBackEndRun() throws Exception {
         try (Engine engine = open("--device", "jvm")) {
-            Simulation simulation = new Simulation(engine, System::nanoTime, millis -> {});
+            DemoRun simulation = new DemoRun(engine, System::nanoTime, millis -> {});
             assertThat(Overlay.lines(simulation.frame()).get(0)).isEqualTo("World, back end JVM, n = 1,250");
         }
     }

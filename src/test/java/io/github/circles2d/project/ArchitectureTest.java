@@ -53,7 +53,7 @@ class ArchitectureTest {
         source(folder, "scenes", "import static io.github.circles2d.opencl.OpenCl.devices;");
         source(folder, "tools", "import java.awt.Color;");
         source(folder, "attic", "");
-        source(folder, "world.model", "import io.github.circles2d.world.Pipeline;");
+        source(folder, "world.model", "import io.github.circles2d.world.Simulation;");
         source(folder, "world.jvm.threads", "import io.github.circles2d.world.jvm.*;");
         source(folder, "world.device", "class Qualified { io.github.circles2d.world.jvm.Grid grid; }");
         source(folder, "world.device.part", "import io.github.circles2d.thesis.Ranges;");

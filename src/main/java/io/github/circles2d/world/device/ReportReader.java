@@ -15,7 +15,7 @@ import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRow;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import java.nio.IntBuffer;
 
 /**
@@ -98,14 +98,14 @@ final class ReportReader implements AutoCloseable {
     }
 
     /** Takes down what of the steps to come is reported; none are pending. */
-    void learn(StepConstants k) {
+    void learn(StepReports k) {
         recording = k.recording;
         sensed = k.sensing;
         seekingVersion = k.seekingVersion;
     }
 
     /** Whether steps report what was taken down. */
-    boolean areOf(StepConstants k) {
+    boolean areOf(StepReports k) {
         return recording == k.recording && sensed == k.sensing && seekingVersion == k.seekingVersion;
     }
 
@@ -125,7 +125,7 @@ final class ReportReader implements AutoCloseable {
     }
 
     /** Makes ready for the steps to come, whose kernels are loaded and bound; none are pending. */
-    void prepare(StepConstants k, Stages stages, Status status) {
+    void prepare(StepReports k, Stages stages, Status status) {
         if (!isActive()) {
             events.bringHere();
             return;

@@ -73,7 +73,7 @@ final class TouchTracker {
     /** The types that are reported of a pair: the one place that decides. */
     int typesOf(int lower, int higher) {
         if (EventOrder.isWall(higher)) {
-            return ContactEvents.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
+            return WallCode.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
         }
         return typesOfCircles(lower, higher);
     }

@@ -25,6 +25,7 @@ import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
@@ -82,7 +83,7 @@ final class ContactPasses {
         int b = contacts.pair[ContactRow.b(c)];
         float dx = CircleMath.difference(q[o + BASE_X], m[a + DX], m[b + DX]);
         float dy = CircleMath.difference(q[o + BASE_Y], m[a + DY], m[b + DY]);
-        float d = CircleMath.norm(dx, dy);
+        float d = CircleMath.length(dx, dy);
         float radii = q[o + RADII];
         if (d > Tuning.COINCIDENT * radii) {
             q[o + NORMAL_X] = dx / d;
@@ -92,7 +93,7 @@ final class ContactPasses {
     }
 
     private static float normalVelocity(float[] motion, int a, int b, float nx, float ny) {
-        return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
+        return CircleMath.dot(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
     }
 
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
@@ -145,7 +146,7 @@ final class ContactPasses {
                 if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && c != asked) {
                     return c;
                 }
-                float before = CircleMath.along(
+                float before = CircleMath.dot(
                         nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
                 bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold, pushSpeed);
             }
@@ -194,7 +195,7 @@ final class ContactPasses {
         float restitution = q[o + RESTITUTION];
         int visit = Constraints.visitOf(restitution, 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
         if (visit == Constraints.BOUNCE) {
-            float impulse = CircleMath.freeBounce(restitution, vn - halfFall, q[o + MASS]);
+            float impulse = Bounce.freeBounce(restitution, vn - halfFall, q[o + MASS]);
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
             apply(a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + INV_MASS_A], q[o + INV_MASS_B], impulse);

@@ -30,6 +30,7 @@ import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
@@ -76,7 +77,7 @@ final class CrossPasses {
             int o = ContactRow.of(c);
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
-            float vn = CircleMath.along(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
+            float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addImpulse(c, impulse);
             if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
@@ -130,7 +131,7 @@ final class CrossPasses {
             float restitution = q[o + RESTITUTION];
             float impulse = q[o + NORMAL_IMPULSE];
             float pushSpeed = k.pushRate * q[o + RADII];
-            float vn = CircleMath.along(
+            float vn = CircleMath.dot(
                     nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             float bounce = 0f;
             // without restitution it stays so, and none flies: this only spares the reads
@@ -142,7 +143,7 @@ final class CrossPasses {
                     q[o + BOUNCE_SPEED] = 0f;
                     continue;
                 }
-                float before = CircleMath.along(
+                float before = CircleMath.dot(
                         q[o + NORMAL_X],
                         q[o + NORMAL_Y],
                         load[b + BEFORE_X] - load[a + BEFORE_X],
@@ -240,7 +241,7 @@ final class CrossPasses {
         float[] q = contacts.contact;
         int o = ContactRow.of(c);
         // it is no pile that pushes the heavy circle, so its mass is not split
-        float impulse = CircleMath.freeBounce(q[o + RESTITUTION], vn, 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]));
+        float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]));
         apply(c, impulse);
         if (touches != null) {
             touches.add(c, impulse);
@@ -318,7 +319,7 @@ final class CrossPasses {
             float impulse = q[o + NORMAL_IMPULSE];
             float invMassOfLight = q[o + INV_MASS_A];
             float invMassOfHeavy = q[o + INV_MASS_B];
-            float vn = CircleMath.along(
+            float vn = CircleMath.dot(
                     nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             if (q[o + RESTITUTION] > 0f && impulse == 0f) {
                 float loaded = load[pair[ContactRow.a(c)] + LOADED] + load[pair[ContactRow.b(c)] + LOADED];

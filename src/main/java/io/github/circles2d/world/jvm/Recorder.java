@@ -5,6 +5,7 @@ import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 
 /** Records what a step reports, and hands it over: what contacts and walls do, and which pairs are sensed. */
 final class Recorder {
@@ -30,36 +31,36 @@ final class Recorder {
     }
 
     /** What records contacts and walls in such a step; null if nothing does. */
-    Touches touches(StepConstants k) {
-        return k.recording ? touches : null;
+    Touches touches(StepReports reports) {
+        return reports.recording ? touches : null;
     }
 
-    void ensure(StepConstants k) {
-        if (k.recording && touches.walls != null) {
+    void ensure(StepReports reports) {
+        if (reports.recording && touches.walls != null) {
             touches.walls.ensure();
         }
-        if (k.sensing) {
-            sensing.ensure(k);
+        if (reports.sensing) {
+            sensing.ensure(reports);
         }
     }
 
     /** Begins a step, once the circles lie in the order of the grid. */
-    void begin(int worker, StepConstants k) {
-        if (k.sensing) {
+    void begin(int worker, StepReports reports) {
+        if (reports.sensing) {
             sensing.begin(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
     }
 
     /** Ends a step. */
-    void end(int worker, StepConstants k) {
+    void end(int worker, StepConstants k, StepReports reports) {
         TouchRecords own = records[worker];
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
         own.clear();
-        if (k.recording) {
+        if (reports.recording) {
             touches.endStep(worker, own, from, to, k);
         }
-        if (k.sensing) {
+        if (reports.sensing) {
             sensing.find(worker, own, from, to, k);
         }
         team.sync(worker);

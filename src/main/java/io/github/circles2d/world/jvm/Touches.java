@@ -16,6 +16,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
@@ -137,7 +138,7 @@ final class Touches {
             int b = contacts.pair[ContactRow.b(c)];
             float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
             float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
-            float before = CircleMath.along(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
+            float before = CircleMath.dot(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
             float approach = TouchRule.approach(before);
             float impulse = q[o + NORMAL_IMPULSE] + rows[t + IMPULSE_NOW];
             rows[t + APPROACH_NOW] = approach;
@@ -189,12 +190,12 @@ final class Touches {
     }
 
     private float approach(int c) {
-        return CircleMath.greatest(rows[STRIDE * c + APPROACH], 0f);
+        return CircleMath.max(rows[STRIDE * c + APPROACH], 0f);
     }
 
     private float threshold(int c, StepConstants k) {
         float radii = contacts.contact[ContactRow.of(c) + RADII];
-        return CircleMath.bounceThreshold(radii, 0f, k.thresholdRate, k.restRate, k.fixedThreshold);
+        return Bounce.bounceThreshold(radii, 0f, k.thresholdRate, k.restRate, k.fixedThreshold);
     }
 
     private void list(int worker, int c) {
@@ -247,7 +248,7 @@ final class Touches {
         if (!TouchRule.isFast(approach(c), k.dt, q[o + RADII])) {
             place(o, t, a, 0f, 0f);
         }
-        float vn = CircleMath.along(
+        float vn = CircleMath.dot(
                 q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
         long ids = contacts.ids(c);
         own.add(

@@ -93,8 +93,8 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         if (x >= min && x <= last) {
             return x;
         }
-        float laps = CircleMath.laps(x, min, period);
-        return laps == 0f ? x : CircleMath.bounded(x - laps * period, min, last);
+        float laps = Wrapping.laps(x, min, period);
+        return laps == 0f ? x : CircleMath.clamp(x - laps * period, min, last);
     }
 
     /**

@@ -51,7 +51,7 @@ public final class CrossRule {
 
     /** By how much a heavy circle counts as lighter, from the sum of what its contacts add. */
     public static float share(int load) {
-        return CircleMath.greatest((float) load * (1f / LOAD_UNITS), 1f);
+        return CircleMath.max((float) load * (1f / LOAD_UNITS), 1f);
     }
 
     /** The effective mass of a contact that is solved. */
@@ -67,8 +67,8 @@ public final class CrossRule {
      */
     public static boolean mayWait(
             float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
-        float depth = CircleMath.least(
-                WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * CircleMath.least(radius, otherRadius));
+        float depth = CircleMath.min(
+                WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * CircleMath.min(radius, otherRadius));
         return restitution > Tuning.NEARLY_ELASTIC && inverseMassOfHeavy > 0f && separation + depth >= 0f;
     }
 
@@ -99,7 +99,7 @@ public final class CrossRule {
 
     /** A term of a sum, in units. */
     public static long toFixed(float v, float scale) {
-        return (long) CircleMath.bounded(v * scale, -GREATEST_TERM, GREATEST_TERM);
+        return (long) CircleMath.clamp(v * scale, -GREATEST_TERM, GREATEST_TERM);
     }
 
     /** The value of a sum of units. It may wrap, which does not depend on the order either. */

@@ -51,16 +51,16 @@ public final class Explosion {
      * @return false for circles out of reach, for static ones, and if the centre is the point itself
      */
     public boolean reaches(float[] circles, int row) {
-        float dx = CircleMath.shortWay(circles[row + CircleRow.X] - x, periodX);
-        float dy = CircleMath.shortWay(circles[row + CircleRow.Y] - y, periodY);
-        float distance = CircleMath.norm(dx, dy);
-        float gap = CircleMath.greatest(distance - circles[row + CircleRow.RADIUS], 0f);
+        float dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
+        float dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);
+        float distance = CircleMath.length(dx, dy);
+        float gap = CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f);
         float reach = radius + falloff;
         boolean whole = gap <= radius;
         if (!whole && !(gap < reach) || distance == 0f || CircleMath.inverseMass(circles[row + CircleRow.MASS]) == 0f) {
             return false;
         }
-        float share = whole ? 1f : CircleMath.least((reach - gap) / falloff, 1f);
+        float share = whole ? 1f : CircleMath.min((reach - gap) / falloff, 1f);
         impulseX = impulse * share * (dx / distance);
         impulseY = impulse * share * (dy / distance);
         return true;

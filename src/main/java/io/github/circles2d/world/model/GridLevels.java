@@ -68,7 +68,7 @@ public final class GridLevels {
         2 * 5, 2 * 11, 2 * 29, 2 * 59, 2 * 113, 2 * 241, 2 * 503, 2 * 1019, 2 * 2029, 2 * 4091, 2 * 8179, 2 * 16369
     };
 
-    /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
+    /** Level of each size class ({@link Cells#sizeClass}): the number of the class itself, or of the next larger one. */
     public final int[] levelOf = new int[COUNT];
 
     /** Circles of each level. */
@@ -257,7 +257,7 @@ public final class GridLevels {
 
     private boolean isFolded(AxisEdge edge, float min, float max, int level, int side, int sheets) {
         return switch (edge) {
-            case WALL -> CircleMath.cell(max, min, inverseEdge[level]) >= WRAPS * side;
+            case WALL -> Cells.cell(max, min, inverseEdge[level]) >= WRAPS * side;
             case OPEN -> true;
             case WRAP -> sheets > WRAPS;
         };
@@ -271,7 +271,7 @@ public final class GridLevels {
 
     /** Cells from the one of the lower wall to the one of the upper, where there are as many: no base is outside the walls. */
     private int cellsUsed(float max, float min, int level, int side) {
-        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), side - 1) + 1;
+        return Math.min(Cells.cell(max, min, inverseEdge[level]), side - 1) + 1;
     }
 
     /**
@@ -342,14 +342,14 @@ public final class GridLevels {
 
     /** Level of a radius. */
     public int level(float r) {
-        return levelOf[CircleMath.sizeClass(r, rmax)];
+        return levelOf[Cells.sizeClass(r, rmax)];
     }
 
     /** The column of the torus of a coordinate. */
     public int column(float x, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? onRing(CircleMath.cell(x, minX, inverseEdge[level]), columnCount[level])
+                ? onRing(Cells.cell(x, minX, inverseEdge[level]), columnCount[level])
                 : RingCells.onRing(RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]), columnCount[level]);
     }
 
@@ -357,7 +357,7 @@ public final class GridLevels {
     public int row(float y, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? onRing(CircleMath.cell(y, minY, inverseEdge[level]), rowCount[level])
+                ? onRing(Cells.cell(y, minY, inverseEdge[level]), rowCount[level])
                 : RingCells.onRing(RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level]);
     }
 
@@ -374,7 +374,7 @@ public final class GridLevels {
     public int sheetX(float x, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(x, minX, inverseEdge[level]) / columnCount[level]
+                ? Cells.cell(x, minX, inverseEdge[level]) / columnCount[level]
                 : RingCells.sheet(
                         RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]),
                         columnCount[level],
@@ -385,7 +385,7 @@ public final class GridLevels {
     public int sheetY(float y, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(y, minY, inverseEdge[level]) / rowCount[level]
+                ? Cells.cell(y, minY, inverseEdge[level]) / rowCount[level]
                 : RingCells.sheet(
                         RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level], sheetsY[level]);
     }
@@ -410,27 +410,27 @@ public final class GridLevels {
 
     /** The column of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
     public int columnFrom(float x, int level) {
-        return bounds.edgeX() == AxisEdge.WALL ? CircleMath.cell(x, minX, inverseEdge[level]) : column(x, level);
+        return bounds.edgeX() == AxisEdge.WALL ? Cells.cell(x, minX, inverseEdge[level]) : column(x, level);
     }
 
     /** The column where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
     public int columnTo(float from, float to, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(to, minX, inverseEdge[level])
+                ? Cells.cell(to, minX, inverseEdge[level])
                 : last(edge, from, to, minX, scaleX[level], unitsX[level], columnCount[level]);
     }
 
     /** The row of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
     public int rowFrom(float y, int level) {
-        return bounds.edgeY() == AxisEdge.WALL ? CircleMath.cell(y, minY, inverseEdge[level]) : row(y, level);
+        return bounds.edgeY() == AxisEdge.WALL ? Cells.cell(y, minY, inverseEdge[level]) : row(y, level);
     }
 
     /** The row where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
     public int rowTo(float from, float to, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(to, minY, inverseEdge[level])
+                ? Cells.cell(to, minY, inverseEdge[level])
                 : last(edge, from, to, minY, scaleY[level], unitsY[level], rowCount[level]);
     }
 

@@ -29,43 +29,66 @@ public final class KindMotion {
     /** Floats of a row; the last one is of no meaning. */
     public static final int STRIDE = 8;
 
-    private KindMotion() {}
+    /** The rows of all kinds; set by {@link #update}, and of no meaning in a step that does not read them. */
+    public final float[] rows = new float[of(PairTable.KINDS)];
+
+    /** Counts the changes of {@link #rows}. */
+    public int version;
+
+    // What the rows have been computed from.
+    private float dt;
+    private int subSteps;
+    private float gravityX;
+    private float gravityY;
+    private int kindsVersion = -1;
+
+    /** What the kinds say of the motion of their circles. */
+    public interface Values {
+        /** What gravity is multiplied by. */
+        float gravityScale(int kind);
+
+        /** Damping, 1/s. */
+        float damping(int kind);
+
+        /** Greatest speed, which may be infinite. */
+        float greatestSpeed(int kind);
+    }
 
     /** Where the row of a kind begins. */
     public static int of(int kind) {
         return STRIDE * kind;
     }
 
-    /**
-     * Sets the row of a kind.
-     *
-     * @param to the rows
-     * @param kind its number
-     * @param k the numbers of the step without kinds
-     * @param gravityX gravity
-     * @param gravityY gravity
-     * @param gravityScale of the kind
-     * @param damping of the kind, 1/s
-     * @param greatestSpeed of the kind
-     */
-    static void set(
-            float[] to,
-            int kind,
-            StepConstants k,
-            float gravityX,
-            float gravityY,
-            float gravityScale,
-            float damping,
-            float greatestSpeed) {
+    /** Computes the rows, unless they are of the same constants and the same version of the kinds. */
+    public void update(StepConstants k, Values kinds, int ofVersion) {
+        if (kindsVersion == ofVersion
+                && dt == k.dt
+                && subSteps == k.subSteps
+                && Float.floatToRawIntBits(gravityX) == Float.floatToRawIntBits(k.gravityX)
+                && Float.floatToRawIntBits(gravityY) == Float.floatToRawIntBits(k.gravityY)) {
+            return;
+        }
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            set(kind, k, kinds.gravityScale(kind), kinds.damping(kind), kinds.greatestSpeed(kind));
+        }
+        dt = k.dt;
+        subSteps = k.subSteps;
+        gravityX = k.gravityX;
+        gravityY = k.gravityY;
+        kindsVersion = ofVersion;
+        version++;
+    }
+
+    private void set(int kind, StepConstants k, float gravityScale, float damping, float greatestSpeed) {
         int row = of(kind);
         float factor = 1f / (1f + damping * k.h);
-        to[row + GAIN_X] = CircleMath.limitSpeed(gravityX * gravityScale) * k.h;
-        to[row + GAIN_Y] = CircleMath.limitSpeed(gravityY * gravityScale) * k.h;
-        to[row + DAMPING_FACTOR] = factor;
-        to[row + GREATEST_SPEED] = greatestSpeed;
-        to[row + TIME] = k.dt;
-        to[row + FALLS] = StepConstants.falls(k.subSteps);
-        to[row + LONGEST_PATH] = greatestSpeed * k.dt;
+        rows[row + GAIN_X] = Motion.limitSpeed(k.gravityX * gravityScale) * k.h;
+        rows[row + GAIN_Y] = Motion.limitSpeed(k.gravityY * gravityScale) * k.h;
+        rows[row + DAMPING_FACTOR] = factor;
+        rows[row + GREATEST_SPEED] = greatestSpeed;
+        rows[row + TIME] = k.dt;
+        rows[row + FALLS] = StepConstants.falls(k.subSteps);
+        rows[row + LONGEST_PATH] = greatestSpeed * k.dt;
         if (factor != 1f) {
             float power = 1f;
             float powers = 0f;
@@ -75,8 +98,8 @@ public final class KindMotion {
                 powers += power;
                 falls += powers;
             }
-            to[row + TIME] = k.h * powers;
-            to[row + FALLS] = falls;
+            rows[row + TIME] = k.h * powers;
+            rows[row + FALLS] = falls;
         }
     }
 }

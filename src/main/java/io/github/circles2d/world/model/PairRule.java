@@ -9,7 +9,7 @@ public final class PairRule {
      *
      * @param dx difference of the positions
      * @param dy difference of the positions
-     * @param speculativeDistance speculative distance of the one ({@link CircleMath#speculativeDistance})
+     * @param speculativeDistance speculative distance of the one ({@link Paths#speculativeDistance})
      * @param otherSpeculativeDistance speculative distance of the other
      * @return -1 if they do, else 0
      */
@@ -19,7 +19,7 @@ public final class PairRule {
     }
 
     /**
-     * Whether two circles may touch within the step, by their paths: no only where {@link CircleMath#timeOfImpact} is at least 1. There
+     * Whether two circles may touch within the step, by their paths: no only where {@link TimeOfImpact#timeOfImpact} is at least 1. There
      * a circle touches another if max(c, 0) is less than b and a root of b * b - a * c. If c is positive, that root is at most b; 2.5 b
      * is more than both, also where b * b is too small a number to be exact. No root and no branch, since most pairs fail here.
      *
@@ -33,6 +33,6 @@ public final class PairRule {
     public static int mayTouch(float dx, float dy, float ux, float uy, float sum) {
         float b = dx * ux + dy * uy;
         float c = (dx * dx + dy * dy) - sum * sum;
-        return Branchless.isNegative(CircleMath.greatest(c, 0f) - 2.5f * b);
+        return Branchless.isNegative(CircleMath.max(c, 0f) - 2.5f * b);
     }
 }

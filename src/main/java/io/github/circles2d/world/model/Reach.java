@@ -65,7 +65,7 @@ public final class Reach {
 
     /** The column (or row) of cells of a coordinate: it never falls where the coordinate grows. */
     public static int cell(float x, float min, float inverseEdge) {
-        return (int) CircleMath.bounded((x - min) * inverseEdge, -LAST_CELL, LAST_CELL);
+        return (int) CircleMath.clamp((x - min) * inverseEdge, -LAST_CELL, LAST_CELL);
     }
 
     /** How many buckets there are for so many circles: a power of two. */

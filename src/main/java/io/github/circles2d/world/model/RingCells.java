@@ -37,8 +37,8 @@ final class RingCells {
      */
     static long cell(AxisEdge edge, float x, float min, float scale, int units) {
         return edge == AxisEdge.OPEN
-                ? Math.floorDiv((long) CircleMath.bounded(x * scale, -MOST_UNITS, MOST_UNITS), (long) units)
-                : (long) Math.floor(CircleMath.bounded((x - min) * scale, -MOST_CELLS, MOST_CELLS));
+                ? Math.floorDiv((long) CircleMath.clamp(x * scale, -MOST_UNITS, MOST_UNITS), (long) units)
+                : (long) Math.floor(CircleMath.clamp((x - min) * scale, -MOST_CELLS, MOST_CELLS));
     }
 
     /** The column (or row) of the torus of a cell. */

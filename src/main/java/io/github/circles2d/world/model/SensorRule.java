@@ -39,7 +39,7 @@ public final class SensorRule {
      * @param top greatest radius of the level
      */
     public static float margin(float r, float path, float top) {
-        return 1.125f * ((r + top) + CircleMath.greatest(path, top));
+        return 1.125f * ((r + top) + CircleMath.max(path, top));
     }
 
     /**
@@ -60,19 +60,19 @@ public final class SensorRule {
     /** The share of the step after which two circles are closest. */
     public static float timeOfClosest(float dx, float dy, float ux, float uy) {
         float uu = ux * ux + uy * uy;
-        return uu > 0f ? CircleMath.bounded(-(dx * ux + dy * uy) / uu, 0f, 1f) : 0f;
+        return uu > 0f ? CircleMath.clamp(-(dx * ux + dy * uy) / uu, 0f, 1f) : 0f;
     }
 
     /** The separation after a share of the step. */
     public static float separation(float dx, float dy, float ux, float uy, float share, float sum) {
-        return CircleMath.norm(dx + share * ux, dy + share * uy) - sum;
+        return CircleMath.length(dx + share * ux, dy + share * uy) - sum;
     }
 
     /** The share of the step after which two circles touch first that do touch. */
     public static float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
         float b = -(dx * ux + dy * uy);
         float gap = (dx * dx + dy * dy) - sum * sum;
-        float disc = CircleMath.greatest(b * b - (ux * ux + uy * uy) * gap, 0f);
-        return gap > 0f && b > 0f ? CircleMath.least(gap / (b + (float) Math.sqrt(disc)), 1f) : 0f;
+        float disc = CircleMath.max(b * b - (ux * ux + uy * uy) * gap, 0f);
+        return gap > 0f && b > 0f ? CircleMath.min(gap / (b + (float) Math.sqrt(disc)), 1f) : 0f;
     }
 }

@@ -83,46 +83,14 @@ public final class StepConstants {
     /** How its walls move there. */
     public final WallMotion walls = new WallMotion();
 
-    /** Whether pairs have to be filtered: whether some pair of kinds is not solid, or some circle has a group. */
+    /** Whether the step reads {@link PairResponses}: some pair of kinds is not solid, or some circle has a group. */
     public boolean filtering;
 
-    /** By pair of kinds, what their circles do to each other: a table of {@link PairTable}. */
-    public int[] responses;
-
-    /** Counts the changes of the kinds. */
-    public int kindsVersion;
-
-    /** Whether any circle may move in another way than gravity alone moves it: by its kind, or by a force. */
+    /** Whether the step reads {@link KindMotion}: some circle may move in another way than gravity alone moves it. */
     public boolean driving;
 
-    /** By kind: what moves its circles, by {@link KindMotion}. */
-    public final float[] kindMotion = new float[KindMotion.of(PairTable.KINDS)];
-
-    /** Counts the changes of {@link #kindMotion}. */
-    public int motionVersion;
-
-    /** Whether what contacts or walls do is reported. */
-    public boolean recording;
-
-    /** Whether some pairs that are only sensed are reported. */
-    public boolean sensing;
-
-    /** By pair of kinds, which of two circles looks for the other, if the pair is sensed and reported: by {@link SensorRule}. */
-    public int[] seeking;
-
-    /** Counts the changes of {@link #seeking}. */
-    public int seekingVersion;
-
-    private float gravityX;
-    private float gravityY;
-
-    /** What {@link #kindMotion} has been computed from, besides the kinds. */
-    private float motionDt;
-
-    private int motionSubSteps;
-    private float motionGravityX;
-    private float motionGravityY;
-    private int motionKinds = -1;
+    float gravityX;
+    float gravityY;
 
     /** No constants, until they are set. */
     public StepConstants() {}
@@ -187,7 +155,7 @@ public final class StepConstants {
     private void setThresholds(float gravityX, float gravityY, float fixed) {
         boolean byGravity = fixed == ContactSettings.BY_GRAVITY;
         float half = byGravity ? Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f : 0f;
-        thresholdRate = half * CircleMath.norm(gravityX, gravityY);
+        thresholdRate = half * CircleMath.length(gravityX, gravityY);
         thresholdRateX = half * Math.abs(gravityX);
         thresholdRateY = half * Math.abs(gravityY);
         restRate = byGravity ? Tuning.REST_SPEED * 0.5f : 0f;
@@ -198,80 +166,5 @@ public final class StepConstants {
     /** How many times the gain of speed of a sub-step moves a circle in the sub-steps of a step. */
     static float falls(int subSteps) {
         return 0.5f * subSteps * (subSteps + 1);
-    }
-
-    /**
-     * Sets how circles move by their kinds; after {@link #set} and {@link #setPairs}.
-     *
-     * @param drives whether any circle may move by its kind or a force
-     * @param kinds the values of the kinds
-     */
-    public void setMotion(boolean drives, KindValues kinds) {
-        driving = drives;
-        if (!drives
-                || motionKinds == kindsVersion
-                        && motionDt == dt
-                        && motionSubSteps == subSteps
-                        && Float.floatToRawIntBits(motionGravityX) == Float.floatToRawIntBits(gravityX)
-                        && Float.floatToRawIntBits(motionGravityY) == Float.floatToRawIntBits(gravityY)) {
-            return;
-        }
-        for (int kind = 0; kind < PairTable.KINDS; kind++) {
-            KindMotion.set(
-                    kindMotion,
-                    kind,
-                    this,
-                    gravityX,
-                    gravityY,
-                    kinds.gravityScale(kind),
-                    kinds.damping(kind),
-                    kinds.greatestSpeed(kind));
-        }
-        motionDt = dt;
-        motionSubSteps = subSteps;
-        motionGravityX = gravityX;
-        motionGravityY = gravityY;
-        motionKinds = kindsVersion;
-        motionVersion++;
-    }
-
-    /** What the kinds say of the motion of their circles. */
-    public interface KindValues {
-        /** What gravity is multiplied by. */
-        float gravityScale(int kind);
-
-        /** Damping, 1/s. */
-        float damping(int kind);
-
-        /** Greatest speed, which may be infinite. */
-        float greatestSpeed(int kind);
-    }
-
-    /**
-     * Sets what filters pairs.
-     *
-     * @param filters whether any pair may be filtered
-     * @param table by pair of kinds, what their circles do to each other; read during the step
-     * @param version counts the changes of the table
-     */
-    public void setPairs(boolean filters, int[] table, int version) {
-        filtering = filters;
-        responses = table;
-        kindsVersion = version;
-    }
-
-    /**
-     * Sets what of the step is reported. It changes nothing in it.
-     *
-     * @param records whether what contacts or walls do is reported
-     * @param senses whether pairs that are only sensed are
-     * @param table by pair of kinds, which circle looks for the other; read during the step
-     * @param version counts the changes of the table
-     */
-    public void setReports(boolean records, boolean senses, int[] table, int version) {
-        recording = records;
-        sensing = senses;
-        seeking = table;
-        seekingVersion = version;
     }
 }

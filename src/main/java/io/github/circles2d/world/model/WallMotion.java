@@ -15,7 +15,7 @@ public final class WallMotion {
     public final float[] travel = new float[COUNT];
 
     /** What a wall that comes in moves in a sub-step; 0 for others. */
-    public final float[] sweep = new float[COUNT];
+    public final float[] advance = new float[COUNT];
 
     /** The speed of a wall. */
     public final float[] speed = new float[COUNT];
@@ -29,7 +29,7 @@ public final class WallMotion {
      * The number of a wall.
      *
      * @param axis 0 for x, 1 for y
-     * @param side 1 for the lower wall, -1 for the upper, by {@link CircleMath#wallSide}
+     * @param side 1 for the lower wall, -1 for the upper, by {@link Walls#wallSide}
      */
     public static int of(int axis, float side) {
         return 2 * axis + (side > 0f ? 0 : 1);
@@ -69,8 +69,8 @@ public final class WallMotion {
             if (travel[wall] == 0f) {
                 travel[wall] = 0f; // not -0, which would change the sign of a velocity of 0
             }
-            sweep[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
-            speed[wall] = CircleMath.limitSpeed(travel[wall] / dt);
+            advance[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
+            speed[wall] = Motion.limitSpeed(travel[wall] / dt);
             moves |= travel[wall] != 0f;
         }
     }
@@ -82,7 +82,7 @@ public final class WallMotion {
 
     /** How far a wall is behind its last place at the end of a sub-step. */
     public float behind(int wall, int subStep) {
-        return sweep[wall] * (subSteps - 1 - subStep);
+        return advance[wall] * (subSteps - 1 - subStep);
     }
 
     /** Whether a circle feels the velocity of a wall: for smaller ones the wall jumps, and they have been brought inside. */
@@ -97,11 +97,11 @@ public final class WallMotion {
 
     /** What a wall moves in a sub-step, for a circle. */
     public float sweepFor(int wall, float r) {
-        return carries(wall, r) ? sweep[wall] : 0f;
+        return carries(wall, r) ? advance[wall] : 0f;
     }
 
     /** What a wall that comes in moves in the step, for a circle; 0 for others. */
     public float travelFor(int wall, float r) {
-        return carries(wall, r) ? CircleMath.greatest(travel[wall], 0f) : 0f;
+        return carries(wall, r) ? CircleMath.max(travel[wall], 0f) : 0f;
     }
 }

@@ -19,7 +19,7 @@ public final class ByColours implements Plan {
     private Kernel solve;
     private Kernel integratePositions;
     private Kernel relax;
-    private CrossPasses cross;
+    private CrossKernels cross;
     private Kernel finalizePositions;
     private RecordedSubSteps recorded;
 
@@ -37,7 +37,7 @@ public final class ByColours implements Plan {
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
-        cross = new CrossPasses(stages);
+        cross = new CrossKernels(stages);
         recorded = stages.recording() ? new RecordedSubSteps(stages, cross, finalizePositions) : null;
     }
 

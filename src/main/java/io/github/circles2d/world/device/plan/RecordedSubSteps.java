@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.TouchArrays;
 /** The sub-steps of {@link ByColours} that record what contacts and walls do; {@code kernels/world/stages/Touches.cl}. */
 final class RecordedSubSteps {
     private final Stages stages;
-    private final CrossPasses cross;
+    private final CrossKernels cross;
     private final Kernel begin;
     private final Kernel integrateVelocities;
     private final Kernel solve;
@@ -16,7 +16,7 @@ final class RecordedSubSteps {
     private final Kernel finalizePositions;
     private final Kernel tell;
 
-    RecordedSubSteps(Stages stages, CrossPasses cross, Kernel finalizePositions) {
+    RecordedSubSteps(Stages stages, CrossKernels cross, Kernel finalizePositions) {
         this.stages = stages;
         this.cross = cross;
         this.finalizePositions = finalizePositions;
