@@ -7,7 +7,5 @@
  * on the event thread, hands the latest frame to {@code DemoPainter}, which fills discs into an int raster and draws the
  * overlay. {@code PictureRun} does the same without threads or a display and writes a file. Keys travel the other way, as
  * commands in the loop's queue: no simulation step ever runs on the event thread.
- *
- * <p>Another engine joins by implementing {@code Engine} and taking its place in {@code EngineKind}.
  */
 package io.github.circles2d.demo;

@@ -11,12 +11,21 @@ import org.junit.jupiter.api.io.TempDir;
 
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
+    private static final Path PLAYGROUND = Path.of("playground/src/main/java");
     private static final Path BENCH = Path.of("bench/src/main/java");
 
     @Test
     void importsOfTheLibraryRunOneWayAndOnlyOpenclKnowsJavaCl() throws IOException {
         assertThat(Rooms.filesBelow(MAIN, ".java")).isNotEmpty();
         assertThat(Rooms.violations(MAIN)).isEmpty();
+    }
+
+    @Test
+    void thePlaygroundUsesThePublicRoomsOnlyAndIsNoPartOfTheLibrary() throws IOException {
+        assertThat(Rooms.filesBelow(PLAYGROUND, ".java")).isNotEmpty();
+        assertThat(Rooms.violations(PLAYGROUND)).isEmpty();
+        assertThat(Rooms.filesBelow(MAIN, ".java"))
+                .noneMatch(file -> file.startsWith(MAIN.resolve("io/github/circles2d/playground")));
     }
 
     @Test

@@ -191,7 +191,7 @@ class DocumentationTest {
     }
 
     @Test
-    void readmeConsumerSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
+    void readmeConsumerPlaygroundSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
         String pom = read("pom.xml");
         String version = first("<version>(.*?)</version>", pom);
         String dependency = "<groupId>" + first("<groupId>(.*?)</groupId>", pom) + "</groupId>\\s*<artifactId>"
@@ -200,8 +200,8 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String game : new String[] {"merge", "rollback", "swarm"}) {
-            assertThat(first(dependency + "(.*?)</version>", read("samples/" + game + "/pom.xml")))
+        for (String program : new String[] {"playground", "samples/merge", "samples/rollback", "samples/swarm"}) {
+            assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
                     .isEqualTo(version);
         }
         if (Files.exists(Path.of("bench/pom.xml"))) {
@@ -243,7 +243,8 @@ class DocumentationTest {
                 "docs/notes.md",
                 "docs/opencl.md",
                 "docs/patterns.md",
-                "docs/physics.md"
+                "docs/physics.md",
+                "playground/README.md"
             })
     void everyLinkToAFileLeadsToOne(String document) throws IOException {
         Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));
@@ -273,7 +274,7 @@ class DocumentationTest {
     @Test
     void everyTestOfTheTableOfPromisesExists() throws IOException {
         Set<String> tests = new TreeSet<>();
-        for (String folder : new String[] {"src/test/java", "bench/src/test/java"}) {
+        for (String folder : new String[] {"src/test/java", "playground/src/test/java", "bench/src/test/java"}) {
             try (Stream<Path> files = Files.walk(Path.of(folder))) {
                 files.forEach(file -> tests.add(file.getFileName().toString().replace(".java", "")));
             }

@@ -2,7 +2,6 @@ package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.opencl.ForkedJvm;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

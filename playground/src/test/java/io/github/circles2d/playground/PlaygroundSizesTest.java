@@ -2,8 +2,6 @@ package io.github.circles2d.playground;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.demo.VirtualDisplay;
-import io.github.circles2d.opencl.ForkedJvm;
 import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
