@@ -14,8 +14,8 @@ float2 gainOf(const World *w, int id, float invMass) {
 float2 drivenVelocity(const World *w, int id, float invMass, float4 m) {
     float4 kind = w->kindMotion[2 * w->fields[id].kind];
     float2 added = gainOf(w, id, invMass);
-    float x = beforeImpulse(m.z, added.x, kind.z);
-    float y = beforeImpulse(m.w, added.y, kind.z);
+    float x = beforeImpulse(m.VX, added.x, kind.z);
+    float y = beforeImpulse(m.VY, added.y, kind.z);
     float share = shareWithin(x, y, kind.w);
     return (float2)(share * x, share * y);
 }
@@ -24,8 +24,8 @@ float2 drivenVelocity(const World *w, int id, float invMass, float4 m) {
 float2 drivenPath(const World *w, int id, float invMass, float4 m) {
     float4 kind = w->kindMotion[2 * w->fields[id].kind + 1];
     float2 added = gainOf(w, id, invMass);
-    float x = plan(m.z, kind.x, added.x * w->k.h * kind.y);
-    float y = plan(m.w, kind.x, added.y * w->k.h * kind.y);
+    float x = plan(m.VX, kind.x, added.x * w->k.h * kind.y);
+    float y = plan(m.VY, kind.x, added.y * w->k.h * kind.y);
     float share = shareWithin(x, y, kind.z);
     return (float2)(share * x, share * y);
 }

@@ -102,7 +102,7 @@ INLINE bool wallIsFar(const StepConstants *k, float x, float dx, float before, f
 
 // Whether relaxWall, at both walls, changes nothing of a circle that has no impulse of walls and bounces off none. m: its motion.
 INLINE bool wallsAreApart(const StepConstants *k, float4 c, float4 m) {
-    float gapX = wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
-    float gapY = wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);
+    float gapX = wallGap(c.x, m.DX, c.RADIUS, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
+    float gapY = wallGap(c.y, m.DY, c.RADIUS, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);
     return (gapX > 0.0f) & (gapY > 0.0f);
 }

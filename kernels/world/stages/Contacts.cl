@@ -25,7 +25,7 @@ typedef struct {
 #define LONGEST_GROUP 4095
 
 int levelOfSlot(const World *w, int slot) {
-    return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].z);
+    return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].RADIUS);
 }
 
 // Refuses a step that does not thin crowds out.
@@ -37,8 +37,8 @@ void refuseCrowd(const World *w) {
 
 // The group of a cross contact, which counts for the circle that looked, and for the load of the heavy one.
 int recordCross(const World *w, int finer, int coarser) {
-    float finerMass = w->sight[finer].w;
-    float coarserMass = w->sight[coarser].w;
+    float finerMass = w->sight[finer].SIGHT_INVERSE_MASS;
+    float coarserMass = w->sight[coarser].SIGHT_INVERSE_MASS;
     bool isLight = isFinerLight(finerMass, coarserMass);
     int heavy = isLight ? coarser : finer;
     atomic_add(&w->crossLoad[heavy], isLight ? loadOfHeavy(finerMass, coarserMass) : loadOfHeavy(coarserMass, finerMass));
@@ -159,8 +159,8 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
     for (int i = s->part; i < count; i += s->parts) {
         int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
-        if (!isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.z)) continue;
-        if (!mayMeet(w, s->slot, s->inverseMass, other, o.w)) continue;
+        if (!isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.SIGHT_DISTANCE)) continue;
+        if (!mayMeet(w, s->slot, s->inverseMass, other, o.SIGHT_INVERSE_MASS)) continue;
         if (w->k.thinning && !keepsPair(w, s, other)) continue;
         int k = atomic_inc(&found->count);
         if (k < FINDINGS) {
@@ -177,8 +177,8 @@ Seeker seekerOf(const World *w, int slot, bool oneLevel) {
     Seeker s;
     s.x = own.x;
     s.y = own.y;
-    s.speculativeDistance = own.z;
-    s.inverseMass = own.w;
+    s.speculativeDistance = own.SIGHT_DISTANCE;
+    s.inverseMass = own.SIGHT_INVERSE_MASS;
     s.slot = slot;
     s.part = 0;
     s.parts = 1;
@@ -227,8 +227,8 @@ int candidatesIn(const World *w, const Seeker *s, int from, int to) {
     int sum = 0;
     for (int other = from; other < to; other++) {
         float4 o = w->sight[other];
-        sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.z) && other != s->slot &&
-               mayMeet(w, s->slot, s->inverseMass, other, o.w);
+        sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.SIGHT_DISTANCE) && other != s->slot &&
+               mayMeet(w, s->slot, s->inverseMass, other, o.SIGHT_INVERSE_MASS);
     }
     return sum;
 }
@@ -415,49 +415,49 @@ float warmStartImpulse(const World *w, uint lo, uint hi, ulong ids) {
 
 // Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries.
 void gatherLoad(const World *w, uint2 p, float nx, float ny, float normalImpulse, bool carrying) {
-    float4 lo = w->load[p.x];
-    float4 hi = w->load[p.y];
-    lo.x -= nx * normalImpulse;
-    lo.y -= ny * normalImpulse;
-    hi.x += nx * normalImpulse;
-    hi.y += ny * normalImpulse;
+    float4 lo = w->load[p.LOWER];
+    float4 hi = w->load[p.HIGHER];
+    lo.IMPULSES.x -= nx * normalImpulse;
+    lo.IMPULSES.y -= ny * normalImpulse;
+    hi.IMPULSES.x += nx * normalImpulse;
+    hi.IMPULSES.y += ny * normalImpulse;
     if (carrying) {
-        lo.w = 1.0f;
-        hi.w = 1.0f;
+        lo.LOADED_NEXT = 1.0f;
+        hi.LOADED_NEXT = 1.0f;
     }
-    w->load[p.x] = lo;
-    w->load[p.y] = hi;
+    w->load[p.LOWER] = lo;
+    w->load[p.HIGHER] = hi;
 }
 
 // Measures a contact: n. b: difference of the bases x, y, sum of the radii; mi, mj: motion of its circles. Returns whether
 // there is a direction.
 bool measureContact(float4 b, float4 mi, float4 mj, float4 *n) {
-    float x = n->x;
-    float y = n->y;
+    float x = n->NORMAL_X;
+    float y = n->NORMAL_Y;
     float separation;
-    bool apart = measure(b.x, b.y, mj.x - mi.x, mj.y - mi.y, b.z, &x, &y, &separation);
-    *n = (float4)(x, y, separation, n->w);
+    bool apart = measure(b.BASE_X, b.BASE_Y, mj.DX - mi.DX, mj.DY - mi.DY, b.RADII, &x, &y, &separation);
+    *n = (float4)(x, y, separation, n->NORMAL_IMPULSE);
     return apart;
 }
 
 // A contact as it starts the step: normal, separation, the impulse with which it ended the step before; and whether it
 // carries. b: difference of the bases x, y, sum of the radii, restitution.
 float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) {
-    float4 mi = w->motion[p.x];
-    float4 mj = w->motion[p.y];
+    float4 mi = w->motion[p.LOWER];
+    float4 mj = w->motion[p.HIGHER];
     float4 n = (float4)(0.0f);
-    if (!measureContact(b, mi, mj, &n)) n.xy = partingNormal(ids);
-    n.w = warmStartImpulse(w, p.x, p.y, ids);
-    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    *carrying = carries(n.w, vn, restingLimit(n.z, restitutionThreshold(&w->k, b.z, b.w)));
+    if (!measureContact(b, mi, mj, &n)) n.NORMAL = partingNormal(ids);
+    n.NORMAL_IMPULSE = warmStartImpulse(w, p.LOWER, p.HIGHER, ids);
+    float vn = along(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
+    *carrying = carries(n.NORMAL_IMPULSE, vn, restingLimit(n.SEPARATION, restitutionThreshold(&w->k, b.RADII, b.PAIR_RESTITUTION)));
     return n;
 }
 
 // The difference of the bases x, y of a pair, the sum of the radii, the restitution.
 float4 baseOfPair(const World *w, uint2 p) {
-    float4 ci = w->circle[p.x];
-    float4 cj = w->circle[p.y];
-    return (float4)(ACROSS_X(w, cj.x - ci.x), ACROSS_Y(w, cj.y - ci.y), ci.z + cj.z, greatest(w->traits[p.x].y, w->traits[p.y].y));
+    float4 ci = w->circle[p.LOWER];
+    float4 cj = w->circle[p.HIGHER];
+    return (float4)(ACROSS_X(w, cj.x - ci.x), ACROSS_Y(w, cj.y - ci.y), ci.RADIUS + cj.RADIUS, greatest(w->traits[p.LOWER].RESTITUTION, w->traits[p.HIGHER].RESTITUTION));
 }
 
 // Fills a contact and measures it for the first sub-step.
@@ -467,17 +467,17 @@ void fillContact(const World *w, int c) {
     bool carrying;
     float4 n = newContact(w, p, w->key[c], b, &carrying);
     w->base[c] = b;
-    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
+    w->masses[c] = (float4)(w->traits[p.LOWER].INVERSE_MASS, w->traits[p.HIGHER].INVERSE_MASS, pushSpeed(&w->k, b.RADII), 0.0f);
     w->contact[c] = n;
-    gatherLoad(w, p, n.x, n.y, n.w, carrying);
+    gatherLoad(w, p, n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE, carrying);
 }
 
 // Counts a like contact as a candidate of its circles, where no other work-item has any of the same circles. Returns the greater count,
 // with the contacts that a circle found in coarser levels.
 float countCandidate(const World *w, uint2 p) {
-    float lo = w->load[p.x].z += 1.0f;
-    float hi = w->load[p.y].z += 1.0f;
-    return hasOneLevel(w) ? greatest(lo, hi) : greatest(lo + (float) w->coarser[p.x], hi + (float) w->coarser[p.y]);
+    float lo = w->load[p.LOWER].CANDIDATES += 1.0f;
+    float hi = w->load[p.HIGHER].CANDIDATES += 1.0f;
+    return hasOneLevel(w) ? greatest(lo, hi) : greatest(lo + (float) w->coarser[p.LOWER], hi + (float) w->coarser[p.HIGHER]);
 }
 
 // Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
@@ -514,6 +514,6 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
 kernel void contacts_degrees(global const uint2 *pair, int contacts, global int *degree) {
     int c = (int) get_global_id(0);
     if (c >= contacts) return;
-    atomic_inc(&degree[pair[c].x]);
-    atomic_inc(&degree[pair[c].y]);
+    atomic_inc(&degree[pair[c].LOWER]);
+    atomic_inc(&degree[pair[c].HIGHER]);
 }

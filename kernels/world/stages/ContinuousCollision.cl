@@ -21,8 +21,8 @@ Runner runnerOf(const World *w, int slot) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
-    bool isStatic = sight.w == 0.0f;
-    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic};
+    bool isStatic = sight.SIGHT_INVERSE_MASS == 0.0f;
+    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE, CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
     return s;
 }
 
@@ -31,7 +31,7 @@ void noteLongestPath(const World *w, const Piece *piece) {
     float longest = 0.0f;
     for (int i = 0; i < piece->end.w; i++) {
         int slot = slotInPiece(piece, i);
-        if (w->sight[slot].w != 0.0f) longest = greatest(w->motionClamp[slot].w, longest);
+        if (w->sight[slot].SIGHT_INVERSE_MASS != 0.0f) longest = greatest(w->motionClamp[slot].PATH_LENGTH, longest);
     }
     if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
 }
@@ -52,11 +52,11 @@ void summarize(const World *w, int block) {
     Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
                                 (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
     for (int i = 0; i < piece.end.w; i++) {
-        float2 path = w->motionClamp[slotInPiece(&piece, i)].xy;
-        range.x = least(path.x, range.x);
-        range.y = greatest(path.x, range.y);
-        range.z = least(path.y, range.z);
-        range.w = greatest(path.y, range.w);
+        float2 path = w->motionClamp[slotInPiece(&piece, i)].PATH;
+        range.MIN_PATH_X = least(path.x, range.MIN_PATH_X);
+        range.MAX_PATH_X = greatest(path.x, range.MAX_PATH_X);
+        range.MIN_PATH_Y = least(path.y, range.MIN_PATH_Y);
+        range.MAX_PATH_Y = greatest(path.y, range.MAX_PATH_Y);
     }
     w->blockRange[block] = range;
     if (w->status[CARRYING]) noteLongestPath(w, &piece);
@@ -66,9 +66,9 @@ void summarize(const World *w, int block) {
 int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOCK_LOG); }
 
 // Whether a circle looks ahead: whether it is fast.
-bool looksAhead(const World *w, int slot) { return w->near[slot].x < NOT_FAST; }
+bool looksAhead(const World *w, int slot) { return w->near[slot].CONTACT_SHARE < NOT_FAST; }
 
-bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].w != 0.0f; }
+bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].SIGHT_INVERSE_MASS != 0.0f; }
 
 // Notes how far the circles reach, and summarizes the blocks. Index space: a working slot a work-item.
 kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
@@ -111,50 +111,50 @@ void shorten(const World *w, int slot, float t) { atomic_min(&w->timeOfImpact[sl
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    float ux = s->px - plan.x;
-    float uy = s->py - plan.y;
+    float ux = s->px - plan.PATH_X;
+    float uy = s->py - plan.PATH_Y;
     if (!isLonger(ux, uy, s->least)) return;
-    bool stands = inverseMass(c.w) == 0.0f; // spares a read
+    bool stands = inverseMass(c.MASS) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, 1.0f, other, stands ? 0.0f : 1.0f)) return;
-    if (!stands && !sweeps(s->r, c.z)) return;
+    if (!stands && !sweeps(s->r, c.RADIUS)) return;
     float dx = ACROSS_X(w, c.x - s->x);
     float dy = ACROSS_Y(w, c.y - s->y);
-    if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
+    if (stands && isNear(dx, dy, (s->r + s->path) + c.RADIUS)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
-    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
-    if (!(t < 1.0f) || (stands && isFast(plan.w, s->r))) return;
-    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
+    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.RADIUS);
+    if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) {
         return;
     }
     float slack = stands ? MARGIN : HOLD;
-    if (isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
+    if (isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {
         atomic_min(contactTimeOf(w, s->slot), as_int(t));
-        restrain(w, s->slot, holdAllowance(s->r, s->path, c.z, stands), stands);
+        restrain(w, s->slot, holdAllowance(s->r, s->path, c.RADIUS, stands), stands);
     } else if (stands) {
-        if (plan.w == 0.0f) shorten(w, s->slot, t);
-    } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
+        if (plan.PATH_LENGTH == 0.0f) shorten(w, s->slot, t);
+    } else if (plan.PATH_LENGTH <= s->path || !isFast(plan.PATH_LENGTH, c.RADIUS)) {
         shorten(w, s->slot, t);
-        if (isFast(plan.w, c.z)) shorten(w, other, t);
+        if (isFast(plan.PATH_LENGTH, c.RADIUS)) shorten(w, other, t);
     }
 }
 
 bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
-    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.x, s->py - plan.y, s->r + other.z);
+    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y, s->r + other.RADIUS);
 }
 
 // A fast circle and another whose reaches meet: most do not touch by their paths.
 void meetIfNear(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
-    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.w == INFINITY) meet(w, s, other);
+    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.MASS == INFINITY) meet(w, s, other);
 }
 
 // The same of two of which the other one reaches far, either way round.
 void meetBoth(const World *w, const Runner *s, bool looks, int other) {
     float4 c = w->circle[other];
     bool touches = mayTouchBy(w, s, c, w->motionClamp[other]);
-    if (looks && (touches || c.w == INFINITY)) meet(w, s, other);
+    if (looks && (touches || c.MASS == INFINITY)) meet(w, s, other);
     if (touches || s->isStatic) {
         Runner o = runnerOf(w, other);
         meet(w, &o, s->slot);
@@ -165,7 +165,7 @@ void meetBoth(const World *w, const Runner *s, bool looks, int other) {
 void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
     for (int other = from; other < to; other++) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetIfNear(w, s, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetIfNear(w, s, other);
     }
 }
 
@@ -174,11 +174,11 @@ void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
 void meetCarrier(const World *w, const Runner *s, int other, bool note) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    bool isStatic = inverseMass(c.w) == 0.0f; // spares a read
+    bool isStatic = inverseMass(c.MASS) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, isStatic ? 0.0f : 1.0f)) return;
     if (s->isStatic) {
-        if (plan.w <= s->path + CAP * c.z) meetCarried(w, s->slot, other, note);
-    } else if (isStatic && plan.w > 0.0f && isLonger(s->px - plan.x, s->py - plan.y, s->least)) {
+        if (plan.PATH_LENGTH <= s->path + CAP * c.RADIUS) meetCarried(w, s->slot, other, note);
+    } else if (isStatic && plan.PATH_LENGTH > 0.0f && isLonger(s->px - plan.PATH_X, s->py - plan.PATH_Y, s->least)) {
         meetCarried(w, other, s->slot, note);
     }
 }
@@ -227,7 +227,7 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
             int columnsOfBlock = inBlock(column, columns, c1 - u);
             float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
-            if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
+            if (s->isStatic || differ(s->px, s->py, range.MIN_PATH_X, range.MAX_PATH_X, range.MIN_PATH_Y, range.MAX_PATH_Y, s->least)) {
                 int overX = onRing(c0, columns) + (u - c0) >= columns ? 1 : 0;
                 int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
                 for (int r = row; r < row + rowsOfBlock; r++) {
@@ -278,7 +278,7 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level)
 void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int bucket) {
     for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetBoth(w, s, looks, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetBoth(w, s, looks, other);
     }
 }
 
@@ -313,13 +313,13 @@ int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
 bool hasPartOfLook(const World *w, int slot, int part) {
     if (part == w->levels->usedCount) return w->status[REACHES] != 0;
     float4 own = w->reach[slot]; // others may be changing what looksForStops reads
-    return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
+    return own.LOOKS != 0.0f && !(own.REACH > farIn(w, w->levels->used[part]));
 }
 
 INLINE void lookForStops(const World *w, const Runner *s, int part) {
-    float reach = w->reach[s->slot].z;
+    float reach = w->reach[s->slot].REACH;
     if (part == w->levels->usedCount) {
-        lookForReaching(w, s, reach, w->reach[s->slot].w != 0.0f);
+        lookForReaching(w, s, reach, w->reach[s->slot].LOOKS != 0.0f);
     } else {
         lookInLevel(w, s, reach, w->levels->used[part]);
     }
@@ -405,15 +405,15 @@ void setMotionClamp(const World *w, int slot) {
     // Nothing is in the way of most circles, and stage Grid has set their clamps.
     if (freeShare(w, slot) >= 1.0f && carryTime(w, slot) > 1.0f) return;
     float4 sight = w->sight[slot];
-    if (sight.w == 0.0f) return;
+    if (sight.SIGHT_INVERSE_MASS == 0.0f) return;
     const StepConstants *k = &w->k;
     float4 plan = w->motionClamp[slot];
-    float r = w->circle[slot].z;
+    float r = w->circle[slot].RADIUS;
     float free = as_float(w->timeOfImpact[slot]);
     float2 near = w->near[slot];
-    float limit = least(near.x, 1.0f);
-    float allowance = limit < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
-    float2 path = plan.xy;
+    float limit = least(near.CONTACT_SHARE, 1.0f);
+    float allowance = limit < 1.0f ? near.CONTACT_ALLOWANCE : CLAMP_ALLOWANCE * r;
+    float2 path = plan.PATH;
     int carrier = w->carrier[slot];
     float own = least(freeShare(w, slot), carryTime(w, slot));
     bool stops = free < limit || carryTime(w, slot) < 1.0f;
@@ -423,17 +423,17 @@ void setMotionClamp(const World *w, int slot) {
         if (carrier != NOBODY) {
             float4 carried = w->motionClamp[carrier];
             float rest = 1.0f - carryTime(w, slot);
-            path = (float2)(path.x + rest * carried.x, path.y + rest * carried.y);
-            allowance = isFast(carried.w, r) ? CARRIED : 0.0f;
+            path = (float2)(path.x + rest * carried.PATH_X, path.y + rest * carried.PATH_Y);
+            allowance = isFast(carried.PATH_LENGTH, r) ? CARRIED : 0.0f;
         }
     } else if (allowance >= 0.0f) {
         path = (float2)(limit * path.x, limit * path.y);
     }
     if (stops) {
-        w->sight[slot].z = speculativeDistance(r, 0.0f);
-        float2 gain = gainOf(w, w->id[slot], sight.w);
-        w->motion[slot].z -= (1.0f - own) * (gain.x * k->subSteps);
-        w->motion[slot].w -= (1.0f - own) * (gain.y * k->subSteps);
+        w->sight[slot].SIGHT_DISTANCE = speculativeDistance(r, 0.0f);
+        float2 gain = gainOf(w, w->id[slot], sight.SIGHT_INVERSE_MASS);
+        w->motion[slot].VX -= (1.0f - own) * (gain.x * k->subSteps);
+        w->motion[slot].VY -= (1.0f - own) * (gain.y * k->subSteps);
     }
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }

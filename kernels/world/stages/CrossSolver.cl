@@ -13,9 +13,9 @@ typedef struct {
 Cross crossOf(const World *w, int c, int light) {
     uint2 p = w->pair[c];
     Cross x;
-    x.isLightLower = p.x == (uint) light;
+    x.isLightLower = p.LOWER == (uint) light;
     x.light = (uint) light;
-    x.heavy = x.isLightLower ? p.y : p.x;
+    x.heavy = x.isLightLower ? p.HIGHER : p.LOWER;
     return x;
 }
 
@@ -31,9 +31,9 @@ World crossWorld(World w) {
     return w;
 }
 
-float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].z, w->k.inverseH); }
+float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].RADIUS, w->k.inverseH); }
 
-float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].z, w->k.inverseH, w->traits[slot].x); }
+float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS); }
 
 global long *sumsOf(const World *w, uint slot) { return (global long *) (w->heavySum + slot); }
 
@@ -49,11 +49,11 @@ void addToHeavy(global long *sums, float x, float y, float range) {
 void gatherCrossLoad(const World *w, const Cross *x, float4 n, float normalImpulse, bool carrying) {
     global float *own = (global float *) (w->load + x->light);
     global float *other = (global float *) (w->load + x->heavy);
-    float gx = n.x * normalImpulse;
-    float gy = n.y * normalImpulse;
+    float gx = n.NORMAL_X * normalImpulse;
+    float gy = n.NORMAL_Y * normalImpulse;
     own[0] = x->isLightLower ? own[0] - gx : own[0] + gx;
     own[1] = x->isLightLower ? own[1] - gy : own[1] + gy;
-    if (w->traits[x->heavy].x != 0.0f) {
+    if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addToHeavy(sumsOf(w, x->heavy) + 2, x->isLightLower ? gx : -gx, x->isLightLower ? gy : -gy, impulseRangeOf(w, x->heavy));
     }
     if (carrying) {
@@ -69,10 +69,10 @@ void fillCrossContact(const World *w, int c, int light) {
     bool carrying;
     float4 n = newContact(w, p, w->key[c], b, &carrying);
     w->base[c] = b;
-    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
+    w->masses[c] = (float4)(w->traits[p.LOWER].INVERSE_MASS, w->traits[p.HIGHER].INVERSE_MASS, pushSpeed(&w->k, b.RADII), 0.0f);
     w->contact[c] = n;
     if (w->k.tiled) w->ordered[c] = p;
-    gatherCrossLoad(w, &x, n, n.w, carrying);
+    gatherCrossLoad(w, &x, n, n.NORMAL_IMPULSE, carrying);
 }
 
 // Orders and fills the cross contacts of a light circle.
@@ -96,28 +96,28 @@ kernel void cross_fill(WORLD_PARAMETERS) {
 // Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
 // afterwards, as if the heavy circle had taken its part.
 float visitCross(const World *w, const Cross *x, float restitution, float4 q, float4 n, Ready *ready, bool relaxing, float2 *v, Visited *visited) {
-    float wl = x->isLightLower ? q.x : q.y;
-    float wh = x->isLightLower ? q.y : q.x;
-    float2 heavy = w->motion[x->heavy].zw;
+    float wl = x->isLightLower ? q.INVERSE_MASS_A : q.INVERSE_MASS_B;
+    float wh = x->isLightLower ? q.INVERSE_MASS_B : q.INVERSE_MASS_A;
+    float2 heavy = w->motion[x->heavy].VELOCITY;
     float2 toward = x->isLightLower ? heavy - *v : *v - heavy;
-    float vn = along(n.x, n.y, toward.x, toward.y);
+    float vn = along(n.NORMAL_X, n.NORMAL_Y, toward.x, toward.y);
     ready->mass = crossMass(wl, wh, crossShare(w->crossLoad[x->heavy]));
     visit(ready, vn, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
-        visited->leaves = waitsForTurn(w, x->light, x->heavy, restitution, wh, relaxing ? n.z : n.z + vn * w->k.h, relaxing);
+        visited->leaves = waitsForTurn(w, x->light, x->heavy, restitution, wh, relaxing ? n.SEPARATION : n.SEPARATION + vn * w->k.h, relaxing);
     }
     float impulse = visited->impulse;
     if (!visited->leaves) {
-        float lx = velocityChange(n.x, wl, impulse);
-        float ly = velocityChange(n.y, wl, impulse);
-        float hx = velocityChange(n.x, wh, impulse);
-        float hy = velocityChange(n.y, wh, impulse);
+        float lx = velocityChange(n.NORMAL_X, wl, impulse);
+        float ly = velocityChange(n.NORMAL_Y, wl, impulse);
+        float hx = velocityChange(n.NORMAL_X, wh, impulse);
+        float hy = velocityChange(n.NORMAL_Y, wh, impulse);
         *v = x->isLightLower ? (float2)(v->x - lx, v->y - ly) : (float2)(v->x + lx, v->y + ly);
         if (wh != 0.0f) {
             addToHeavy(sumsOf(w, x->heavy), x->isLightLower ? hx : -hx, x->isLightLower ? hy : -hy, velocityRangeOf(w, x->heavy));
         }
     }
-    return vn + impulse * (q.x + q.y);
+    return vn + impulse * (q.INVERSE_MASS_A + q.INVERSE_MASS_B);
 }
 
 // The biased pass over one contact. v: velocity of the light circle. Returns the impulse of a free bounce, or 0.
@@ -128,9 +128,9 @@ float solveCrossContact(const World *w, int c, int light, float2 *v) {
     Ready ready;
     readyToSolve(w, c, w->pair[c], q, n, &ready);
     Visited visited;
-    visitCross(w, &x, w->base[c].w, q, n, &ready, false, v, &visited);
-    w->masses[c].w = ready.bounce;
-    w->contact[c].w = visited.normalImpulse;
+    visitCross(w, &x, w->base[c].PAIR_RESTITUTION, q, n, &ready, false, v, &visited);
+    w->masses[c].BOUNCE = ready.bounce;
+    w->contact[c].NORMAL_IMPULSE = visited.normalImpulse;
     return visited.leaves || visited.solved ? 0.0f : visited.impulse;
 }
 
@@ -147,18 +147,18 @@ float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) 
     float4 q = w->masses[c];
     float4 n = w->contact[c];
     Ready ready;
-    readyToRelax(w, pr, w->base[c], q, w->motion[pr.x], w->motion[pr.y], &n, &ready);
+    readyToRelax(w, pr, w->base[c], q, w->motion[pr.LOWER], w->motion[pr.HIGHER], &n, &ready);
     Visited visited;
-    float vn = visitCross(w, &x, w->base[c].w, q, n, &ready, true, v, &visited);
+    float vn = visitCross(w, &x, w->base[c].PAIR_RESTITUTION, q, n, &ready, true, v, &visited);
     float next = visited.normalImpulse;
-    w->contact[c] = (float4)(n.x, n.y, n.z, next);
+    w->contact[c] = (float4)(n.NORMAL_X, n.NORMAL_Y, n.SEPARATION, next);
     if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
     if (last) {
-        if (next > 0.0f) storeCrossImpulse(w, c, pr.x, next);
+        if (next > 0.0f) storeCrossImpulse(w, c, pr.LOWER, next);
     } else if (carries(next, vn, ready.restingLimit)) {
         gatherCrossLoad(w, &x, n, next, true);
     }
-    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
+    return ready.bounce > 0.0f ? n.NORMAL_IMPULSE + visited.impulse : 0.0f;
 }
 
 // Gives a light circle its velocity behind its visits: kept aside if it is a heavy one for others, which still look at it.
@@ -166,7 +166,7 @@ void leaveLight(const World *w, int slot, float2 v) {
     if (w->crossLoad[slot] > 0) {
         w->lightVelocity[slot] = v;
     } else {
-        w->motion[slot].zw = v;
+        w->motion[slot].VELOCITY = v;
     }
 }
 
@@ -175,7 +175,7 @@ void solveCrossOf(const World *w, int slot) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
-    float2 v = w->motion[slot].zw;
+    float2 v = w->motion[slot].VELOCITY;
     for (int c = from; c < to; c++) {
         float notKept = solveCrossContact(w, c, slot, &v);
 #ifdef RECORDING
@@ -190,7 +190,7 @@ void relaxCrossOf(const World *w, int slot, bool last) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
-    float2 v = w->motion[slot].zw;
+    float2 v = w->motion[slot].VELOCITY;
     for (int c = from; c < to; c++) {
         float bounced = relaxCrossContact(w, c, slot, last, &v);
 #ifdef RECORDING
@@ -226,7 +226,7 @@ bool isLight(const World *w, int slot) {
 }
 
 // Whether a circle takes what it is given as the heavy one of a contact.
-bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].x != 0.0f; }
+bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].INVERSE_MASS != 0.0f; }
 
 // The velocity of a heavy circle behind a pass. v: as like contacts have left it.
 float2 velocityTaken(const World *w, int slot, float2 v) {
@@ -247,12 +247,12 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
 void takeCross(const World *w, int slot, bool velocities, bool impulses) {
     if (!isHeavy(w, slot)) return;
     if (velocities) {
-        float2 v = w->motion[slot].zw;
-        w->motion[slot].zw = velocityTaken(w, slot, v);
+        float2 v = w->motion[slot].VELOCITY;
+        w->motion[slot].VELOCITY = velocityTaken(w, slot, v);
     }
     if (impulses) {
-        float2 sum = w->load[slot].xy;
-        w->load[slot].xy = impulsesTaken(w, slot, sum);
+        float2 sum = w->load[slot].IMPULSES;
+        w->load[slot].IMPULSES = impulsesTaken(w, slot, sum);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);

@@ -38,10 +38,10 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
     s.y = start[s.id].y;
     s.px = ACROSS_X(w, c.x - s.x);
     s.py = ACROSS_Y(w, c.y - s.y);
-    s.r = c.z;
+    s.r = c.RADIUS;
     s.path = norm(s.px, s.py);
     s.fields = w->fields[s.id];
-    s.isStatic = w->homeTraits[slot].x == 0.0f;
+    s.isStatic = w->homeTraits[slot].INVERSE_MASS == 0.0f;
     s.isFast = s.path > s.r;
     return s;
 }

@@ -17,18 +17,18 @@ kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
     w.motion[slot] = m;
     w.traits[slot] = t;
     w.wallBounce[slot] = bounce;
-    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
 }
 
 // A contact as a pass finds it. b: base; q: masses; n: contact; loads: whether its circles are loaded, added up.
 Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
     Found f;
-    f.separation = n.z;
-    f.restitution = b.w;
-    f.threshold = restitutionThreshold(&w->k, b.z, b.w);
-    f.flight = flightThreshold(&w->k, b.z, b.w);
-    f.mass = effectiveMass(q.x, q.y);
-    f.normalImpulse = n.w;
+    f.separation = n.SEPARATION;
+    f.restitution = b.PAIR_RESTITUTION;
+    f.threshold = restitutionThreshold(&w->k, b.RADII, b.PAIR_RESTITUTION);
+    f.flight = flightThreshold(&w->k, b.RADII, b.PAIR_RESTITUTION);
+    f.mass = effectiveMass(q.INVERSE_MASS_A, q.INVERSE_MASS_B);
+    f.normalImpulse = n.NORMAL_IMPULSE;
     f.loaded = loads > 0.0f;
     return f;
 }
@@ -36,31 +36,31 @@ Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
 // Visits a contact, and applies the impulse. pr: slots; mi, mj: motion of its circles. Returns the normal speed afterwards.
 float visitPair(const World *w, uint2 pr, float4 n, float4 q, float4 mi, float4 mj, const Ready *c, bool relaxing,
                 Visited *visited) {
-    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    float vn = along(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
     visit(c, vn, relaxing, visited);
     float impulse = visited->impulse;
     if (!visited->leaves) {
-        mi.z -= velocityChange(n.x, q.x, impulse);
-        mi.w -= velocityChange(n.y, q.x, impulse);
-        mj.z += velocityChange(n.x, q.y, impulse);
-        mj.w += velocityChange(n.y, q.y, impulse);
-        w->motion[pr.x] = mi;
-        w->motion[pr.y] = mj;
+        mi.VX -= velocityChange(n.NORMAL_X, q.INVERSE_MASS_A, impulse);
+        mi.VY -= velocityChange(n.NORMAL_Y, q.INVERSE_MASS_A, impulse);
+        mj.VX += velocityChange(n.NORMAL_X, q.INVERSE_MASS_B, impulse);
+        mj.VY += velocityChange(n.NORMAL_Y, q.INVERSE_MASS_B, impulse);
+        w->motion[pr.LOWER] = mi;
+        w->motion[pr.HIGHER] = mj;
     }
-    return vn + impulse * (q.x + q.y);
+    return vn + impulse * (q.INVERSE_MASS_A + q.INVERSE_MASS_B);
 }
 
 // Makes contact c ready for the biased pass. pr, q, n: its pair, masses and contact.
 void readyToSolve(const World *w, int c, uint2 pr, float4 q, float4 n, Ready *ready) {
-    float4 li = w->load[pr.x];
-    float4 lj = w->load[pr.y];
-    Found found = foundContact(w, w->base[c], q, n, li.z + lj.z);
-    float2 before = lj.xy - li.xy;
-    found.pushSpeed = q.z;
-    found.before = along(n.x, n.y, before.x, before.y);
+    float4 li = w->load[pr.LOWER];
+    float4 lj = w->load[pr.HIGHER];
+    Found found = foundContact(w, w->base[c], q, n, li.LOADED + lj.LOADED);
+    float2 before = lj.BEFORE - li.BEFORE;
+    found.pushSpeed = q.PUSH_SPEED;
+    found.before = along(n.NORMAL_X, n.NORMAL_Y, before.x, before.y);
     found.squaredSpeed = before.x * before.x + before.y * before.y;
-    float2 fall = gainOfPair(w, pr.x, q.x, pr.y, q.y);
-    found.halfFall = halfFall(along(n.x, n.y, fall.x, fall.y), q.x, q.y);
+    float2 fall = gainOfPair(w, pr.LOWER, q.INVERSE_MASS_A, pr.HIGHER, q.INVERSE_MASS_B);
+    found.halfFall = halfFall(along(n.NORMAL_X, n.NORMAL_Y, fall.x, fall.y), q.INVERSE_MASS_A, q.INVERSE_MASS_B);
     makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, ready);
 }
 
@@ -72,9 +72,9 @@ float solveContact(const World *w, int c) {
     Ready ready;
     readyToSolve(w, c, pr, q, n, &ready);
     Visited visited;
-    visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
-    w->masses[c].w = ready.bounce;
-    w->contact[c].w = visited.normalImpulse;
+    visitPair(w, pr, n, q, w->motion[pr.LOWER], w->motion[pr.HIGHER], &ready, false, &visited);
+    w->masses[c].BOUNCE = ready.bounce;
+    w->contact[c].NORMAL_IMPULSE = visited.normalImpulse;
     return visited.leaves || visited.solved ? 0.0f : visited.impulse;
 }
 
@@ -97,7 +97,7 @@ kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
     if (slot >= circles || refused(&w)) return;
     float4 m = w.motion[slot];
     float4 t = w.traits[slot];
-    float loaded = w.load[slot].z;
+    float loaded = w.load[slot].LOADED;
     moveCircle(&w, slot, w.circle[slot], &m, &t, w.wallBounce[slot], loaded > 0.0f);
     w.motion[slot] = m;
     w.traits[slot] = t;
@@ -107,8 +107,8 @@ kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
 
 // Stores a contact's impulse for the step to come.
 void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
-    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, w->firstCached[pr.x]);
-    w->firstCached[pr.x] = c;
+    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, w->firstCached[pr.LOWER]);
+    w->firstCached[pr.LOWER] = c;
 }
 
 // Whether a circle is loaded, in the relaxing pass: of its load no more than that, since others write the rest.
@@ -117,8 +117,8 @@ float loadedOf(const World *w, uint slot) { return ((global const float *) (w->l
 // Measures a contact again, and makes it ready for the relaxing pass. b, q, n: its base, masses and contact; mi, mj: motion of its circles.
 void readyToRelax(const World *w, uint2 pr, float4 b, float4 q, float4 mi, float4 mj, float4 *n, Ready *ready) {
     measureContact(b, mi, mj, n);
-    Found found = foundContact(w, b, q, *n, loadedOf(w, pr.x) + loadedOf(w, pr.y));
-    makeReadyToRelax(&w->k, &found, q.w, ready);
+    Found found = foundContact(w, b, q, *n, loadedOf(w, pr.LOWER) + loadedOf(w, pr.HIGHER));
+    makeReadyToRelax(&w->k, &found, q.BOUNCE, ready);
 }
 
 // Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, which the
@@ -128,21 +128,21 @@ float relaxContact(const World *w, int c, bool last) {
     float4 b = w->base[c];
     float4 q = w->masses[c];
     float4 n = w->contact[c];
-    float4 mi = w->motion[pr.x];
-    float4 mj = w->motion[pr.y];
+    float4 mi = w->motion[pr.LOWER];
+    float4 mj = w->motion[pr.HIGHER];
     Ready ready;
     readyToRelax(w, pr, b, q, mi, mj, &n, &ready);
     Visited visited;
     float vn = visitPair(w, pr, n, q, mi, mj, &ready, true, &visited);
     float next = visited.normalImpulse;
-    w->contact[c] = (float4)(n.x, n.y, n.z, next);
+    w->contact[c] = (float4)(n.NORMAL_X, n.NORMAL_Y, n.SEPARATION, next);
     if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
     if (last) {
         if (next > 0.0f) storeImpulse(w, c, pr, next);
     } else if (carries(next, vn, ready.restingLimit)) {
-        gatherLoad(w, pr, n.x, n.y, next, true);
+        gatherLoad(w, pr, n.NORMAL_X, n.NORMAL_Y, next, true);
     }
-    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
+    return ready.bounce > 0.0f ? n.NORMAL_IMPULSE + visited.impulse : 0.0f;
 }
 
 // Index space: a group of one colour a work-item. Cost: its contacts.

@@ -9,9 +9,9 @@ void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
     if (!isHeavy(w, slot)) return;
-    m->zw = velocityTaken(w, slot, m->zw);
+    m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
     if (impulses) {
-        l->xy = impulsesTaken(w, slot, l->xy);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
@@ -22,7 +22,7 @@ void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
     if (isHeavy(w, slot)) {
-        l->xy = impulsesTaken(w, slot, l->xy);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->heavySum[slot] = (long4)(0);
     }
 #ifdef RECORDING
@@ -51,9 +51,9 @@ void startSlot(const World *w, int slot, bool first) {
     w->motion[slot] = m;
     w->traits[slot] = t;
     w->wallBounce[slot] = bounce;
-    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
+    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
+    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m);
 #endif
 }
 
@@ -63,18 +63,18 @@ void moveSlot(const World *w, int slot) {
     float4 t = w->traits[slot];
     float4 m, l;
     takeAll(w, slot, false, &m, &l);
-    bool isStatic = t.x == 0.0f;
+    bool isStatic = t.INVERSE_MASS == 0.0f;
     m = integratePositions(w, slot, c, m, isStatic);
 #ifdef RECORDING
-    float2 moving = m.zw;
+    float2 moving = m.VELOCITY;
 #endif
-    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], l.z > 0.0f);
+    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], l.LOADED > 0.0f);
     w->motion[slot] = m;
     w->traits[slot] = t;
-    w->load[slot] = (float4)(0.0f, 0.0f, l.z, 0.0f);
+    w->load[slot] = (float4)(0.0f, 0.0f, l.LOADED, 0.0f);
     w->homeFirstCached[slot] = NONE;
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
+    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
 #endif
 }
 

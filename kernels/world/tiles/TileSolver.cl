@@ -281,8 +281,8 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->velocity[i] = m[n].zw;
-            t->load[i] = relaxing ? m[n].xy : before[n];
+            t->velocity[i] = m[n].VELOCITY;
+            t->load[i] = relaxing ? m[n].DISPLACEMENT : before[n];
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
         }
@@ -298,7 +298,7 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
         float2 d[MOST_TOGETHER];
         TOGETHER_EACH(n, 2) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
         TOGETHER_EACH(n, 2) {
-            if (entry[n] >= 0) d[n] = w->motion[entry[n] & ENTRY_SLOT].xy;
+            if (entry[n] >= 0) d[n] = w->motion[entry[n] & ENTRY_SLOT].DISPLACEMENT;
         }
         TOGETHER_EACH(n, 2) {
             if (entry[n] < 0) continue;
@@ -387,9 +387,9 @@ void measureContacts(const World *w, local Tile *t) {
             int j = higherOf(circles[n]);
             float2 moved = t->load[j] - t->load[i];
             float nx = 0.0f, ny = 0.0f, separation;
-            if (!measure(base[n].x, base[n].y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
-                nx = w->contact[copy].x;
-                ny = w->contact[copy].y;
+            if (!measure(base[n].BASE_X, base[n].BASE_Y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
+                nx = w->contact[copy].NORMAL_X;
+                ny = w->contact[copy].NORMAL_Y;
             }
             w->contact[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
         }
@@ -405,7 +405,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
         int entry = entries[i];
         if (entry < 0 || (entry & AT_WALL) == 0) continue;
         int slot = entry & ENTRY_SLOT;
-        float2 d = w->solvedMotion[slot].xy;
+        float2 d = w->solvedMotion[slot].DISPLACEMENT;
         float2 v = t->velocity[i];
         bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
         float4 m = (float4)(d.x, d.y, v.x, v.y);
@@ -433,8 +433,8 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->load[i] = m[n].xy;
-            t->velocity[i] = m[n].zw;
+            t->load[i] = m[n].DISPLACEMENT;
+            t->velocity[i] = m[n].VELOCITY;
             t->burden[i] = burden[n];
             if ((i & 31) == 0) t->carried[i >> 5] = 0;
         }
@@ -456,7 +456,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
             c[n] = w->circle[entry[n] & ENTRY_SLOT];
-            d[n] = w->solvedMotion[entry[n] & ENTRY_SLOT].xy;
+            d[n] = w->solvedMotion[entry[n] & ENTRY_SLOT].DISPLACEMENT;
         }
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
@@ -481,8 +481,8 @@ void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeFirstCached[p.x], c);
-    w->impulseCache[c] = cacheEntry(w->id[p.y], normalImpulse, next);
+    int next = atomic_xchg(&w->homeFirstCached[p.LOWER], c);
+    w->impulseCache[c] = cacheEntry(w->id[p.HIGHER], normalImpulse, next);
 }
 
 // Index space: any number of work-items, which take the contacts in turn.
