@@ -30,8 +30,16 @@ float2 drivenPath(const World *w, int id, float invMass, float4 m) {
     return (float2)(share * x, share * y);
 }
 
-// What is added to the velocity of the circle of a pair that is not static in a sub-step; of any of the two if both are not.
-float2 gainOfPair(const World *w, int slot, float invMassA, int other, float invMassB) {
-    if (w->k.driving == 0) return (float2)(w->k.gravityStepX, w->k.gravityStepY);
-    return invMassA == 0.0f ? gainOf(w, w->id[other], invMassB) : gainOf(w, w->id[slot], invMassA);
+// What is added to the velocity of the circle of a pair that is not static in a sub-step. Of two that both fall nobody asks.
+bool needsGain(const World *w, float invMassA, float invMassB) {
+    return w->k.driving != 0 && (invMassA == 0.0f || invMassB == 0.0f);
+}
+
+float2 gainOfPair(const World *w, uint slotA, float invMassA, uint slotB, float invMassB) {
+    return invMassA == 0.0f ? gainOf(w, w->id[slotB], invMassB) : gainOf(w, w->id[slotA], invMassA);
+}
+
+float2 fallOfPair(const World *w, uint slotA, float invMassA, uint slotB, float invMassB) {
+    if (needsGain(w, invMassA, invMassB)) return gainOfPair(w, slotA, invMassA, slotB, invMassB);
+    return (float2)(w->k.gravityStepX, w->k.gravityStepY);
 }

@@ -63,7 +63,7 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     f.separation += clear ? 0.0f : sweepFor(w, wall, r);
     f.before = side * before - speed;
     Ready c;
-    makeReadyToSolve(k, wallSoftness(k), &f, &c);
+    makeReadyToSolve(k, oneBodySoftness(k), &f, &c);
     float vn = side * v - speed;
     Visited visited;
     visit(&c, vn, false, &visited);

@@ -1,4 +1,4 @@
-// uses: world/stages/Events.cl world/stages/Solver.cl
+// uses: world/shared/Wall.cl world/stages/Events.cl
 // Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
 // wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
 // first world that reports.
@@ -121,69 +121,6 @@ void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseM
     float gapY = wallGap(c.y, m.DY, c.RADIUS, sideY, w->k.minY, w->k.maxY);
     touchRelaxed(w, t, 0, sideX, c.RADIUS, v.x, m.VX, gapX, c.y + m.DY);
     touchRelaxed(w, t + 1, 1, sideY, c.RADIUS, v.y, m.VY, gapY, c.x + m.DX);
-}
-
-// Index space: a working slot a work-item.
-kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
-    World w = WORLD;
-    w.subStep = subStep;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    float4 c = w.circle[slot];
-    float4 m = w.motion[slot];
-    float4 t = w.traits[slot];
-    float4 l = w.load[slot];
-    float4 old = m;
-    float2 before, bounce;
-    bool loaded;
-    integrateVelocities(&w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.wallBounce[slot] = bounce;
-    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
-    noteWallsSolved(&w, wallTouch + 2 * slot, c, t.x, l.IMPULSES, before, old, m);
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
-}
-
-// Index space: a working slot a work-item.
-kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
-    World w = WORLD;
-    w.subStep = subStep;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    float4 c = w.circle[slot];
-    float4 t = w.traits[slot];
-    float loaded = w.load[slot].z;
-    bool isStatic = t.x == 0.0f;
-    float4 m = integratePositions(&w, slot, c, w.motion[slot], isStatic);
-    float4 before = m;
-    if (!isStatic) relaxAtWalls(&w, c, &m, &t, w.wallBounce[slot], loaded > 0.0f);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    w.firstCached[slot] = NONE;
-    noteWallsRelaxed(&w, wallTouch + 2 * slot, c, t.x, before.VELOCITY, m);
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 *touch) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.

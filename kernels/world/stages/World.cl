@@ -41,7 +41,7 @@ Softness contactSoftness(const StepConstants *k) {
     return softness;
 }
 
-Softness wallSoftness(const StepConstants *k) {
+Softness oneBodySoftness(const StepConstants *k) {
     Softness softness = {k->wallBiasRate, k->wallMassScale, k->wallImpulseScale};
     return softness;
 }
@@ -271,6 +271,14 @@ int likeGroups(const World *w) { return w->levels->first[LEVELS]; }
 int groupOf(const World *w, int atLevel, int ox, int oy) {
     int first = ((ox & 1) + 2 * (oy & 1)) * (likeGroups(w) >> 2) + (w->levels->first[atLevel] >> 2);
     return first + ((oy >> 1) << (w->levels->columnsLog[atLevel] - 1)) + (ox >> 1);
+}
+
+// The contacts [x, y) of the group of a colour that is a work-item's; none if there is no such group.
+int2 contactsOfItem(const World *w, int colour) {
+    int groups = likeGroups(w) >> 2;
+    int item = (int) get_global_id(0);
+    if (item >= groups) return (int2)(0);
+    return (int2)(w->groupStart[colour * groups + item], w->groupStart[colour * groups + item + 1]);
 }
 
 // Behind them, if there are several levels, each circle has a group of its own, of the cross contacts in which it is the light one.

@@ -32,50 +32,21 @@ void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
 #endif
 }
 
-// Starts a circle into a sub-step: gravity, the impulses of the sub-step before, the walls.
 void startSlot(const World *w, int slot, bool first) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
     float4 m, l;
     if (first) {
         beginCircle(w, slot, &m, &l);
     } else {
         takeAll(w, slot, true, &m, &l);
     }
-#ifdef RECORDING
-    float4 old = m;
-#endif
-    float2 before, bounce;
-    bool loaded;
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->wallBounce[slot] = bounce;
-    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m);
-#endif
+    startCircleAt(w, slot, m, l);
 }
 
-// Ends the biased pass for a circle: its move.
 void moveSlot(const World *w, int slot) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
     float4 m, l;
     takeAll(w, slot, false, &m, &l);
-    bool isStatic = t.INVERSE_MASS == 0.0f;
-    m = integratePositions(w, slot, c, m, isStatic);
-#ifdef RECORDING
-    float2 moving = m.VELOCITY;
-#endif
-    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], l.LOADED > 0.0f);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->load[slot] = (float4)(0.0f, 0.0f, l.LOADED, 0.0f);
+    moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
-#endif
 }
 
 // Ends the step for a circle.

@@ -57,7 +57,7 @@ typedef struct {
 
 #define NO_CONTACT ((int2)(0, (int) 0x80000000 | circlesOf(NO_CIRCLE, NO_CIRCLE, 0)))
 
-bool isContact(int2 contact) { return contact.y >= 0; }
+bool isContact(int2 contact) { return contact.PLACED_CIRCLES >= 0; }
 
 // Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
 #if PTX
@@ -86,9 +86,9 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
 // What a pass reads of a contact.
 typedef struct {
     int2 contact;   // as it is placed, or NO_CONTACT
-    float4 normal;  // normal, separation, effective mass
-    float2 shape;   // sum of the radii, restitution
-    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
+    float4 normal;  // as in contact
+    float2 shape;
+    float2 impulse; // in the biased pass the accumulated one alone
 #ifdef RECORDING
     float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
 #endif
@@ -97,126 +97,112 @@ typedef struct {
 void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->contact = entry.contact;
     if (!isContact(entry.contact)) return;
-    int c = entry.contact.x & ~NOT_OWN;
+    int c = entry.contact.PLACED_CONTACT & ~NOT_OWN;
     reading->normal = w->contact[entry.copy];
     reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 #ifdef RECORDING
-    if (relaxing && entry.contact.x >= 0) {
+    if (relaxing && entry.contact.PLACED_CONTACT >= 0) {
         reading->touchNow = touchNow(w)[c];
         reading->touchSoFar = touchSoFar(w)[c];
     }
 #endif
 }
 
-// A contact that is ready to be visited. Contacts wait for each other only in visitContact, so all else is done before.
+// A contact that is ready to be visited.
 typedef struct {
     int2 contact;
-    float nx, ny;
-    float invMassA, invMassB;
-    Ready ready;
+    Visit visit;
 #ifdef RECORDING
     float separation, radii;
     float before; // in the biased pass: normal speed before any impulse
     float2 touchNow, touchSoFar;
 #endif
-} Visit;
+} TileVisit;
 
-void readyContact(const World *w, local const Tile *t, const Reading *r, bool relaxing, Visit *v) {
-    int i = lowerOf(r->contact.y);
-    int j = higherOf(r->contact.y);
-    float wi = t->burden[i];
-    float wj = t->burden[j];
-    Found f;
-    f.separation = r->normal.z;
-    f.restitution = r->shape.y;
-    f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
-    f.flight = flightThreshold(&w->k, r->shape.x, r->shape.y);
-    f.mass = r->normal.w;
-    f.normalImpulse = r->impulse.x;
-    f.loaded = isLoaded(wi) || isLoaded(wj);
+void readyContact(const World *w, local const Tile *t, const Reading *r, bool relaxing, TileVisit *v) {
+    int i = lowerOf(r->contact.PLACED_CIRCLES);
+    int j = higherOf(r->contact.PLACED_CIRCLES);
+    float burdenA = t->burden[i];
+    float burdenB = t->burden[j];
+    Pair p;
+    p.nx = r->normal.NORMAL_X;
+    p.ny = r->normal.NORMAL_Y;
+    p.separation = r->normal.SEPARATION;
+    p.radii = r->shape.SHAPE_RADII;
+    p.restitution = r->shape.SHAPE_RESTITUTION;
+    p.invMassA = fabs(burdenA);
+    p.invMassB = fabs(burdenB);
+    p.mass = r->normal.COPIED_MASS;
+    p.normalImpulse = r->impulse.STORED_IMPULSE;
+    p.bounce = r->impulse.STORED_BOUNCE;
+    p.loaded = isLoaded(burdenA) || isLoaded(burdenB);
     v->contact = r->contact;
-    v->nx = r->normal.x;
-    v->ny = r->normal.y;
-    v->invMassA = fabs(wi);
-    v->invMassB = fabs(wj);
     if (relaxing) {
-        makeReadyToRelax(&w->k, &f, r->impulse.y, &v->ready);
+        readyToRelax(&w->k, &p, &v->visit);
     } else {
-        float2 bi = t->load[i];
-        float2 bj = t->load[j];
-        float2 before = bj - bi;
-        f.pushSpeed = pushSpeed(&w->k, r->shape.x);
-        f.before = along(r->normal.x, r->normal.y, before.x, before.y);
-        f.squaredSpeed = before.x * before.x + before.y * before.y;
         float2 fall = (float2)(w->k.gravityStepX, w->k.gravityStepY);
-        if (w->k.driving && isContact(r->contact) && (wi == 0.0f || wj == 0.0f)) {
-            uint2 pair = w->ordered[r->contact.x & ~NOT_OWN];
-            fall = gainOfPair(w, pair.x, v->invMassA, pair.y, v->invMassB);
+        if (isContact(r->contact) && needsGain(w, p.invMassA, p.invMassB)) {
+            uint2 pair = w->ordered[r->contact.PLACED_CONTACT & ~NOT_OWN];
+            fall = gainOfPair(w, pair.LOWER, p.invMassA, pair.HIGHER, p.invMassB);
         }
-        f.halfFall = halfFall(along(r->normal.x, r->normal.y, fall.x, fall.y), v->invMassA, v->invMassB);
-        makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);
+        float before = readyToSolve(&w->k, &p, t->load[j] - t->load[i], fall, &v->visit);
+#ifdef RECORDING
+        v->before = before;
+#endif
     }
 #ifdef RECORDING
-    v->separation = r->normal.z;
-    v->radii = r->shape.x;
+    v->separation = p.separation;
+    v->radii = p.radii;
     if (relaxing) {
         v->touchNow = r->touchNow;
         v->touchSoFar = r->touchSoFar;
-    } else {
-        v->before = f.before;
     }
 #endif
 }
 
 // Visits a contact, with as few branches as can be: they would be most of the time.
-void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, bool last) {
-    int i = lowerOf(v->contact.y);
-    int j = higherOf(v->contact.y);
-    float2 vi = t->velocity[i];
-    float2 vj = t->velocity[j];
-    float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
-    float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
-    float vn = along(v->nx, v->ny, vj.x - vi.x, vj.y - vi.y);
+void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxing, bool last) {
+    int i = lowerOf(v->contact.PLACED_CIRCLES);
+    int j = higherOf(v->contact.PLACED_CIRCLES);
+    float2 va = t->velocity[i];
+    float2 vb = t->velocity[j];
+    float2 loadA = relaxing && !last ? t->load[i] : (float2)(0.0f);
+    float2 loadB = relaxing && !last ? t->load[j] : (float2)(0.0f);
     Visited visited;
-    visit(&v->ready, vn, relaxing, &visited);
-    float impulse = visited.impulse;
+    float vn = visitPair(&v->visit, va, vb, relaxing, &visited);
     float next = visited.normalImpulse;
     bool there = isContact(v->contact);
     if (there && !visited.leaves) {
-        t->velocity[i] = (float2)(vi.x - velocityChange(v->nx, v->invMassA, impulse),
-                                  vi.y - velocityChange(v->ny, v->invMassA, impulse));
-        t->velocity[j] = (float2)(vj.x + velocityChange(v->nx, v->invMassB, impulse),
-                                  vj.y + velocityChange(v->ny, v->invMassB, impulse));
+        t->velocity[i] = va - changeOfVelocity(&v->visit, v->visit.invMassA, visited.impulse);
+        t->velocity[j] = vb + changeOfVelocity(&v->visit, v->visit.invMassB, visited.impulse);
     }
-    if (relaxing && !last) {
-        float after = vn + impulse * (v->invMassA + v->invMassB);
-        if (there && visited.solved && carries(next, after, v->ready.restingLimit)) {
-            t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
-            t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
-            atomic_or(&t->carried[i >> 5], 1u << (i & 31));
-            atomic_or(&t->carried[j >> 5], 1u << (j & 31));
-        }
+    if (relaxing && !last && there && carriesOn(&v->visit, vn, &visited)) {
+        float2 g = loadAlong(v->visit.nx, v->visit.ny, next);
+        t->load[i] = loadA - g;
+        t->load[j] = loadB + g;
+        atomic_or(&t->carried[i >> 5], 1u << (i & 31));
+        atomic_or(&t->carried[j >> 5], 1u << (j & 31));
     }
-    if (!there || v->contact.x < 0) return;
+    if (!there || v->contact.PLACED_CONTACT < 0) return;
 #ifdef RECORDING
     if (relaxing) {
-        noteRelaxed(w, v->contact.x, v->touchNow, v->touchSoFar, v->ready.normalImpulse, v->ready.bounce, v->nx, v->ny,
+        noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce, v->visit.nx, v->visit.ny,
                     v->separation, v->radii, &visited);
     } else {
-        noteSolved(w, v->contact.x, v->before, v->nx, v->ny, v->separation, v->radii, &visited);
+        noteSolved(w, v->contact.PLACED_CONTACT, v->before, v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     }
 #endif
     if (relaxing) {
-        w->held[v->contact.x] = next;
+        w->held[v->contact.PLACED_CONTACT] = next;
     } else {
-        w->impulse[v->contact.x] = (float2)(next, v->ready.bounce);
+        w->impulse[v->contact.PLACED_CONTACT] = (float2)(next, v->visit.ready.bounce);
     }
 }
 
 // Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
 // and looks up those of the third.
-void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit,
+void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, TileVisit *visit,
                Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
     visitContact(w, t, visit, relaxing, last);
@@ -231,7 +217,7 @@ void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool
     Cursor cursor;
     setCursor(t, &cursor, 0);
     Reading reading;
-    Visit visit;
+    TileVisit visit;
     reading.normal = (float4)(0.0f);
     reading.shape = reading.impulse = (float2)(0.0f);
 #ifdef RECORDING
@@ -335,8 +321,8 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->velocity[i] = drive[n].xy;
-            t->load[i] = drive[n].zw;
+            t->velocity[i] = drive[n].START_VELOCITY;
+            t->load[i] = drive[n].START_BEFORE;
             t->burden[i] = burden[n];
         }
     }
@@ -376,9 +362,9 @@ void measureContacts(const World *w, local Tile *t) {
         float sum[MOST_TOGETHER];
         TOGETHER_EACH(n, TAKEN) {
             int place = min(togetherItem(first, n), contacts - 1);
-            circles[n] = placed[place].y;
+            circles[n] = placed[place].PLACED_CIRCLES;
             base[n] = w->bases[t->firstCopy + place];
-            sum[n] = w->shape[t->firstCopy + place].x;
+            sum[n] = w->shape[t->firstCopy + place].SHAPE_RADII;
         }
         TOGETHER_EACH(n, TAKEN) {
             int copy = t->firstCopy + togetherItem(first, n);
@@ -387,7 +373,7 @@ void measureContacts(const World *w, local Tile *t) {
             int j = higherOf(circles[n]);
             float2 moved = t->load[j] - t->load[i];
             float nx = 0.0f, ny = 0.0f, separation;
-            if (!measure(base[n].BASE_X, base[n].BASE_Y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
+            if (!measure(base[n].x, base[n].y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
                 nx = w->contact[copy].NORMAL_X;
                 ny = w->contact[copy].NORMAL_Y;
             }
@@ -481,8 +467,7 @@ void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeFirstCached[p.LOWER], c);
-    w->impulseCache[c] = cacheEntry(w->id[p.HIGHER], normalImpulse, next);
+    storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }
 
 // Index space: any number of work-items, which take the contacts in turn.

@@ -76,7 +76,7 @@ enum ElementField {
 
     INVERSE_MASS_A(DeviceArray.MASSES, 0, 1),
     INVERSE_MASS_B(DeviceArray.MASSES, 1, 1),
-    PUSH_SPEED(DeviceArray.MASSES, 2, 1),
+    EFFECTIVE_MASS(DeviceArray.MASSES, 2, 1),
     BOUNCE(DeviceArray.MASSES, 3, 1),
 
     NORMAL_X(DeviceArray.CONTACT, 0, 1),
