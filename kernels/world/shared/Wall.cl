@@ -1,6 +1,6 @@
-// uses: world/shared/CircleMath.cl world/shared/Contact.cl world/stages/World.cl
-// The walls: a circle and the nearer wall of an axis are a contact with an effective mass of 1, so its impulses are speeds. A
-// circle keeps the impulses of its walls, positive for a lower wall, negative for an upper one.
+// uses: world/shared/CircleMath.cl world/shared/OneBody.cl
+// Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall,
+// negative for an upper one.
 
 float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
 
@@ -8,17 +8,8 @@ float wallGap(float base, float displacement, float r, float side, float min, fl
     return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
 }
 
-float leftBehind(float gap, float vn, float gain, float dt, float r) {
-    return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
-}
-
 float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
-}
-
-// Whether a gap closes neither at a normal speed nor at the one before any impulse.
-INLINE bool staysClear(const StepConstants *k, float gap, float vn, float before) {
-    return (gap > 0.0f) & (gap * k->inverseH + vn >= 0.0f) & (gap + before * k->h >= 0.0f);
 }
 
 float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
@@ -28,24 +19,13 @@ float within(float base, float displacement, float low, float high) {
     return x < low ? low - base : x > high ? high - base : displacement;
 }
 
-// A circle and the nearer wall of an axis, as a pass finds them. A wall that moves is where it will be at the end of the sub-step.
+// The nearer wall of an axis, as a pass finds it: if it moves, where it will be at the end of the sub-step.
 Found foundWall(const World *w, int axis, float x, float dx, float r, float e, bool loaded, float min, float max,
                 float thresholdRate, float stored, float *side, int *wall) {
-    const StepConstants *k = &w->k;
     *side = wallSide(x, min, max);
     *wall = 2 * axis + (*side > 0.0f ? 0 : 1);
-    Found f;
-    f.separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
-    f.restitution = e;
-    f.threshold = bounceThreshold(k, 2.0f * r, e, thresholdRate);
-    f.flight = f.threshold; // walls have one threshold
-    f.mass = 1.0f;
-    f.normalImpulse = wallImpulse(stored, *side);
-    f.loaded = loaded;
-    f.pushSpeed = pushSpeed(k, 2.0f * r);
-    f.squaredSpeed = INFINITY; // never lingers
-    f.halfFall = 0.0f;         // leftBehind takes its place
-    return f;
+    float separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
+    return foundOneBody(&w->k, separation, r, e, thresholdRate, wallImpulse(stored, *side), loaded);
 }
 
 // The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
@@ -62,14 +42,11 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     float speed = clear ? 0.0f : speedFor(w, wall, r);
     f.separation += clear ? 0.0f : sweepFor(w, wall, r);
     f.before = side * before - speed;
-    Ready c;
-    makeReadyToSolve(k, oneBodySoftness(k), &f, &c);
     float vn = side * v - speed;
     Visited visited;
-    visit(&c, vn, false, &visited);
+    *bounce = solveOneBody(k, &f, vn, &visited);
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
-    *bounce = c.bounce;
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
@@ -79,10 +56,8 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     float side;
     int wall;
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
-    Ready c;
-    makeReadyToRelax(&w->k, &f, bounce, &c);
     Visited visited;
-    visit(&c, side * v - speedFor(w, wall, r), true, &visited);
+    relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
     // After a bounce +0 at either wall: the signs of zeros are part of the state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
     return visited.leaves ? v : v + side * visited.impulse;
