@@ -51,7 +51,7 @@ void recordContactAt(const World *w, int k, int slot, int other, int level, int 
     int group = isLike ? groupOf(w, level, ox, oy) : recordCross(w, slot, other);
     int rank = atomic_inc(&w->tally[group]);
     if (rank >= LONGEST_GROUP && isLike) refuseCrowd(w);
-    if ((uint) k < (uint) w->contactRoom) ((global int4 *) w->contact)[k] = (int4)(slot, other, group, rank);
+    if ((uint) k < (uint) w->contactRoom) foundOf(w)[k] = (int4)(slot, other, group, rank);
 }
 
 void recordContact(const World *w, int k, int slot, int other, bool oneLevel) {
@@ -82,13 +82,9 @@ void noteContacts(const World *w) {
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
-// By tiles, contacts as they are listed: ids as in key, slots as in pair. Together, since a store of 16 bytes to a place of its
-// own takes no longer than one of 8.
-global ulong2 *listedOf(const World *w) { return (global ulong2 *) w->base; }
-
 // Lists a contact that was found.
 void listContact(const World *w, int k) {
-    int4 found = ((global const int4 *) w->contact)[k];
+    int4 found = foundOf(w)[k];
     int place = w->groupStart[found.z] + found.w;
     uint own = (uint) w->id[found.x];
     uint other = (uint) w->id[found.y];

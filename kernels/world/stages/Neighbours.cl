@@ -14,7 +14,7 @@ bool keepsPair(const World *w, const Seeker *s, int other) {
     int id = w->id[s->slot];
     int otherId = w->id[other];
     int hash = pairHash(min(id, otherId), max(id, otherId));
-    return keeps(hash, min(w->rank[s->slot], w->rank[other]));
+    return keeps(hash, min(candidatesOf(w)[s->slot], candidatesOf(w)[other]));
 }
 
 // The piece that lies v rows above the seeker. With the seeker's own row: what is left of its own bucket, and the next. Rows
@@ -78,7 +78,7 @@ bool looksBySheet(const World *w, const Seeker *s, bool haveSheets) {
 void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
     int count = piece->end.w;
     if (found == 0) {
-        w->rank[s->slot] += count;
+        candidatesOf(w)[s->slot] += count;
         return;
     }
     if (w->k.thinning == 0 && piece->longest > LONGEST_ROW) {
@@ -186,7 +186,7 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
             }
         }
     }
-    w.rank[slot] = sum;
+    candidatesOf(&w)[slot] = sum;
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
@@ -250,6 +250,6 @@ kernel void contacts_candidates(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot >= circles) return;
-    w.rank[slot] = 0;
+    candidatesOf(&w)[slot] = 0;
     seekAll(&w, slot, 0, 1, hasOneLevel(&w), levels->haveSheets != 0, 0);
 }

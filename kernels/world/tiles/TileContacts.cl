@@ -56,8 +56,8 @@ void linkContact(const World *w, int listed) {
 
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
-    w->impulse[c] = (float2)(n.NORMAL_X * n.NORMAL_IMPULSE, n.NORMAL_Y * n.NORMAL_IMPULSE);
-    w->masses[c] = n;
+    startImpulsesOf(w)[c] = loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE);
+    startingOf(w)[c] = n;
     w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.LOWER - w->bucketStart[low], highColumn != column,
                         highRow != row, (int) p.HIGHER - w->bucketStart[high], carrying);
 }

@@ -118,7 +118,7 @@ uint meeting(int column, int row, int inGroup, int round) {
 }
 
 // The contacts of a tile as they are met, where their copies are to be.
-global uint *metFrom(const World *w, int firstCopy) { return (global uint *) (w->shape + firstCopy); }
+global uint *metFrom(const World *w, int firstCopy) { return metOf(w) + 2 * (size_t) firstCopy; }
 
 // Counts the contacts that a tile depends on, and takes copies for so many. Returns whether there is room for them. any: or takes
 // none.
@@ -195,7 +195,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
                     int c = first + min(from + k, size - 1);
                     link[k] = w->link[c];
-                    impulse[k] = w->impulse[c];
+                    impulse[k] = startImpulsesOf(w)[c];
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
@@ -270,7 +270,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             bool own = owns(r, column, row);
             uint places = atomic_add(&a->of.met.place[round], own ? 1u : 1u << 16);
             int place = (int) (own ? places & 0xffff : places >> 16);
-            if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
+            if (own) numbersOf(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
             placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
         }
     }
@@ -345,7 +345,7 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             if (togetherItem(first, n) < contacts) contact[n] = placed[togetherItem(first, n)];
         }
         TOGETHER_EACH(n, ARRANGED) {
-            if (togetherItem(first, n) < contacts) normal[n] = w->masses[contact[n].PLACED_CONTACT & ~NOT_OWN];
+            if (togetherItem(first, n) < contacts) normal[n] = startingOf(w)[contact[n].PLACED_CONTACT & ~NOT_OWN];
         }
         TOGETHER_EACH(n, ARRANGED) {
             int place = togetherItem(first, n);
@@ -357,7 +357,7 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             w->bases[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
                                       greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
-            w->contact[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
+            copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
             if (contact[n].PLACED_CONTACT < 0) continue;
             int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
@@ -376,7 +376,7 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
 void findNumbers(const World *w, global int2 *placed, int contacts) {
     TILE_EACH(place, contacts) {
         int c = placed[place].PLACED_CONTACT;
-        if (c < 0) placed[place].PLACED_CONTACT = newNumbers(w)[c & ~NOT_OWN] | NOT_OWN;
+        if (c < 0) placed[place].PLACED_CONTACT = numbersOf(w)[c & ~NOT_OWN] | NOT_OWN;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
 }

@@ -74,7 +74,7 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
     entry.copy = t->firstCopy + place;
     if (place < cursor->to) {
         entry.contact = contacts[place];
-        PREFETCH(w->contact + entry.copy);
+        PREFETCH(copiesOf(w) + entry.copy);
         PREFETCH(w->shape + entry.copy);
     }
     cursor->part++;
@@ -98,7 +98,7 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
     reading->contact = entry.contact;
     if (!isContact(entry.contact)) return;
     int c = entry.contact.PLACED_CONTACT & ~NOT_OWN;
-    reading->normal = w->contact[entry.copy];
+    reading->normal = copiesOf(w)[entry.copy];
     reading->shape = w->shape[entry.copy];
     reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
 #ifdef RECORDING
@@ -374,10 +374,10 @@ void measureContacts(const World *w, local Tile *t) {
             float2 moved = t->load[j] - t->load[i];
             float nx = 0.0f, ny = 0.0f, separation;
             if (!measure(base[n].x, base[n].y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
-                nx = w->contact[copy].NORMAL_X;
-                ny = w->contact[copy].NORMAL_Y;
+                nx = copiesOf(w)[copy].NORMAL_X;
+                ny = copiesOf(w)[copy].NORMAL_Y;
             }
-            w->contact[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
+            copiesOf(w)[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
         }
     }
 }

@@ -40,7 +40,11 @@ final class WorldTables {
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         text.append(TouchArrays.text()).append(EventArrays.text());
-        return text.append(parameters()).append(struct()).append(initialiser()).toString();
+        text.append(parameters()).append(struct()).append(initialiser());
+        for (SharedArray array : SharedArray.values()) {
+            text.append(array.text());
+        }
+        return text.toString();
     }
 
     private static void commands(StringBuilder text) {

@@ -98,6 +98,15 @@ class WorldTablesTest {
     }
 
     @Test
+    void anArrayInTheMemoryOfAnotherHasElementsThatFitThere() {
+        for (SharedArray array : SharedArray.values()) {
+            assertThat(array.elementBytes())
+                    .as(array.name())
+                    .isLessThanOrEqualTo(array.aliasOf().elementBytes());
+        }
+    }
+
+    @Test
     void aFieldLiesWithinTheElementsOfItsArray() {
         for (ElementField field : ElementField.values()) {
             int end =
