@@ -1,5 +1,5 @@
 // uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl
-// uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl
+// uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl world/stages/CellScan.cl
 // Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
 // looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
 // is as stage Grid has set it.
@@ -189,21 +189,18 @@ void meetCarriers(const World *w, const Runner *s, int from, int to, bool note) 
     }
 }
 
-// How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many behind it.
+// How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many.
 int inBlock(int column, int side, int most) {
     int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
-    return min(min(blockEnd, side) - column, most + 1);
+    return min(min(blockEnd, side) - column, most);
 }
 
-// Looks at so many columns of a row of cells, in one block or up to the seam, which are of one sheet.
-void lookAtCells(const World *w, const Runner *s, float reach, int level, int row, int column, int columns, const Sheets *sheets,
-                 int overX, int overY, Look look) {
-    global const int *start = w->bucketStart + w->levels->first[level] + (row << w->levels->columnsLog[level]) + column;
-    int width = sheets->known ? 1 : columns;
-    int key = sheets->known ? sheetKeyBeside(w, level, sheets, overX, overY) : 0;
+// Looks at so many columns of a row of cells, in one block or up to the seam.
+void lookAtCells(const World *w, const Runner *s, float reach, const CellRange *r, int row, int column, int columns, int overX, int overY,
+                 Look look) {
+    int width = r->sheets.known ? 1 : columns;
     for (int u = 0; u < columns; u += width) {
-        int2 slots = (int2)(start[u], start[u + width]);
-        if (sheets->known) slots = slotsOfSheet(w, slots.x, slots.y, key, true);
+        int2 slots = slotsInCells(w, r, row, column + u, width, overX, overY, true);
         if (look == STOPS) {
             meetNear(w, s, reach, slots.x, slots.y);
         } else {
@@ -212,26 +209,26 @@ void lookAtCells(const World *w, const Runner *s, float reach, int level, int ro
     }
 }
 
-// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block. sheets: of the first of them.
-void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets,
-            Look look) {
+// Looks at a range of cells block by block.
+void lookAt(const World *w, const Runner *s, float reach, const CellRange *range, Look look) {
+    int level = range->level;
     int cl = w->levels->columnsLog[level];
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
     int first = w->levels->first[level];
-    for (int v = r0; v <= r1;) {
+    for (int v = range->row; v < range->endRow;) {
         int row = onRing(v, rows);
-        int rowsOfBlock = inBlock(row, rows, r1 - v);
-        for (int u = c0; u <= c1;) {
+        int rowsOfBlock = inBlock(row, rows, range->endRow - v);
+        for (int u = range->column; u < range->endColumn;) {
             int column = onRing(u, columns);
-            int columnsOfBlock = inBlock(column, columns, c1 - u);
-            float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
+            int columnsOfBlock = inBlock(column, columns, range->endColumn - u);
+            float4 paths = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
-            if (s->isStatic || differ(s->px, s->py, range.MIN_PATH_X, range.MAX_PATH_X, range.MIN_PATH_Y, range.MAX_PATH_Y, s->least)) {
-                int overX = onRing(c0, columns) + (u - c0) >= columns ? 1 : 0;
-                int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
+            if (s->isStatic || differ(s->px, s->py, paths.MIN_PATH_X, paths.MAX_PATH_X, paths.MIN_PATH_Y, paths.MAX_PATH_Y, s->least)) {
+                int overX = onRing(range->column, columns) + (u - range->column) >= columns ? 1 : 0;
+                int overY = onRing(range->row, rows) + (v - range->row) >= rows ? 1 : 0;
                 for (int r = row; r < row + rowsOfBlock; r++) {
-                    lookAtCells(w, s, reach, level, r, column, columnsOfBlock, sheets, overX, overY, look);
+                    lookAtCells(w, s, reach, range, r, column, columnsOfBlock, overX, overY, look);
                 }
             }
             u += columnsOfBlock;
@@ -240,38 +237,19 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
     }
 }
 
-// The same for stops, row by row: where there are several levels, few circles of a block move alike.
-void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets) {
-    int columns = w->levels->columnCount[level];
-    int rows = w->levels->rowCount[level];
-    int column = onRing(c0, columns);
-    int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
-    for (int v = r0; v <= r1; v++) {
-        int row = onRing(v, rows);
-        int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
-        lookAtCells(w, s, reach, level, row, column, (beyond > 0 ? columns : columns + beyond) - column, sheets, 0, overY, STOPS);
-        if (beyond > 0) lookAtCells(w, s, reach, level, row, 0, beyond, sheets, 1, overY, STOPS);
-    }
-}
-
-// Looks at the circles of a level around the path of a fast one.
+// Looks at the circles of a level around the path of a fast one: block by block, but row by row if there are several levels, since few
+// circles of a block move alike there.
 INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
-    float left = least(s->x, s->x + s->px) - margin;
-    float below = least(s->y, s->y + s->py) - margin;
-    int c0 = columnFrom(w, level, left);
-    int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
-    int r0 = rowFrom(w, level, below);
-    int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
-    Sheets sheets = sheetsAt(w, level, left, below);
-    sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
-    c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
-    r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
+    CellRange range = cellsAround(w, level, least(s->x, s->x + s->px) - margin, greatest(s->x, s->x + s->px) + margin,
+                                  least(s->y, s->y + s->py) - margin, greatest(s->y, s->y + s->py) + margin);
     if (hasOneLevel(w)) {
-        lookAt(w, s, reach, level, c0, c1, r0, r1, &sheets, STOPS);
-    } else {
-        lookAtRows(w, s, reach, level, c0, c1, r0, r1, &sheets);
+        lookAt(w, s, reach, &range, STOPS);
+        return;
     }
+    CellCursor at = firstCells(&range);
+    int2 slots;
+    while (nextCells(w, &range, &at, true, &slots)) meetNear(w, s, reach, slots.x, slots.y);
 }
 
 // Meets those circles in a bucket of reaches whose reaches meet that of one.
@@ -346,7 +324,6 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float margin = sightMargin(s.r, path, top);
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
-        int columns = w->levels->columnCount[level];
         int rows = w->levels->rowCount[level];
         float below = least(s.y, s.y + s.py) - margin;
         int r0 = rowFrom(w, level, below);
@@ -359,13 +336,12 @@ void lookForCarriers(const World *w, int slot, Look look) {
             float low = byPieces ? minY + (float) v / edge - margin : -INFINITY;
             float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
-            int c0 = columnFrom(w, level, left);
-            int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
-            Sheets sheets = sheetsAt(w, level, left, below);
-            if (byPieces) sheets.y = v / rows;
-            sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
-            c1 = min(c1, c0 + columns - 1);
-            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), &sheets, look);
+            float right = greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin;
+            CellRange range = cellsAround(w, level, left, right, below, greatest(s.y, s.y + s.py) + margin);
+            range.row = v;
+            range.endRow = min(end, r1 + 1);
+            if (byPieces) range.sheets.y = v / rows;
+            lookAt(w, &s, 0.0f, &range, look);
         }
     }
 }

@@ -151,10 +151,11 @@ INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel
     }
 }
 
-// How many of the slots [from, to) may meet a circle within the step.
-int candidatesIn(const World *w, const Seeker *s, int from, int to) {
+// How many circles of a piece may meet the seeker within the step.
+int candidatesIn(const World *w, const Seeker *s, const Piece *piece) {
     int sum = 0;
-    for (int other = from; other < to; other++) {
+    for (int i = 0; i < piece->end.w; i++) {
+        int other = slotInPiece(piece, i);
         float4 o = w->sight[other];
         sum += isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), s->speculativeDistance + o.SIGHT_DISTANCE) && other != s->slot &&
                mayMeet(w, s->slot, s->inverseMass, other, o.SIGHT_INVERSE_MASS);
@@ -174,16 +175,9 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     for (int l = levels->usedCount - 1; l >= 0 && levels->used[l] <= own; l--) {
         seekIn(&w, &s, levels->used[l]);
         bool bySheet = looksBySheet(&w, &s, levels->haveSheets != 0);
-        Sheets sheets = sheetsAt(&w, s.level, s.x, s.y);
-        int cl = levels->columnsLog[s.level];
         for (int v = -1; v <= 1; v++) {
-            int row = levels->first[s.level] + (neighbour(s.row, v, levels->rowCount[s.level]) << cl);
-            for (int u = -1; u <= 1; u++) {
-                int b = row + neighbour(s.column, u, levels->columnCount[s.level]);
-                int2 slots = (int2)(w.bucketStart[b], w.bucketStart[b + 1]);
-                if (bySheet) slots = slotsBeside(&w, &s, &sheets, u, v);
-                sum += candidatesIn(&w, &s, slots.x, slots.y);
-            }
+            Piece piece = bySheet ? pieceOfSheets(&w, &s, v, false) : pieceOf(&w, &s, v, false);
+            sum += candidatesIn(&w, &s, &piece);
         }
     }
     candidatesOf(&w)[slot] = sum;

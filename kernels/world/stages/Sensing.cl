@@ -1,4 +1,4 @@
-// uses: world/stages/Events.cl
+// uses: world/stages/Events.cl world/stages/CellScan.cl
 // Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
 // (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
 //
@@ -126,36 +126,11 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     for (int l = 0; l < levels->usedCount; l++) {
         int level = levels->used[l];
         float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        float left = least(s.x, toX) - margin;
-        float below = least(s.y, toY) - margin;
-        int c0 = columnFrom(&w, level, left);
-        int c1 = columnTo(&w, level, left, greatest(s.x, toX) + margin);
-        int r0 = rowFrom(&w, level, below);
-        int r1 = rowTo(&w, level, below, greatest(s.y, toY) + margin);
-        int columns = levels->columnCount[level];
-        int rows = levels->rowCount[level];
-        int first = onRing(c0, columns);
-        int width = min(c1 - c0, columns - 1) + 1;
-        int beforeEnd = min(width, columns - first);
-        Sheets sheets = sheetsAt(&w, level, left, below);
-        sheets.known = areSheetsKnown(&w, level, c1 - c0, r1 - r0);
-        for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
-            global const int *row =
-                w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
-            int overY = onRing(r0, rows) + v >= rows ? 1 : 0;
-            int many;
-            for (int u = 0; u < width; u += many) {
-                bool over = u >= beforeEnd;
-                many = sheets.known ? 1 : over ? width - u : beforeEnd;
-                global const int *cell_ = row + (over ? u - beforeEnd : first + u);
-                int2 slots_ = (int2)(cell_[0], cell_[many]);
-                if (sheets.known) {
-                    int key = sheetKeyBeside(&w, level, &sheets, over ? 1 : 0, overY);
-                    slots_ = slotsOfSheet(&w, slots_.x, slots_.y, key, !s.isStatic);
-                }
-                senseIn(&w, start, seeking, &s, slots_.x, slots_.y);
-            }
-        }
+        CellRange range = cellsAround(&w, level, least(s.x, toX) - margin, greatest(s.x, toX) + margin, least(s.y, toY) - margin,
+                                      greatest(s.y, toY) + margin);
+        CellCursor at = firstCells(&range);
+        int2 found;
+        while (nextCells(&w, &range, &at, !s.isStatic, &found)) senseIn(&w, start, seeking, &s, found.x, found.y);
     }
 }
 #endif
