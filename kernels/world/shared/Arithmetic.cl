@@ -9,9 +9,13 @@
 #define INLINE __attribute__((always_inline))
 #endif
 
-float greatest(float a, float b) { return a > b ? a : b; }
+// Not the built-ins of such names, which devices may compute in other ways. Of +0 and -0, maxf and minf give the second; if an argument is
+// NaN, too. clampf(a, low, high) is maxf(minf(a, high), low).
+float maxf(float a, float b) { return a > b ? a : b; }
 
-float least(float a, float b) { return a < b ? a : b; }
+float minf(float a, float b) { return a < b ? a : b; }
+
+float clampf(float a, float low, float high) { return maxf(minf(a, high), low); }
 
 // A difference of coordinates the short way round. period: of the axis; infinite if it does not wrap.
 float shortWay(float d, float period) {
@@ -19,6 +23,6 @@ float shortWay(float d, float period) {
     return d > half_ ? d - period : d < -half_ ? d + period : d;
 }
 
-float norm(float x, float y) { return sqrt(x * x + y * y); }
+float lengthf(float x, float y) { return sqrt(x * x + y * y); }
 
-float along(float nx, float ny, float vx, float vy) { return nx * vx + ny * vy; }
+float dotf(float nx, float ny, float vx, float vy) { return nx * vx + ny * vy; }

@@ -4,7 +4,7 @@
 
 // 1 for a restitution that is not nearly 1; from there it goes down to 0 at 1.
 float inelasticity(float restitution) {
-    return least((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), 1.0f);
+    return minf((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), 1.0f);
 }
 
 // The square of the normal speed beyond which a contact bounces: gravity's part, and a creeping speed. Both go down to 0 for elastic
@@ -33,7 +33,7 @@ float pushSpeed(const StepConstants *k, float radii) { return k->pushRate * radi
 // is deep; it never exceeds the proportion.
 float pushOut(const StepConstants *k, float separation, float pushSpeed, float biasRate) {
     float deep = DEEP_RATE_OF(k) * separation + DEEP_OFFSET * pushSpeed;
-    return greatest(biasRate * separation, least(-pushSpeed, deep));
+    return maxf(biasRate * separation, minf(-pushSpeed, deep));
 }
 
 // What gravity adds to the normal speed of a pair in half a sub-step; 0 if both circles fall. Velocities are half a sub-step ahead of
@@ -61,7 +61,7 @@ INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float 
                     float *separation) {
     float dx = baseX + movedX;
     float dy = baseY + movedY;
-    float distance = norm(dx, dy);
+    float distance = lengthf(dx, dy);
     bool apart = distance > COINCIDENT * radii;
     *separation = distance - radii;
     *normalX = apart ? dx / distance : *normalX;
@@ -174,7 +174,7 @@ INLINE void visit(const Ready *c, float vn, bool relaxing, Visited *v) {
     bool bounces = flies && !parts;
     if (!relaxing) bounces = bounces && c->meeting + vn < 0.0f;
     bool solved = !(leaves || bounces);
-    float next = greatest((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, 0.0f);
+    float next = maxf((c->normalImpulse - c->mass * (c->scale * vn + c->bias)) - c->less, 0.0f);
     v->impulse = bounces ? c->gain * (vn - c->halfFall) * c->bounceMass : next - c->normalImpulse;
     if (relaxing) next = c->bounce > 0.0f ? 0.0f : next;
     v->normalImpulse = solved ? next : c->normalImpulse;

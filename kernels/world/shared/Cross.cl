@@ -18,14 +18,14 @@ int loadOfHeavy(float inverseMassOfLight, float inverseMassOfHeavy) {
     return (int) (inverseMassOfHeavy / (inverseMassOfHeavy + inverseMassOfLight) * LOAD_UNITS) + 1;
 }
 
-float crossShare(int load) { return greatest((float) load * (1.0f / LOAD_UNITS), 1.0f); }
+float crossShare(int load) { return maxf((float) load * (1.0f / LOAD_UNITS), 1.0f); }
 
 float crossMass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
     return 1.0f / (inverseMassOfLight + share * inverseMassOfHeavy);
 }
 
 bool mayWait(float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
-    float depth = least(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * least(radius, otherRadius));
+    float depth = minf(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * minf(radius, otherRadius));
     return restitution > NEARLY_ELASTIC && inverseMassOfHeavy > 0.0f && separation + depth >= 0.0f;
 }
 
@@ -39,7 +39,7 @@ float scaleOf(float range) { return as_float(((127 + RANGE_LOG + 127) << 23) - e
 
 float unitOf(float range) { return as_float(exponentOf(range) - (RANGE_LOG << 23)); }
 
-long toFixed(float value, float scale) { return (long) bounded(value * scale, -0x1p56f, 0x1p56f); }
+long toFixed(float value, float scale) { return (long) clampf(value * scale, -0x1p56f, 0x1p56f); }
 
 float fromFixed(long sum, float unit) { return (float) sum * unit; }
 

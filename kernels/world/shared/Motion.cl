@@ -67,7 +67,7 @@ INLINE float allowanceOf(const World *w, int slot, float r) {
 INLINE float2 withinAllowance(float2 on, float2 d, float allowance) {
     float offX = d.x - on.x;
     float offY = d.y - on.y;
-    float off = norm(offX, offY);
+    float off = lengthf(offX, offY);
     if (!(off > allowance)) return d;
     float keep = allowance / off;
     return (float2)(on.x + keep * offX, on.y + keep * offY);
@@ -82,7 +82,7 @@ float2 clampAtStatic(float4 clamp_, float2 d) {
         d.x -= (along - clamp_.FREE_SHARE) * clamp_.PATH_X;
         d.y -= (along - clamp_.FREE_SHARE) * clamp_.PATH_Y;
     }
-    float share = least(nearest(d.x, d.y, clamp_.PATH_X, clamp_.PATH_Y), clamp_.FREE_SHARE);
+    float share = minf(nearest(d.x, d.y, clamp_.PATH_X, clamp_.PATH_Y), clamp_.FREE_SHARE);
     float allowance = along > 0.0f ? -ASIDE * clamp_.ALLOWANCE : -clamp_.ALLOWANCE;
     return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), d, allowance);
 }
@@ -175,7 +175,7 @@ void bringInside(float *x, float *d, float min_, float last, float period) {
     float near = *x + away;
     float rest = *d + lostByRounding(*x, away, near);
     float sum = near + rest;
-    *x = bounded(sum, min_, last);
+    *x = clampf(sum, min_, last);
     *d = *x == sum ? lostByRounding(near, rest, sum) : 0.0f;
 }
 #endif
@@ -186,8 +186,8 @@ INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, floa
     float edge = t.INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
     float x = c.x + m.DX;
     float y = c.y + m.DY;
-    float keptX = bounded(x, k->minX + edge, k->maxX - edge);
-    float keptY = bounded(y, k->minY + edge, k->maxY - edge);
+    float keptX = clampf(x, k->minX + edge, k->maxX - edge);
+    float keptY = clampf(y, k->minY + edge, k->maxY - edge);
     int id = w->id[slot];
     float dx = keptX == x ? lostByRounding(c.x, m.DX, x) : 0.0f;
     float dy = keptY == y ? lostByRounding(c.y, m.DY, y) : 0.0f;

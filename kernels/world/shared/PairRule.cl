@@ -9,5 +9,5 @@ bool isNear(float dx, float dy, float reaches) { return dx * dx + dy * dy < reac
 bool mayTouch(float dx, float dy, float ux, float uy, float sum) {
     float b = dx * ux + dy * uy;
     float c = (dx * dx + dy * dy) - sum * sum;
-    return greatest(c, 0.0f) < 2.5f * b;
+    return maxf(c, 0.0f) < 2.5f * b;
 }

@@ -19,7 +19,7 @@ float inverseReachEdge(int reachClass, int topExponent_) {
 }
 
 int reachCell(float x, float min_, float inverseEdge) {
-    return (int) bounded((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
+    return (int) clampf((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
 }
 
 int reachBuckets(int circles) { return 2 << (31 - clz(max(circles, 1))); }

@@ -3,7 +3,7 @@
 
 #define NO_TOUCH (-1.0f) // the approach speed of surfaces that did not touch
 
-float approachSpeed(float vn) { return greatest(-vn, 0.0f); }
+float approachSpeed(float vn) { return maxf(-vn, 0.0f); }
 
 // Whether an approach is so fast that the place of the touch may be another after the step.
 bool isFastApproach(float approach, float dt, float radii) { return approach * dt > TOUCH_SLACK * radii; }

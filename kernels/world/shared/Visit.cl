@@ -45,9 +45,9 @@ INLINE void beginVisit(const Pair *p, Visit *v) {
 INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, float2 fall, Visit *v) {
     Found f = foundPair(k, p);
     f.pushSpeed = pushSpeed(k, p->radii);
-    f.before = along(p->nx, p->ny, before.x, before.y);
+    f.before = dotf(p->nx, p->ny, before.x, before.y);
     f.squaredSpeed = before.x * before.x + before.y * before.y;
-    f.halfFall = halfFall(along(p->nx, p->ny, fall.x, fall.y), p->invMassA, p->invMassB);
+    f.halfFall = halfFall(dotf(p->nx, p->ny, fall.x, fall.y), p->invMassA, p->invMassB);
     beginVisit(p, v);
     makeReadyToSolve(k, contactSoftness(k), &f, &v->ready);
     return f.before;
@@ -62,7 +62,7 @@ INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
 
 // Visits a contact. va, vb: velocities. Returns the normal speed.
 INLINE float visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
-    float vn = along(v->nx, v->ny, vb.x - va.x, vb.y - va.y);
+    float vn = dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y);
     visit(&v->ready, vn, relaxing, visited);
     return vn;
 }
@@ -124,7 +124,7 @@ bool measureContact(float4 b, float4 ma, float4 mb, float4 *n) {
 float4 baseOfPair(const World *w, uint2 p) {
     float4 a = w->circle[p.LOWER];
     float4 b = w->circle[p.HIGHER];
-    float restitution = greatest(w->traits[p.LOWER].RESTITUTION, w->traits[p.HIGHER].RESTITUTION);
+    float restitution = maxf(w->traits[p.LOWER].RESTITUTION, w->traits[p.HIGHER].RESTITUTION);
     return (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), a.RADIUS + b.RADIUS, restitution);
 }
 
@@ -135,7 +135,7 @@ float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) 
     float4 n = (float4)(0.0f);
     if (!measureContact(b, ma, mb, &n)) n.NORMAL = partingNormal(ids);
     n.NORMAL_IMPULSE = warmStartImpulse(w, p.LOWER, p.HIGHER, ids);
-    float vn = along(n.NORMAL_X, n.NORMAL_Y, mb.VX - ma.VX, mb.VY - ma.VY);
+    float vn = dotf(n.NORMAL_X, n.NORMAL_Y, mb.VX - ma.VX, mb.VY - ma.VY);
     float limit = restingLimit(n.SEPARATION, restitutionThreshold(&w->k, b.RADII, b.PAIR_RESTITUTION));
     *carrying = carries(n.NORMAL_IMPULSE, vn, limit);
     return n;

@@ -12,7 +12,7 @@ float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
 }
 
-float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
+float wallImpulse(float sign, float side) { return maxf(side * sign, 0.0f); }
 
 float within(float base, float displacement, float low, float high) {
     float x = base + displacement;

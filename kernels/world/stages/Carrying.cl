@@ -3,7 +3,7 @@
 // function.
 
 // The share of its path that a circle goes if no static one takes it along.
-float freeShare(const World *w, int slot) { return least(as_float(w->timeOfImpact[slot]), least(w->near[slot].CONTACT_SHARE, 1.0f)); }
+float freeShare(const World *w, int slot) { return minf(as_float(w->timeOfImpact[slot]), minf(w->near[slot].CONTACT_SHARE, 1.0f)); }
 
 // The share of the step after which a circle is carried; more than 1 if it is not.
 float carryTime(const World *w, int slot) { return as_float(w->carryTime[slot]); }

@@ -97,8 +97,8 @@ kernel void commands_confine(global const int *homeId, global float4 *homeCircle
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
     float edge = homeTraits[slot].INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
-    float x = bounded(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
-    float y = bounded(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
+    float x = clampf(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
+    float y = clampf(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {
         homeCircle[slot].x = x;
         homeMotion[slot].DX = 0.0f;

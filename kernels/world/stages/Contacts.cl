@@ -30,7 +30,7 @@ float4 fillContact(const World *w, int c, bool *carrying) {
 float countCandidate(const World *w, uint2 p) {
     float lo = w->load[p.LOWER].CANDIDATES += 1.0f;
     float hi = w->load[p.HIGHER].CANDIDATES += 1.0f;
-    return hasOneLevel(w) ? greatest(lo, hi) : greatest(lo + (float) w->coarser[p.LOWER], hi + (float) w->coarser[p.HIGHER]);
+    return hasOneLevel(w) ? maxf(lo, hi) : maxf(lo + (float) w->coarser[p.LOWER], hi + (float) w->coarser[p.HIGHER]);
 }
 
 // Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
@@ -45,7 +45,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
         bool carrying;
         float4 n = fillContact(&w, c, &carrying);
         gatherLoad(&w, w.pair[c], loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
-        if (w.k.thinning == 0) most = greatest(most, countCandidate(&w, w.pair[c]));
+        if (w.k.thinning == 0) most = maxf(most, countCandidate(&w, w.pair[c]));
     }
     if (most > (float) CROWD) status[CROWDED] = 1;
 }

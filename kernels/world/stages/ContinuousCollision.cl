@@ -31,7 +31,7 @@ void noteLongestPath(const World *w, const Piece *piece) {
     float longest = 0.0f;
     for (int i = 0; i < piece->end.w; i++) {
         int slot = slotInPiece(piece, i);
-        if (w->sight[slot].SIGHT_INVERSE_MASS != 0.0f) longest = greatest(w->motionClamp[slot].PATH_LENGTH, longest);
+        if (w->sight[slot].SIGHT_INVERSE_MASS != 0.0f) longest = maxf(w->motionClamp[slot].PATH_LENGTH, longest);
     }
     if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
 }
@@ -53,10 +53,10 @@ void summarize(const World *w, int block) {
                                 (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
     for (int i = 0; i < piece.end.w; i++) {
         float2 path = w->motionClamp[slotInPiece(&piece, i)].PATH;
-        range.MIN_PATH_X = least(path.x, range.MIN_PATH_X);
-        range.MAX_PATH_X = greatest(path.x, range.MAX_PATH_X);
-        range.MIN_PATH_Y = least(path.y, range.MIN_PATH_Y);
-        range.MAX_PATH_Y = greatest(path.y, range.MAX_PATH_Y);
+        range.MIN_PATH_X = minf(path.x, range.MIN_PATH_X);
+        range.MAX_PATH_X = maxf(path.x, range.MAX_PATH_X);
+        range.MIN_PATH_Y = minf(path.y, range.MIN_PATH_Y);
+        range.MAX_PATH_Y = maxf(path.y, range.MAX_PATH_Y);
     }
     w->blockRange[block] = range;
     if (w->status[CARRYING]) noteLongestPath(w, &piece);
@@ -96,7 +96,7 @@ void restrain(const World *w, int slot, float most, bool stands) {
     int seen = atomic_or(allowance, 0);
     for (;;) {
         float before = as_float(seen);
-        float least_ = least(most, fabs(before));
+        float least_ = minf(most, fabs(before));
         int next = as_int(stands || before < 0.0f ? -least_ : least_);
         if (next == seen) return;
         int found = atomic_cmpxchg(allowance, seen, next);
@@ -241,8 +241,8 @@ void lookAt(const World *w, const Runner *s, float reach, const CellRange *range
 // circles of a block move alike there.
 INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
-    CellRange range = cellsAround(w, level, least(s->x, s->x + s->px) - margin, greatest(s->x, s->x + s->px) + margin,
-                                  least(s->y, s->y + s->py) - margin, greatest(s->y, s->y + s->py) + margin);
+    CellRange range = cellsAround(w, level, minf(s->x, s->x + s->px) - margin, maxf(s->x, s->x + s->px) + margin,
+                                  minf(s->y, s->y + s->py) - margin, maxf(s->y, s->y + s->py) + margin);
     if (hasOneLevel(w)) {
         lookAt(w, s, reach, &range, STOPS);
         return;
@@ -325,9 +325,9 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
         int rows = w->levels->rowCount[level];
-        float below = least(s.y, s.y + s.py) - margin;
+        float below = minf(s.y, s.y + s.py) - margin;
         int r0 = rowFrom(w, level, below);
-        int r1 = rowTo(w, level, below, greatest(s.y, s.y + s.py) + margin);
+        int r1 = rowTo(w, level, below, maxf(s.y, s.y + s.py) + margin);
         // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
         bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
@@ -337,7 +337,7 @@ void lookForCarriers(const World *w, int slot, Look look) {
             float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
             float right = greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin;
-            CellRange range = cellsAround(w, level, left, right, below, greatest(s.y, s.y + s.py) + margin);
+            CellRange range = cellsAround(w, level, left, right, below, maxf(s.y, s.y + s.py) + margin);
             range.row = v;
             range.endRow = min(end, r1 + 1);
             if (byPieces) range.sheets.y = v / rows;
@@ -387,11 +387,11 @@ void setMotionClamp(const World *w, int slot) {
     float r = w->circle[slot].RADIUS;
     float free = as_float(w->timeOfImpact[slot]);
     float2 near = w->near[slot];
-    float limit = least(near.CONTACT_SHARE, 1.0f);
+    float limit = minf(near.CONTACT_SHARE, 1.0f);
     float allowance = limit < 1.0f ? near.CONTACT_ALLOWANCE : CLAMP_ALLOWANCE * r;
     float2 path = plan.PATH;
     int carrier = w->carrier[slot];
-    float own = least(freeShare(w, slot), carryTime(w, slot));
+    float own = minf(freeShare(w, slot), carryTime(w, slot));
     bool stops = free < limit || carryTime(w, slot) < 1.0f;
     if (carrier != NOBODY || stops) {
         path = (float2)(own * path.x, own * path.y);

@@ -97,7 +97,7 @@ float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     const StepConstants *k = &w->k;
     float tx = timeOfWall(c.x, px, c.RADIUS, k->minX, k->maxX, travelFor(w, 0, c.RADIUS), travelFor(w, 1, c.RADIUS));
     float ty = timeOfWall(c.y, py, c.RADIUS, k->minY, k->maxY, travelFor(w, 2, c.RADIUS), travelFor(w, 3, c.RADIUS));
-    return greatest(least(tx, ty), 0.0f);
+    return maxf(minf(tx, ty), 0.0f);
 }
 
 // Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast.
@@ -128,20 +128,20 @@ bool gatherCircle(const World *w, int i) {
         py = driven.y;
     }
 #ifdef EDGES
-    float within_ = least(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
+    float within_ = minf(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
     px = within_ * px;
     py = within_ * py;
 #endif
-    float path = norm(px, py);
+    float path = lengthf(px, py);
     if (isStatic) {
         // It stops at the bounds.
         px = within(c.x, px, w->k.minX, w->k.maxX);
         py = within(c.y, py, w->k.minY, w->k.maxY);
-        path = norm(px, py);
+        path = lengthf(px, py);
     } else if (path > c.RADIUS) {
         px = besideWalls(c.x, px, c.RADIUS, w->k.minX, w->k.maxX);
         py = besideWalls(c.y, py, c.RADIUS, w->k.minY, w->k.maxY);
-        path = norm(px, py);
+        path = lengthf(px, py);
     }
     float share = isStatic ? 1.0f : travelShare(path, c.RADIUS);
     px = share * px;

@@ -28,7 +28,7 @@ void noteSolvedContact(const World *w, global float4 *touch, int c, float notKep
     float4 n = w->contact[c];
     global float4 *t = touch + 2 * c;
     float2 before = w->load[pr.HIGHER].BEFORE - w->load[pr.LOWER].BEFORE;
-    float approach = approachSpeed(along(n.NORMAL_X, n.NORMAL_Y, before.x, before.y));
+    float approach = approachSpeed(dotf(n.NORMAL_X, n.NORMAL_Y, before.x, before.y));
     t[1].zw = (float2)(approach, notKept);
     noteTouch(w, t, c, approach, n, n.NORMAL_IMPULSE + notKept, n.SEPARATION);
 }
@@ -170,7 +170,7 @@ bool isKnown(float2 normal) { return normal.x != 0.0f || normal.y != 0.0f; }
 void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point) {
     if (!staysInTouch(approach, n.SEPARATION, radii)) return;
     float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
-    float fastest = greatest(approach, 0.0f);
+    float fastest = maxf(approach, 0.0f);
     Told told;
     if (!concerns(w, w->id[pr.LOWER], w->id[pr.HIGHER], touches(approach, n.SEPARATION), fastest, impulse, threshold, &told)) return;
     if (!isKnown(normal)) {
@@ -180,7 +180,7 @@ void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach,
     }
     float4 mi = w->homeMotion[pr.LOWER];
     float4 mj = w->homeMotion[pr.HIGHER];
-    float vn = along(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
+    float vn = dotf(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
     tell(w, &told, fastest, impulse, vn, normal, point);
 }
 

@@ -76,7 +76,7 @@ float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r)
 float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->sweep[wall] : 0.0f; }
 
 float travelFor(const World *w, int wall, float r) {
-    return feelsWall(w, wall, r) ? greatest(w->walls->travel[wall], 0.0f) : 0.0f;
+    return feelsWall(w, wall, r) ? maxf(w->walls->travel[wall], 0.0f) : 0.0f;
 }
 
 int levelOf(const World *w, float r) { return w->levels->levelOf[sizeClass(r, w->levels->rmax)]; }
@@ -103,11 +103,11 @@ int neighbour(int column, int offset, int side) {
 // The number of the cell of a coordinate of an axis without walls.
 long cellAlong(int edge, float x, float min_, float scale, int units) {
     if (edge == EDGE_OPEN) {
-        long unit = (long) bounded(x * scale, -0x1p62f, 0x1p62f);
+        long unit = (long) clampf(x * scale, -0x1p62f, 0x1p62f);
         long cell_ = unit / units;
         return unit < 0 && cell_ * units != unit ? cell_ - 1 : cell_;
     }
-    return (long) floor(bounded((x - min_) * scale, -0x1p30f, 0x1p30f));
+    return (long) floor(clampf((x - min_) * scale, -0x1p30f, 0x1p30f));
 }
 
 int longOnRing(long cell_, int side) {

@@ -356,7 +356,7 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             float2 base = a->load[j] - a->load[i];
             w->bases[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
-                                      greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
+                                      maxf(a->of.circle.restitution[i], a->of.circle.restitution[j]));
             copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
             if (contact[n].PLACED_CONTACT < 0) continue;

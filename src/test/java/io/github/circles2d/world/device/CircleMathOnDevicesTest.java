@@ -66,6 +66,11 @@ class CircleMathOnDevicesTest {
 
     /** Expressions in place of calls of a function of the same name; p0, p1 and so on: arguments. */
     private static final Map<String, String> TWINS = Map.of(
+            "greatest", "maxf(p0, p1)",
+            "least", "minf(p0, p1)",
+            "bounded", "clampf(p0, p1, p2)",
+            "along", "dotf(p0, p1, p2, p3)",
+            "norm", "lengthf(p0, p1)",
             "difference", "p0 + (p2 - p1)",
             "freeBounce", "-(1.0f + p0) * p1 * p2",
             "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
