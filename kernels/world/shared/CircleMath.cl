@@ -1,8 +1,5 @@
 // uses: world/shared/Arithmetic.cl
-// Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
-// only + - * / sqrt floor, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
-
-// ---- geometry -------------------------------------------------------------------------------------------------------
+// The Java class CircleMath documents these formulas. Same bits: only + - * / sqrt floor, comparisons and integers, in the same brackets.
 
 float lostByRounding(float base, float displacement, float sum) {
     float part = sum - base;
@@ -33,8 +30,6 @@ float shareWithin(float x, float y, float most) {
 float gain(float gravityGain, float force, float w, float h) {
     return force == 0.0f ? gravityGain : limitSpeed(gravityGain + force * w * h);
 }
-
-// ---- broad phase ----------------------------------------------------------------------------------------------------
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
 
@@ -72,7 +67,7 @@ float sightMargin(float r, float path, float top) {
 
 float carriedPath(float path, float longest, float top) { return minf(path, longest) + CAP * top; }
 
-// A share of a path, from 0 to 1. Some compilers bring a number into that range by saturation, which makes 0 of NaN; clampf makes 1.
+// Some compilers bring a number into this range by saturation, which makes 0 of NaN; clampf makes 1.
 float boundedShare(float share) { return isnan(share) ? 1.0f : clampf(share, 0.0f, 1.0f); }
 
 float leastBetween(float x, float px, float y, float py, float low, float high) {
@@ -153,7 +148,7 @@ int sizeClass(float r, float rmax) {
     return k;
 }
 
-// Java's conversion of a float to an int saturates.
+// Saturates, as in Java.
 int cell(float x, float min, float inverseEdge) { return convert_int_sat(maxf((x - min) * inverseEdge, 0.0f)); }
 
 int ringFirst(int a, int b, int size) { return (b + 1 == size ? 0 : b + 1) == a ? b : a; }
@@ -174,7 +169,7 @@ float partingX(int hash) { return (float) (hash & 1023) - 511.5f; }
 
 float partingY(int hash) { return (float) ((int) ((uint) hash >> 10) & 1023) - 511.5f; }
 
-// The normal of a contact of circles with one centre. ids: the lower above the higher.
+// Of circles with one centre. ids: the lower above the higher.
 float2 partingNormal(ulong ids) {
     int hash = pairHash((int) (ids >> 32), (int) ids);
     float x = partingX(hash);

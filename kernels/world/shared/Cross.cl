@@ -1,5 +1,5 @@
 // uses: world/shared/CircleMath.cl
-// Contacts of circles of different levels: the Java class CrossRule has the same formulas, and says why they are so.
+// Contacts of circles of different levels. The Java class CrossRule says why the formulas are so.
 
 #if defined(cl_khr_int64_base_atomics) && !defined(ATOMICS_BY_HALVES)
 #define HAS_LONG_ATOMICS
@@ -43,7 +43,7 @@ long toFixed(float value, float scale) { return (long) clampf(value * scale, -0x
 
 float fromFixed(long sum, float unit) { return (float) sum * unit; }
 
-// Adds to a sum that other work-items add to at the same time. The sum of whole numbers does not depend on their order.
+// Work-items add in any order: the sum of whole numbers is the same.
 void addFixed(global long *sum, long value) {
 #ifdef HAS_LONG_ATOMICS
     atom_add(sum, value);

@@ -1,8 +1,8 @@
 // uses: world/stages/World.cl
-// What moves a circle besides impulses: gravity, scaled by its kind, a force, and the damping and greatest speed of its kind. Steps in
-// which gravity alone moves all circles (driving is 0) read none of it.
+// What moves a circle besides impulses: gravity, a force, damping, greatest speed. Steps in which gravity alone moves all circles (driving
+// is 0) read none of it.
 
-// What is added to the velocity of a circle in a sub-step.
+// Of speed, in a sub-step.
 float2 gainOf(const World *w, int id, float invMass) {
     if (w->k.driving == 0) return (float2)(w->k.gravityStepX, w->k.gravityStepY);
     CircleFields f = w->fields[id];
@@ -10,7 +10,7 @@ float2 gainOf(const World *w, int id, float invMass) {
     return (float2)(gain(gravity.x, as_float(f.forceX), invMass, w->k.h), gain(gravity.y, as_float(f.forceY), invMass, w->k.h));
 }
 
-// The velocity of a circle before any impulse, by its kind. m: motion.
+// Before any impulse. m: motion.
 float2 drivenVelocity(const World *w, int id, float invMass, float4 m) {
     float4 kind = w->kindMotion[2 * w->fields[id].kind];
     float2 added = gainOf(w, id, invMass);
@@ -20,7 +20,7 @@ float2 drivenVelocity(const World *w, int id, float invMass, float4 m) {
     return (float2)(share * x, share * y);
 }
 
-// What a circle that is not static moves in a step if nothing comes in its way, by its kind. m: motion.
+// What a circle that is not static moves in a step if nothing comes in its way.
 float2 drivenPath(const World *w, int id, float invMass, float4 m) {
     float4 kind = w->kindMotion[2 * w->fields[id].kind + 1];
     float2 added = gainOf(w, id, invMass);
@@ -30,7 +30,7 @@ float2 drivenPath(const World *w, int id, float invMass, float4 m) {
     return (float2)(share * x, share * y);
 }
 
-// What is added to the velocity of the circle of a pair that is not static in a sub-step. Of two that both fall nobody asks.
+// What the circle of a pair that is not static gains in a sub-step. If both fall, nobody asks.
 bool needsGain(const World *w, float invMassA, float invMassB) {
     return w->k.driving != 0 && (invMassA == 0.0f || invMassB == 0.0f);
 }

@@ -1,16 +1,12 @@
 // uses: world/shared/Wall.cl world/shared/Drive.cl
-// The motion of a circle through a sub-step, walls included: velocities, then, after the biased pass over the contacts,
-// positions; and its state at the end of the step.
+// The motion of a circle through a sub-step, with its walls. m: motion; t: traits.
 
-// The velocity before any impulse. m: motion.
 INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
     if (w->k.driving != 0) return drivenVelocity(w, w->id[slot], invMass, m);
     return (float2)(m.VX + w->k.gravityStepX, m.VY + w->k.gravityStepY);
 }
 
-// Gravity, the impulses of the sub-step before, and the biased pass over the walls, for one circle: changes motion m and
-// the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
-// before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
+// Gravity, the impulses of the sub-step before, and the biased pass over the walls. l: load.
 void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
                          bool *loaded) {
     const StepConstants *k = &w->k;
@@ -22,8 +18,7 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     }
     *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
     *loaded = l.LOADED_NEXT > 0.0f || t->WALL_X != 0.0f || t->WALL_Y != 0.0f;
-    // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
-    // fewer work-groups at once, although few circles are at walls.
+    // Arrays, in a loop that stays one: few circles are at walls, and in registers this would leave a GPU room for fewer work-groups.
     float x[2] = {c.x, c.y};
     float dx[2] = {m->DX, m->DY};
     float v[2] = {before->x, before->y};
@@ -44,26 +39,24 @@ void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *
     t->WALL_Y = wall[1];
 }
 
-// integrateVelocities for a circle that no wall pushes, as long as none begins to: gives the velocities, and returns false if a
-// wall may have to be visited. m: its motion; impulses: their sum.
+// The same if no wall pushes the circle; false if a wall may begin to.
 INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
                               float2 *v) {
     const StepConstants *k = &w->k;
     *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
-    // Adding zeros, as the visits would: the signs of zeros are part of the state.
+    // Zeros, as the visits would add: the signs of zeros are state.
     *v = next + noWalls(k, c);
     bool farX = wallIsFar(k, c.x, m.DX, before->x, next.x, c.RADIUS, k->minX, k->maxX);
     bool farY = wallIsFar(k, c.y, m.DY, before->y, next.y, c.RADIUS, k->minY, k->maxY);
     return (invMass != 0.0f) & farX & farY;
 }
 
-// How far a circle may leave the free part of its path.
 INLINE float allowanceOf(const World *w, int slot, float r) {
     return w->k.sweeping ? w->motionClamp[slot].ALLOWANCE : CLAMP_ALLOWANCE * r;
 }
 
-// A displacement as it is, or brought as near to a place as is allowed. on: the place.
+// A displacement, brought as near to a place as is allowed.
 INLINE float2 withinAllowance(float2 on, float2 d, float allowance) {
     float offX = d.x - on.x;
     float offY = d.y - on.y;
@@ -73,8 +66,8 @@ INLINE float2 withinAllowance(float2 on, float2 d, float allowance) {
     return (float2)(on.x + keep * offX, on.y + keep * offY);
 }
 
-// Keeps a circle at a static one behind where they touch, or takes it along with one that moves. Not inlined: few circles come
-// here, and all others would pay for its registers.
+// Keeps a circle behind the place where it touches a static one, or takes it along. Not inlined: few circles come here, and all others
+// would pay for its registers.
 float2 clampAtStatic(float4 clamp_, float2 d) {
     if (clamp_.ALLOWANCE == CARRIED) return clamp_.PATH;
     float along = alongPath(d.x, d.y, clamp_.PATH_X, clamp_.PATH_Y);
@@ -87,7 +80,6 @@ float2 clampAtStatic(float4 clamp_, float2 d) {
     return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), d, allowance);
 }
 
-// Keeps a circle's displacement within its motion clamp: no farther from the free part of its path than it is allowed.
 INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy) {
     float allowance = allowanceOf(w, slot, r);
     if (dx * dx + dy * dy <= allowance * fabs(allowance)) return (float2)(dx, dy);
@@ -97,19 +89,17 @@ INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy)
     return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), (float2)(dx, dy), allowance);
 }
 
-// Moves a circle that nothing is in the way of. m: its motion; returns what that becomes.
 INLINE float4 movedFreely(const StepConstants *k, float4 m) {
     float vx = limitSpeed(m.VX);
     float vy = limitSpeed(m.VY);
     return (float4)(m.DX + vx * k->h, m.DY + vy * k->h, vx, vy);
 }
 
-// A displacement, cut by walls that move, where they are at the end of the sub-step.
+// Cut by walls that move, where they are at the end of the sub-step.
 float keepInside(const World *w, float x, float d, float r, int axis, float min, float max) {
     return within(x, d, (min - behindOf(w, 2 * axis)) + r, (max + behindOf(w, 2 * axis + 1)) - r);
 }
 
-// Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
 INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
     float4 free = movedFreely(k, m);
@@ -121,7 +111,7 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
     if (isStatic) {
-        // Circles that lie on a static one must not see it move on when the bounds have stopped it.
+        // What lies on a static circle must not see it move on when the bounds have stopped it.
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     } else {
@@ -135,8 +125,6 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
     return (float4)(dx, dy, vx, vy);
 }
 
-// The relaxing pass over the walls for a circle that has moved: changes the velocity in motion m and the wall impulses in
-// traits t.
 void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
     const StepConstants *k = &w->k;
     float x[2] = {c.x, c.y};
@@ -158,16 +146,8 @@ void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce,
     t->WALL_Y = wall[1];
 }
 
-// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
-// impulses in traits t.
-void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    bool isStatic = t->INVERSE_MASS == 0.0f;
-    *m = integratePositions(w, slot, c, *m, isStatic);
-    if (!isStatic) relaxAtWalls(w, c, m, t, bounce, loaded);
-}
-
 #ifdef EDGES
-// Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: its displacement.
+// Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: displacement.
 void bringInside(float *x, float *d, float min_, float last, float period) {
     float lapsOfX = laps(*x, min_, period);
     if (lapsOfX == 0.0f) return;
@@ -180,7 +160,7 @@ void bringInside(float *x, float *d, float min_, float last, float period) {
 }
 #endif
 
-// Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
+// The base takes the displacement, the displacement what that lost; all goes home.
 INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, float4 t) {
     const StepConstants *k = &w->k;
     float edge = t.INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;

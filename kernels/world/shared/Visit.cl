@@ -1,9 +1,9 @@
 // uses: world/shared/Contact.cl world/shared/Drive.cl
 // The visit of a contact of two circles, A of the lower id and B: found, made ready, visited. A schedule has the order of contacts, takes
-// what a pass reads from where it lies, and gives back what circles and contact get: slots in Solver.cl, copies in a tile in TileVisit.cl,
-// sums of heavy circles in CrossSolver.cl.
+// what a pass reads from where it lies, and gives back the result: slots in Solver.cl, copies in a tile in TileVisits.cl, sums of heavy
+// circles in CrossSolver.cl.
 
-// A contact and what a pass reads of its circles.
+// What a pass reads.
 typedef struct {
     float nx, ny, separation;
     float radii, restitution;
@@ -14,7 +14,7 @@ typedef struct {
     bool loaded;  // whether one of its circles is
 } Pair;
 
-// Made ready: contacts wait for each other only in visitPair, so all else comes before.
+// Contacts wait for each other only in visitPair: all else comes before.
 typedef struct {
     float nx, ny;
     float invMassA, invMassB;
@@ -40,8 +40,7 @@ INLINE void beginVisit(const Pair *p, Visit *v) {
     v->invMassB = p->invMassB;
 }
 
-// Makes a contact ready for the biased pass. before: relative velocity before any impulse; fall: see gainOfPair. Returns the normal speed
-// before any impulse.
+// before: relative velocity before any impulse. Returns the normal speed then.
 INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, float2 fall, Visit *v) {
     Found f = foundPair(k, p);
     f.pushSpeed = pushSpeed(k, p->radii);
@@ -53,44 +52,43 @@ INLINE float readyToSolve(const StepConstants *k, const Pair *p, float2 before, 
     return f.before;
 }
 
-// Makes a contact that has been measured again ready for the relaxing pass.
 INLINE void readyToRelax(const StepConstants *k, const Pair *p, Visit *v) {
     Found f = foundPair(k, p);
     beginVisit(p, v);
     makeReadyToRelax(k, &f, p->bounce, &v->ready);
 }
 
-// Visits a contact. va, vb: velocities. Returns the normal speed.
+// Returns the normal speed before the visit.
 INLINE float visitPair(const Visit *v, float2 va, float2 vb, bool relaxing, Visited *visited) {
     float vn = dotf(v->nx, v->ny, vb.x - va.x, vb.y - va.y);
     visit(&v->ready, vn, relaxing, visited);
     return vn;
 }
 
-// What a visit adds to the velocity of B; with A's inverse mass, what it takes from that of A.
+// For B to add; for A, with its mass, to subtract.
 float2 changeOfVelocity(const Visit *v, float invMass, float impulse) {
     return (float2)(velocityChange(v->nx, invMass, impulse), velocityChange(v->ny, invMass, impulse));
 }
 
-// What a carrying contact adds to the sum of B's impulses for the sub-step to come, and takes from that of A.
+// For B's sum of impulses to add, for A's to subtract.
 float2 loadAlong(float nx, float ny, float normalImpulse) { return (float2)(nx * normalImpulse, ny * normalImpulse); }
 
-// Whether a contact carries its circles into the sub-step to come. vn: normal speed before the visit.
+// Into the sub-step to come. vn: before the visit.
 INLINE bool carriesOn(const Visit *v, float vn, const Visited *visited) {
     float after = vn + visited->impulse * (v->invMassA + v->invMassB);
     return visited->solved && carries(visited->normalImpulse, after, v->ready.restingLimit);
 }
 
-// The impulse that a contact gave and does not keep: of a free bounce,
+// What a free bounce gave and the contact does not keep;
 float impulseOfFlight(const Visited *v) { return v->leaves || v->solved ? 0.0f : v->impulse; }
 
-// or, in the relaxing pass, of any bounce.
+// in the relaxing pass any bounce.
 float impulseOfBounce(const Visit *v, const Visited *visited) {
     if (!visited->solved) return impulseOfFlight(visited);
     return v->ready.bounce > 0.0f ? v->ready.normalImpulse + visited->impulse : 0.0f;
 }
 
-// The impulse with which a contact ended the step before, or 0.
+// Of the step before, or 0.
 float cachedImpulse(const World *w, int first, int higherId) {
     for (int c = first; c >= 0;) {
         int4 entry = w->impulseCache[c];
@@ -100,17 +98,17 @@ float cachedImpulse(const World *w, int first, int higherId) {
     return 0.0f;
 }
 
-// The same of a contact that starts a step; 0 if a circle is new.
+// 0 if a circle is new.
 float warmStartImpulse(const World *w, uint lower, uint higher, ulong ids) {
     return w->firstCached[higher] == FRESH ? 0.0f : cachedImpulse(w, w->firstCached[lower], (int) ids) * w->warmScale;
 }
 
-// Stores a contact's impulse for the step to come, in no order: it is looked up by id. firstCached: of the lower id.
+// Impulses are looked up by id, so their order does not matter. firstCached: of the lower id.
 void storeImpulse(const World *w, int c, volatile global int *firstCached, int higherId, float normalImpulse) {
     w->impulseCache[c] = cacheEntry(higherId, normalImpulse, atomic_xchg(firstCached, c));
 }
 
-// Measures a contact n again. b: base; ma, mb: motion. Returns whether there is a direction.
+// b: base; returns whether there is a direction.
 bool measureContact(float4 b, float4 ma, float4 mb, float4 *n) {
     float x = n->NORMAL_X;
     float y = n->NORMAL_Y;
@@ -120,7 +118,6 @@ bool measureContact(float4 b, float4 ma, float4 mb, float4 *n) {
     return apart;
 }
 
-// The base of a pair of slots.
 float4 baseOfPair(const World *w, uint2 p) {
     float4 a = w->circle[p.LOWER];
     float4 b = w->circle[p.HIGHER];
@@ -128,7 +125,7 @@ float4 baseOfPair(const World *w, uint2 p) {
     return (float4)(ACROSS_X(w, b.x - a.x), ACROSS_Y(w, b.y - a.y), a.RADIUS + b.RADIUS, restitution);
 }
 
-// A contact as it starts the step, and whether it carries. b: base.
+// As it starts the step.
 float4 newContact(const World *w, uint2 p, ulong ids, float4 b, bool *carrying) {
     float4 ma = w->motion[p.LOWER];
     float4 mb = w->motion[p.HIGHER];

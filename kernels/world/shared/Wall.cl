@@ -1,6 +1,5 @@
 // uses: world/shared/CircleMath.cl world/shared/OneBody.cl
-// Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall,
-// negative for an upper one.
+// Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
 
 float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
 
@@ -19,7 +18,7 @@ float within(float base, float displacement, float low, float high) {
     return x < low ? low - base : x > high ? high - base : displacement;
 }
 
-// The nearer wall of an axis, as a pass finds it: if it moves, where it will be at the end of the sub-step.
+// If it moves, where it will be at the end of the sub-step.
 Found foundWall(const World *w, int axis, float x, float dx, float r, float e, bool loaded, float min, float max,
                 float thresholdRate, float stored, float *side, int *wall) {
     *side = wallSide(x, min, max);
@@ -28,9 +27,8 @@ Found foundWall(const World *w, int axis, float x, float dx, float r, float e, b
     return foundOneBody(&w->k, separation, r, e, thresholdRate, wallImpulse(stored, *side), loaded);
 }
 
-// The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
-// contacts; stored: the wall's impulse. Returns the new velocity along the axis. A wall that moves is visited in its frame, by where
-// it is now, unless it stays clear of the circle in the sub-step.
+// before: velocity along the axis before any impulse; v: after those of the contacts; returns the new one. A wall that moves is visited in
+// its frame, by where it is now, unless it stays clear.
 float solveWall(const World *w, int axis, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
                 float max, float thresholdRate, float *stored, float *bounce) {
     const StepConstants *k = &w->k;
@@ -50,7 +48,7 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
-// The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.
+// Returns the new velocity along the axis.
 float relaxWall(const World *w, int axis, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
                 float max, float thresholdRate, float *stored) {
     float side;
@@ -58,24 +56,24 @@ float relaxWall(const World *w, int axis, float x, float dx, float v, float r, f
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
     Visited visited;
     relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
-    // After a bounce +0 at either wall: the signs of zeros are part of the state.
+    // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
-// The wall impulses of a circle that no wall pushes, down to the signs of zeros. They are the same for the whole step.
+// The wall impulses of a circle that no wall pushes, with the signs of zeros.
 float2 noWalls(const StepConstants *k, float4 c) {
     return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
 }
 
-// Whether solveWall changes no more than the sign of a zero of a circle that has no impulse of walls. A wall that moves counts as
-// where it will be at the end of the step: it is no nearer before.
+// Whether solveWall changes no more than the sign of a zero, without an impulse of walls. A wall that moves is no nearer before the end of
+// the step.
 INLINE bool wallIsFar(const StepConstants *k, float x, float dx, float before, float v, float r, float min, float max) {
     float side = wallSide(x, min, max);
     return staysClear(k, wallGap(x, dx, r, side, min, max), side * v, side * before);
 }
 
-// Whether relaxWall, at both walls, changes nothing of a circle that has no impulse of walls and bounces off none. m: its motion.
+// Whether relaxWall changes nothing, without an impulse of walls and a bounce. m: motion.
 INLINE bool wallsAreApart(const StepConstants *k, float4 c, float4 m) {
     float gapX = wallGap(c.x, m.DX, c.RADIUS, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
     float gapY = wallGap(c.y, m.DY, c.RADIUS, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);

@@ -1,20 +1,19 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Static circles that move take along what they come upon. The Java class of this name explains it; it is the same, function by
-// function.
+// Static circles that move take along what they come upon. The Java class Carrying explains it, function by function.
 
-// The share of its path that a circle goes if no static one takes it along.
+// If no static circle takes it along.
 float freeShare(const World *w, int slot) { return minf(as_float(w->timeOfImpact[slot]), minf(w->near[slot].CONTACT_SHARE, 1.0f)); }
 
-// The share of the step after which a circle is carried; more than 1 if it is not.
+// A share of the step; more than 1: never.
 float carryTime(const World *w, int slot) { return as_float(w->carryTime[slot]); }
 
-// Whether two circles are so close, or move so little against each other, that their contact in this step suffices.
+// Whether the contact of this step suffices, since they are close or hardly move against each other.
 bool contactHas(const World *w, int slot, int other, float r, float ro, float4 d) {
     if (isNear(d.x, d.y, (r + MARGIN * r) + (ro + MARGIN * ro))) return true;
     return isNear(d.x, d.y, w->sight[slot].SIGHT_DISTANCE + w->sight[other].SIGHT_DISTANCE) && !isLonger(d.z, d.w, (0.5f * CAP) * (r + ro));
 }
 
-// Finds out when a static circle that moves takes another along; with note, the second time, which one is first.
+// When a static circle takes another along; with note, the second time, which one is first.
 void meetCarried(const World *w, int slot, int other, bool note) {
     float4 c = w->circle[slot];
     float4 o = w->circle[other];

@@ -1,5 +1,5 @@
 // uses: world/stages/World.cl
-// The cells of a level that a rectangle meets, and the circles in them, row by row: for all that looks farther than 3 x 3 cells.
+// The circles in the cells that a rectangle meets, row by row: for what looks farther than 3 x 3 cells.
 
 typedef struct {
     int level;
@@ -22,7 +22,7 @@ CellRange cellsAround(const World *w, int level, float left, float right, float 
     return r;
 }
 
-// Where in a range of cells a scan is, as columns and rows are numbered there.
+// As columns and rows are numbered in the range.
 typedef struct {
     int column, row;
 } CellCursor;
@@ -32,8 +32,8 @@ CellCursor firstCells(const CellRange *r) {
     return at;
 }
 
-// The slots [x, y) of so many columns from a cell of the torus on, up to its seam and of one sheet if sheets are known. overX, overY:
-// whether the cell is over the seam from the first cell.
+// [x, y): of so many columns from a cell of the torus on, up to its seam and of one sheet. over: whether the seam is between the first cell
+// and it.
 int2 slotsInCells(const World *w, const CellRange *r, int row, int column, int columns, int overX, int overY, bool withStatics) {
     global const int *start = w->bucketStart + w->levels->first[r->level] + (row << w->levels->columnsLog[r->level]) + column;
     int2 slots = (int2)(start[0], start[columns]);
@@ -41,7 +41,7 @@ int2 slotsInCells(const World *w, const CellRange *r, int row, int column, int c
     return slotsOfSheet(w, slots.x, slots.y, sheetKeyBeside(w, r->level, &r->sheets, overX, overY), withStatics);
 }
 
-// The slots of the next cells that lie one behind the other; moves on. Returns whether there were any.
+// Those that lie one behind the other. Returns whether there were any.
 bool nextCells(const World *w, const CellRange *r, CellCursor *at, bool withStatics, int2 *slots) {
     if (at->row >= r->endRow) return false;
     int columns = w->levels->columnCount[r->level];

@@ -1,10 +1,8 @@
 // uses: world/stages/World.cl
-// Applies what the caller asked for since the last step: records of the Java class Commands. The host links the records
-// of one circle in call order (next) and marks the first of each; circles are independent of each other.
+// Applies the records of the Java class Commands. The host links those of one circle in call order; circles are independent.
 
-// Index space: a record a work-item. Cost: the records of one circle.
-// links: for each record, the next of the same circle or -1, and (slot of a new circle) * 2, plus 1 where it is its
-// circle's first.
+// Index space: a record. Cost: the records of its circle. links: the next record of the circle or -1; twice the slot of a new circle, plus
+// 1 for its first.
 kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count) {
     World w = WORLD;
     int r = (int) get_global_id(0);
@@ -67,7 +65,6 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeMotion[slot].VY = afterImpulse(w.homeMotion[slot].VY, w.homeTraits[slot].INVERSE_MASS, b);
             break;
         case COMMAND_DEPART:
-            // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
             w.homeTraits[slot].KEPT_VELOCITY = w.homeMotion[slot].VELOCITY;
             w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
                                              as_float(record[COMMAND_FOURTH]));
@@ -88,8 +85,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
     }
 }
 
-// Brings circles that changed bounds have left outside to the nearest place inside, unless the next step pushes them there. Index space: a slot at home a
-// work-item.
+// Brings circles outside of new bounds to the nearest place inside, unless the next step pushes them there. Index space: slots at home.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
                              global const float4 *homeTraits, int slots, float minX, float minY, float maxX,
                              float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY) {

@@ -1,9 +1,8 @@
 // uses: world/shared/Cross.cl world/stages/World.cl
-// Stage Contacts, its lists: the pairs that Neighbours.cl has found, in the one order that every sum follows: by colour, group, lower id,
-// higher id; behind them those of circles of different levels, by light circle. The Java class world.jvm.Contacts explains groups and
-// colours, CrossContacts those behind them.
+// Stage Contacts, its lists: pairs in the one order that every sum follows: colour, group, lower id, higher id; behind them cross contacts,
+// by light circle. The Java classes Contacts and CrossContacts explain it.
 
-// What a work-group has found: the circles that looked, and what they saw. What there is no room for is recorded at once.
+// What a work-group has found: who looked, whom it saw. Beyond this room it is recorded at once.
 #define FINDINGS 1024
 typedef struct {
     int2 slots[FINDINGS];
@@ -11,8 +10,7 @@ typedef struct {
     int first; // the number of the first of them among all
 } Findings;
 
-// Where a circle finds more circles in a row of cells, the step goes the way of crowds at once; so it does where a group has more
-// like contacts: tiles take none with more, of crowds neither.
+// A longer row or group sends the step the way of crowds at once: tiles take none.
 #define LONGEST_ROW 1024
 #define LONGEST_GROUP 4095
 
@@ -20,14 +18,14 @@ int levelOfSlot(const World *w, int slot) {
     return hasOneLevel(w) ? w->levels->used[0] : levelOf(w, w->circle[slot].RADIUS);
 }
 
-// Refuses a step that does not thin crowds out.
+// If the step does not thin crowds out.
 void refuseCrowd(const World *w) {
     if (w->k.thinning) return;
     w->status[CROWDED] = 1;
     w->status[OUT_OF_ROOM] = 1; // the counts are of no use
 }
 
-// The group of a cross contact, which counts for the circle that looked, and for the load of the heavy one.
+// Counts for the circle that looked, and for the load of the heavy one.
 int recordCross(const World *w, int finer, int coarser) {
     float finerMass = w->sight[finer].SIGHT_INVERSE_MASS;
     float coarserMass = w->sight[coarser].SIGHT_INVERSE_MASS;
@@ -38,9 +36,8 @@ int recordCross(const World *w, int finer, int coarser) {
     return crossGroupOf(w, isLight ? finer : coarser);
 }
 
-// Counts a contact in its group, and notes it as number k of those found: the circle that looked, the one it saw, the group,
-// and how many the group had before. column, row: of the circle that looked, in the level of the other; oneLevel: whether there is no
-// more than one, which the kernel of most worlds knows, and has registers less for it.
+// Counts contact k in its group. column, row: of the circle that looked, in the level of the other; oneLevel: known when most kernels are
+// compiled, for fewer registers.
 void recordContactAt(const World *w, int k, int slot, int other, int level, int column, int row, bool oneLevel) {
     constant Levels *levels = w->levels;
     int cl = levels->columnsLog[level];
@@ -60,8 +57,7 @@ void recordContact(const World *w, int k, int slot, int other, bool oneLevel) {
     recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y), oneLevel);
 }
 
-// Records what a work-group has found: one after another here, side by side there, and with one use of the counter that all
-// work-groups share. All work-items of the work-group.
+// One use of the counter that all work-groups share. All work-items of the work-group.
 void recordFindings(const World *w, local Findings *found, bool oneLevel) {
     barrier(CLK_LOCAL_MEM_FENCE);
     if (get_local_id(0) == 0) found->first = atomic_add(&w->status[FOUND], min(found->count, FINDINGS));
@@ -72,17 +68,14 @@ void recordFindings(const World *w, local Findings *found, bool oneLevel) {
     }
 }
 
-// Whether the contacts that were counted do not fit.
 bool lackContactRoom(const World *w) { return contactsListed(w) > w->contactRoom; }
 
-// Notes how many contacts there are, and refuses the step where they do not fit.
 void noteContacts(const World *w) {
     if (refused(w)) return;
     w->status[CONTACTS] = contactsListed(w);
     if (lackContactRoom(w)) w->status[OUT_OF_ROOM] = 1;
 }
 
-// Lists a contact that was found.
 void listContact(const World *w, int k) {
     int4 found = foundOf(w)[k];
     int place = w->groupStart[found.z] + found.w;
@@ -98,8 +91,7 @@ void listContact(const World *w, int k) {
     }
 }
 
-// Lists the contacts, group by group, in no order within a group; or notes that there is no room for them.
-// Index space: any number of work-items, which take the contacts in turn.
+// Group by group, in no order within a group. Index space: any; work-items take contacts in turn.
 kernel void contacts_list(WORLD_PARAMETERS) {
     World w = WORLD;
     if (get_global_id(0) == 0) noteContacts(&w);
@@ -122,7 +114,7 @@ void siftContactDown(global ulong *key, global uint2 *pair, int top, int size) {
     pair[top] = pair1;
 }
 
-// Orders contacts by (lower id, higher id): insertion sort, or heap sort where they are many.
+// By (lower id, higher id): insertion sort; heap sort if they are many.
 void sortContacts(global ulong *key, global uint2 *pair, int size) {
     if (size > 48) {
         for (int top = size / 2 - 1; top >= 0; top--) siftContactDown(key, pair, top, size);

@@ -1,7 +1,7 @@
 // uses: world/shared/Visit.cl world/stages/Neighbours.cl
-// Stage Contacts, by colours: orders the contacts of each group, measures them for the first sub-step, and starts them warm.
+// Stage Contacts by colours: orders the contacts of a group, measures them, and starts them warm.
 
-// Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. g: see loadAlong.
+// g: see loadAlong.
 void gatherLoad(const World *w, uint2 p, float2 g, bool carrying) {
     float4 la = w->load[p.LOWER];
     float4 lb = w->load[p.HIGHER];
@@ -12,7 +12,7 @@ void gatherLoad(const World *w, uint2 p, float2 g, bool carrying) {
     w->load[p.HIGHER] = lb;
 }
 
-// Fills a contact and measures it for the first sub-step. Returns it, and whether it carries.
+// Measures a contact for the first sub-step; returns it.
 float4 fillContact(const World *w, int c, bool *carrying) {
     uint2 p = w->pair[c];
     float4 b = baseOfPair(w, p);
@@ -25,16 +25,14 @@ float4 fillContact(const World *w, int c, bool *carrying) {
     return n;
 }
 
-// Counts a like contact as a candidate of its circles, where no other work-item has any of the same circles. Returns the greater count,
-// with the contacts that a circle found in coarser levels.
+// Nobody else has the same circles now. Returns the greater count, with contacts found in coarser levels.
 float countCandidate(const World *w, uint2 p) {
     float lo = w->load[p.LOWER].CANDIDATES += 1.0f;
     float hi = w->load[p.HIGHER].CANDIDATES += 1.0f;
     return hasOneLevel(w) ? maxf(lo, hi) : maxf(lo + (float) w->coarser[p.LOWER], hi + (float) w->coarser[p.HIGHER]);
 }
 
-// Orders and fills the contacts of the groups of one colour; notes where there is a crowd, if that is not to be thinned out.
-// Index space: a group a work-item. Cost: its contacts.
+// Index space: a group of the colour. Cost: its contacts.
 kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     World w = WORLD;
     int2 contacts = outOfRoom(&w) || tooFast(&w) ? (int2)(0) : contactsOfItem(&w, colour);
@@ -50,7 +48,7 @@ kernel void contacts_fill(WORLD_PARAMETERS, int colour) {
     if (most > (float) CROWD) status[CROWDED] = 1;
 }
 
-// How many contacts each circle had in the last step. Index space: a contact a work-item.
+// How many each circle had in the last step. Index space: a contact.
 kernel void contacts_degrees(global const uint2 *pair, int contacts, global int *degree) {
     int c = (int) get_global_id(0);
     if (c >= contacts) return;

@@ -1,16 +1,14 @@
 // uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl
 // uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl world/stages/CellScan.cl
-// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
-// looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
-// is as stage Grid has set it.
+// Stage ContinuousCollision keeps fast circles from passing through others. The Java class of this name explains it, function by function.
+// Steps without fast circles leave it out: motion clamps are as Grid has set them.
 
-// From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
+// BLOCK_LOG is 2: blocks have 4 x 4 cells, as many rows as a piece has ranges.
 
-// What a fast circle looks for on its path: circles at which it stops, or that stop at it; when a static circle that moves takes
-// a circle along; which static circle that is.
+// Circles at which a fast one stops; when a static one takes it along; which one.
 typedef enum { STOPS, CARRY_TIMES, CARRIERS } Look;
 
-// What a circle looks ahead with. least: by how much it must move against another to matter.
+// least: by how much it must move against another to matter.
 typedef struct {
     float x, y, r, px, py, path, speculativeDistance, least;
     int slot;
@@ -26,7 +24,7 @@ Runner runnerOf(const World *w, int slot) {
     return s;
 }
 
-// Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
+// Of circles that are not static. Floats from 0 on sort like their bits.
 void noteLongestPath(const World *w, const Piece *piece) {
     float longest = 0.0f;
     for (int i = 0; i < piece->end.w; i++) {
@@ -36,7 +34,7 @@ void noteLongestPath(const World *w, const Piece *piece) {
     if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
 }
 
-// The range of the paths of the circles in a block of cells.
+// The range of the paths in a block of cells.
 void summarize(const World *w, int block) {
     constant Levels *levels = w->levels;
     int l = 0;
@@ -62,15 +60,15 @@ void summarize(const World *w, int block) {
     if (w->status[CARRYING]) noteLongestPath(w, &piece);
 }
 
-// There are fewer blocks than circles.
+// Fewer than circles.
 int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOCK_LOG); }
 
-// Whether a circle looks ahead: whether it is fast.
+// Whether it is fast.
 bool looksAhead(const World *w, int slot) { return w->near[slot].CONTACT_SHARE < NOT_FAST; }
 
 bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].SIGHT_INVERSE_MASS != 0.0f; }
 
-// Notes how far the circles reach, and summarizes the blocks. Index space: a working slot a work-item.
+// Index space: slots.
 kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
     World w = WORLD;
     local int classes;
@@ -86,7 +84,7 @@ kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) noteClasses(&w, classes);
 }
 
-// What several work-items change of a circle at once, as bits.
+// Work-items change these at once, as bits.
 volatile global int *contactTimeOf(const World *w, int slot) { return (volatile global int *) (w->near + slot); }
 
 volatile global int *restraintOf(const World *w, int slot) { return contactTimeOf(w, slot) + 1; }
@@ -105,7 +103,6 @@ void restrain(const World *w, int slot, float most, bool stands) {
     }
 }
 
-// Floats from 0 on sort like their bits.
 void shorten(const World *w, int slot, float t) { atomic_min(&w->timeOfImpact[slot], as_int(t)); }
 
 void meet(const World *w, const Runner *s, int other) {
@@ -144,13 +141,13 @@ bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
     return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y, s->r + other.RADIUS);
 }
 
-// A fast circle and another whose reaches meet: most do not touch by their paths.
+// Most do not touch by their paths.
 void meetIfNear(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.MASS == INFINITY) meet(w, s, other);
 }
 
-// The same of two of which the other one reaches far, either way round.
+// If the other one reaches far: either way round.
 void meetBoth(const World *w, const Runner *s, bool looks, int other) {
     float4 c = w->circle[other];
     bool touches = mayTouchBy(w, s, c, w->motionClamp[other]);
@@ -161,7 +158,6 @@ void meetBoth(const World *w, const Runner *s, bool looks, int other) {
     }
 }
 
-// Meets those of the slots [from, to) that a fast circle may touch in the step.
 void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
     for (int other = from; other < to; other++) {
         float4 o = w->reach[other];
@@ -169,8 +165,7 @@ void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
     }
 }
 
-// As meet, for a pair of which one is static and moves, for the first time to find out when it takes the other along, and for the
-// second to note which one is first. Its faster circle finds it, or both do.
+// Its faster circle finds a pair, or both do.
 void meetCarrier(const World *w, const Runner *s, int other, bool note) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
@@ -189,13 +184,13 @@ void meetCarriers(const World *w, const Runner *s, int from, int to, bool note) 
     }
 }
 
-// How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many.
+// From one on, in its block and on the ring.
 int inBlock(int column, int side, int most) {
     int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
     return min(min(blockEnd, side) - column, most);
 }
 
-// Looks at so many columns of a row of cells, in one block or up to the seam.
+// In one block, or up to the seam.
 void lookAtCells(const World *w, const Runner *s, float reach, const CellRange *r, int row, int column, int columns, int overX, int overY,
                  Look look) {
     int width = r->sheets.known ? 1 : columns;
@@ -209,7 +204,7 @@ void lookAtCells(const World *w, const Runner *s, float reach, const CellRange *
     }
 }
 
-// Looks at a range of cells block by block.
+// Block by block.
 void lookAt(const World *w, const Runner *s, float reach, const CellRange *range, Look look) {
     int level = range->level;
     int cl = w->levels->columnsLog[level];
@@ -237,8 +232,7 @@ void lookAt(const World *w, const Runner *s, float reach, const CellRange *range
     }
 }
 
-// Looks at the circles of a level around the path of a fast one: block by block, but row by row if there are several levels, since few
-// circles of a block move alike there.
+// Row by row if there are several levels: few circles of a block move alike there.
 INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
     CellRange range = cellsAround(w, level, minf(s->x, s->x + s->px) - margin, maxf(s->x, s->x + s->px) + margin,
@@ -252,7 +246,6 @@ INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level)
     while (nextCells(w, &range, &at, true, &slots)) meetNear(w, s, reach, slots.x, slots.y);
 }
 
-// Meets those circles in a bucket of reaches whose reaches meet that of one.
 void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int bucket) {
     for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
         float4 o = w->reach[other];
@@ -260,7 +253,7 @@ void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int 
     }
 }
 
-// Looks for those that reach far in a circle's level, and no less far than it.
+// Those that reach far in a circle's level, and no less far than it.
 void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     int top = topExponent(w->levels->rmax);
     int buckets = reachBuckets(w->circles);
@@ -283,11 +276,10 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     }
 }
 
-// To find the pairs in which fast circles stop, a fast circle looks for others itself in each level in which it does not reach far, and
-// every circle looks for those that reach far. These are the parts of its look.
+// A fast circle looks for others in each level in which it does not reach far, and every circle looks for those that reach far: the parts
+// of its look.
 int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
 
-// Whether a circle has a part of a look to make.
 bool hasPartOfLook(const World *w, int slot, int part) {
     if (part == w->levels->usedCount) return w->status[REACHES] != 0;
     float4 own = w->reach[slot]; // others may be changing what looksForStops reads
@@ -303,7 +295,7 @@ INLINE void lookForStops(const World *w, const Runner *s, int part) {
     }
 }
 
-// How many parts all looks have. They are numbered part after part.
+// Numbered part after part.
 int partsOfAllLooks(const World *w) { return partsOfLook(w) * w->circles; }
 
 void makePartOfLook(const World *w, int number) {
@@ -314,7 +306,6 @@ void makePartOfLook(const World *w, int number) {
     lookForStops(w, &s, part);
 }
 
-// A fast circle looks for those that it may take along, or that may take it along.
 void lookForCarriers(const World *w, int slot, Look look) {
     Runner s = runnerOf(w, slot);
     for (int l = 0; l < w->levels->usedCount; l++) {
@@ -328,7 +319,7 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float below = minf(s.y, s.y + s.py) - margin;
         int r0 = rowFrom(w, level, below);
         int r1 = rowTo(w, level, below, maxf(s.y, s.y + s.py) + margin);
-        // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
+        // A static circle may cross the arena: piece by piece, unless its rows meet again on the ring.
         bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
@@ -346,15 +337,14 @@ void lookForCarriers(const World *w, int slot, Look look) {
     }
 }
 
-// Index space: a working slot and a part of its look a work-item, part after part: it takes longer if a circle looks in all levels by
-// itself. Cost: the cells around it.
+// Index space: a slot and a part of its look, part after part, which is faster than all levels by one. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int number = (int) get_global_id(0);
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.
+// Few steps have any, so few work-items are quick to say so.
 void lookForAllCarriers(const World *w, Look look) {
     if (!w->status[CARRYING] || refused(w)) return;
     for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
@@ -362,23 +352,20 @@ void lookForAllCarriers(const World *w, Look look) {
     }
 }
 
-// Where static circles move, finds out when they take others along. Index space: any number of work-items. Cost: the same.
+// Index space of both: any; work-items take slots in turn. Cost: the cells around a path.
 kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
     World w = WORLD;
     lookForAllCarriers(&w, CARRY_TIMES);
 }
 
-// Then finds out which of them takes whom along. Index space and cost: as before it.
 kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
     World w = WORLD;
     lookForAllCarriers(&w, CARRIERS);
 }
 
-// Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far
-// it may leave that, negative, and the share of it that is free. A circle that stops loses time, and so what gravity would give it
-// in that time. After all have looked ahead.
+// A circle that stops loses time, and so what gravity would give it then. After all have looked.
 void setMotionClamp(const World *w, int slot) {
-    // Nothing is in the way of most circles, and stage Grid has set their clamps.
+    // Grid has set the clamps of most.
     if (freeShare(w, slot) >= 1.0f && carryTime(w, slot) > 1.0f) return;
     float4 sight = w->sight[slot];
     if (sight.SIGHT_INVERSE_MASS == 0.0f) return;
@@ -414,7 +401,7 @@ void setMotionClamp(const World *w, int slot) {
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }
 
-// Index space: a working slot a work-item. Constant cost.
+// Index space: slots.
 kernel void continuousCollision_clamp(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
