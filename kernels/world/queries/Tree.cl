@@ -92,7 +92,7 @@ kernel void queries_place(global const int *homeId, global const float4 *homeCir
 
 // The box around two boxes: least x, y, greatest x, y. Put together from numbers: Oclgrind 21.10 crashes on a vector of vectors.
 float4 enclosing(float4 a, float4 b) {
-    return (float4)(least(a.x, b.x), least(a.y, b.y), greatest(a.z, b.z), greatest(a.w, b.w));
+    return (float4)(minf(a.x, b.x), minf(a.y, b.y), maxf(a.z, b.z), maxf(a.w, b.w));
 }
 
 // Boxes around circles, larger by what covers the rounding of the exact tests. Index space: a box a work-item.

@@ -1,6 +1,5 @@
 // uses: world/shared/CircleMath.cl
-// How far circles get in a step, and the grid in which continuous collision finds them. The Java class world.model.Reach explains it; it
-// is the same, function by function. From the host: REACH_SLACK, REACH_STATIC_SLACK, GREATEST_REACH, REACH_EDGE_LOG.
+// How far circles get in a step. The Java class world.model.Reach explains it, function by function.
 
 float reachOf(float r, float path, bool isStatic) { return isStatic ? REACH_STATIC_SLACK * r : REACH_SLACK * (r + path); }
 
@@ -19,7 +18,7 @@ float inverseReachEdge(int reachClass, int topExponent_) {
 }
 
 int reachCell(float x, float min_, float inverseEdge) {
-    return (int) bounded((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
+    return (int) clampf((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
 }
 
 int reachBuckets(int circles) { return 2 << (31 - clz(max(circles, 1))); }

@@ -1,4 +1,4 @@
-// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Solver.cl world/stages/Touches.cl
+// uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Solver.cl
 // The cross contacts' part of stage Solver: those of circles of different levels, behind the like contacts of each pass. A pass has two
 // launches. In the first, each light circle visits its contacts, and sees the heavy ones as before; its velocity is kept aside, since it
 // may be a heavy circle for others. In the second, heavy circles take the sums of what they were given. The Java class
@@ -13,9 +13,9 @@ typedef struct {
 Cross crossOf(const World *w, int c, int light) {
     uint2 p = w->pair[c];
     Cross x;
-    x.isLightLower = p.x == (uint) light;
+    x.isLightLower = p.LOWER == (uint) light;
     x.light = (uint) light;
-    x.heavy = x.isLightLower ? p.y : p.x;
+    x.heavy = x.isLightLower ? p.HIGHER : p.LOWER;
     return x;
 }
 
@@ -31,30 +31,28 @@ World crossWorld(World w) {
     return w;
 }
 
-float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].z, w->k.inverseH); }
+float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].RADIUS, w->k.inverseH); }
 
-float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].z, w->k.inverseH, w->traits[slot].x); }
+float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS); }
 
 global long *sumsOf(const World *w, uint slot) { return (global long *) (w->heavySum + slot); }
 
-// Adds x and y to two sums of a heavy circle, which have a range.
-void addToHeavy(global long *sums, float x, float y, float range) {
+// Adds to two sums of a heavy circle, which have a range.
+void addToHeavy(global long *sums, float2 value, float range) {
     float scale = scaleOf(range);
-    addFixed(sums, toFixed(x, scale));
-    addFixed(sums + 1, toFixed(y, scale));
+    addFixed(sums, toFixed(value.x, scale));
+    addFixed(sums + 1, toFixed(value.y, scale));
 }
 
-// Adds a contact's impulse to the sums of its circles, and marks them as loaded where it carries. Components are stored one by one:
-// others mark the same circles at the same time.
-void gatherCrossLoad(const World *w, const Cross *x, float4 n, float normalImpulse, bool carrying) {
+// Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. g: see loadAlong. Components are stored one
+// by one: others mark the same circles at the same time.
+void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
     global float *own = (global float *) (w->load + x->light);
     global float *other = (global float *) (w->load + x->heavy);
-    float gx = n.x * normalImpulse;
-    float gy = n.y * normalImpulse;
-    own[0] = x->isLightLower ? own[0] - gx : own[0] + gx;
-    own[1] = x->isLightLower ? own[1] - gy : own[1] + gy;
-    if (w->traits[x->heavy].x != 0.0f) {
-        addToHeavy(sumsOf(w, x->heavy) + 2, x->isLightLower ? gx : -gx, x->isLightLower ? gy : -gy, impulseRangeOf(w, x->heavy));
+    own[0] = x->isLightLower ? own[0] - g.x : own[0] + g.x;
+    own[1] = x->isLightLower ? own[1] - g.y : own[1] + g.y;
+    if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
+        addToHeavy(sumsOf(w, x->heavy) + 2, x->isLightLower ? g : -g, impulseRangeOf(w, x->heavy));
     }
     if (carrying) {
         own[3] = 1.0f;
@@ -63,16 +61,11 @@ void gatherCrossLoad(const World *w, const Cross *x, float4 n, float normalImpul
 }
 
 void fillCrossContact(const World *w, int c, int light) {
-    uint2 p = w->pair[c];
     Cross x = crossOf(w, c, light);
-    float4 b = baseOfPair(w, p);
     bool carrying;
-    float4 n = newContact(w, p, w->key[c], b, &carrying);
-    w->base[c] = b;
-    w->masses[c] = (float4)(w->traits[p.x].x, w->traits[p.y].x, pushSpeed(&w->k, b.z), 0.0f);
-    w->contact[c] = n;
-    if (w->k.tiled) w->ordered[c] = p;
-    gatherCrossLoad(w, &x, n, n.w, carrying);
+    float4 n = fillContact(w, c, &carrying);
+    if (w->k.tiled) w->ordered[c] = w->pair[c];
+    gatherCrossLoad(w, &x, loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
 }
 
 // Orders and fills the cross contacts of a light circle.
@@ -93,72 +86,54 @@ kernel void cross_fill(WORLD_PARAMETERS) {
     fillCrossOf(&w, slot);
 }
 
-// Visits a contact, and applies the impulse. v: velocity of the light circle; q, n: masses and contact. Returns the normal speed
-// afterwards, as if the heavy circle had taken its part.
-float visitCross(const World *w, const Cross *x, float restitution, float4 q, float4 n, Ready *ready, bool relaxing, float2 *v, Visited *visited) {
-    float wl = x->isLightLower ? q.x : q.y;
-    float wh = x->isLightLower ? q.y : q.x;
-    float2 heavy = w->motion[x->heavy].zw;
-    float2 toward = x->isLightLower ? heavy - *v : *v - heavy;
-    float vn = along(n.x, n.y, toward.x, toward.y);
-    ready->mass = crossMass(wl, wh, crossShare(w->crossLoad[x->heavy]));
-    visit(ready, vn, relaxing, visited);
+// Visits a contact, and gives its circles what they get of it: the light one's velocity v, the heavy one's sums. The effective mass counts
+// the heavy one as lighter, since others visit it at the same time. Returns the normal speed before it.
+float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bool relaxing, float2 *v, Visited *visited) {
+    float invLight = x->isLightLower ? p->invMassA : p->invMassB;
+    float invHeavy = x->isLightLower ? p->invMassB : p->invMassA;
+    float2 heavy = w->motion[x->heavy].VELOCITY;
+    visit_->ready.mass = crossMass(invLight, invHeavy, crossShare(w->crossLoad[x->heavy]));
+    float vn = visitPair(visit_, x->isLightLower ? *v : heavy, x->isLightLower ? heavy : *v, relaxing, visited);
     if (!visited->leaves && !visited->solved) {
-        visited->leaves = waitsForTurn(w, x->light, x->heavy, restitution, wh, relaxing ? n.z : n.z + vn * w->k.h, relaxing);
+        float separation = relaxing ? p->separation : p->separation + vn * w->k.h;
+        visited->leaves = waitsForTurn(w, x->light, x->heavy, p->restitution, invHeavy, separation, relaxing);
     }
-    float impulse = visited->impulse;
     if (!visited->leaves) {
-        float lx = velocityChange(n.x, wl, impulse);
-        float ly = velocityChange(n.y, wl, impulse);
-        float hx = velocityChange(n.x, wh, impulse);
-        float hy = velocityChange(n.y, wh, impulse);
-        *v = x->isLightLower ? (float2)(v->x - lx, v->y - ly) : (float2)(v->x + lx, v->y + ly);
-        if (wh != 0.0f) {
-            addToHeavy(sumsOf(w, x->heavy), x->isLightLower ? hx : -hx, x->isLightLower ? hy : -hy, velocityRangeOf(w, x->heavy));
+        float2 toLight = changeOfVelocity(visit_, invLight, visited->impulse);
+        float2 toHeavy = changeOfVelocity(visit_, invHeavy, visited->impulse);
+        *v = x->isLightLower ? *v - toLight : *v + toLight;
+        if (invHeavy != 0.0f) {
+            addToHeavy(sumsOf(w, x->heavy), x->isLightLower ? toHeavy : -toHeavy, velocityRangeOf(w, x->heavy));
         }
     }
-    return vn + impulse * (q.x + q.y);
+    return vn;
 }
 
-// The biased pass over one contact. v: velocity of the light circle. Returns the impulse of a free bounce, or 0.
-float solveCrossContact(const World *w, int c, int light, float2 *v) {
+// The biased pass over one contact. v: velocity of the light circle.
+void solveCrossContact(const World *w, int c, int light, float2 *v) {
     Cross x = crossOf(w, c, light);
-    float4 q = w->masses[c];
-    float4 n = w->contact[c];
-    Ready ready;
-    readyToSolve(w, c, w->pair[c], q, n, &ready);
+    Visit visit_;
     Visited visited;
-    visitCross(w, &x, w->base[c].w, q, n, &ready, false, v, &visited);
-    w->masses[c].w = ready.bounce;
-    w->contact[c].w = visited.normalImpulse;
-    return visited.leaves || visited.solved ? 0.0f : visited.impulse;
+    Pair p = takeToSolve(w, c, w->pair[c], &visit_);
+    visitCross(w, &x, &p, &visit_, false, v, &visited);
+    keepSolved(w, c, &visit_, &visited);
 }
 
-// Stores a contact's impulse for the step to come, while others do the same for the same circle: it is looked up by id.
-void storeCrossImpulse(const World *w, int c, uint lower, float normalImpulse) {
-    int next = atomic_xchg(&w->firstCached[lower], c);
-    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, next);
-}
-
-// Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, or 0.
-float relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
+// The relaxing pass over one contact.
+void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
     Cross x = crossOf(w, c, light);
     uint2 pr = w->pair[c];
-    float4 q = w->masses[c];
-    float4 n = w->contact[c];
-    Ready ready;
-    readyToRelax(w, pr, w->base[c], q, w->motion[pr.x], w->motion[pr.y], &n, &ready);
+    Visit visit_;
     Visited visited;
-    float vn = visitCross(w, &x, w->base[c].w, q, n, &ready, true, v, &visited);
+    Pair p = takeToRelax(w, c, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &visit_);
+    float vn = visitCross(w, &x, &p, &visit_, true, v, &visited);
     float next = visited.normalImpulse;
-    w->contact[c] = (float4)(n.x, n.y, n.z, next);
-    if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
     if (last) {
-        if (next > 0.0f) storeCrossImpulse(w, c, pr.x, next);
-    } else if (carries(next, vn, ready.restingLimit)) {
-        gatherCrossLoad(w, &x, n, next, true);
+        if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+    } else if (carriesOn(&visit_, vn, &visited)) {
+        gatherCrossLoad(w, &x, loadAlong(p.nx, p.ny, next), true);
     }
-    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
+    keepRelaxed(w, c, &p, &visit_, &visited);
 }
 
 // Gives a light circle its velocity behind its visits: kept aside if it is a heavy one for others, which still look at it.
@@ -166,39 +141,29 @@ void leaveLight(const World *w, int slot, float2 v) {
     if (w->crossLoad[slot] > 0) {
         w->lightVelocity[slot] = v;
     } else {
-        w->motion[slot].zw = v;
+        w->motion[slot].VELOCITY = v;
     }
 }
 
-// The biased pass over the cross contacts of a light circle.
-void solveCrossOf(const World *w, int slot) {
+// A pass over the cross contacts of a light circle. last: in the relaxing pass, whether it is that of the last sub-step.
+INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
     if (from == to) return;
-    float2 v = w->motion[slot].zw;
+    float2 v = w->motion[slot].VELOCITY;
     for (int c = from; c < to; c++) {
-        float notKept = solveCrossContact(w, c, slot, &v);
-#ifdef RECORDING
-        noteSolvedContact(w, w->recording.touch, c, notKept);
-#endif
+        if (relaxing) {
+            relaxCrossContact(w, c, slot, last, &v);
+        } else {
+            solveCrossContact(w, c, slot, &v);
+        }
     }
     leaveLight(w, slot, v);
 }
 
-// The relaxing pass over the cross contacts of a light circle.
-void relaxCrossOf(const World *w, int slot, bool last) {
-    int from = w->groupStart[crossGroupOf(w, slot)];
-    int to = w->groupStart[crossGroupOf(w, slot) + 1];
-    if (from == to) return;
-    float2 v = w->motion[slot].zw;
-    for (int c = from; c < to; c++) {
-        float bounced = relaxCrossContact(w, c, slot, last, &v);
-#ifdef RECORDING
-        noteRelaxedContact(w, w->recording.touch, c, bounced);
-#endif
-    }
-    leaveLight(w, slot, v);
-}
+void solveCrossOf(const World *w, int slot) { passCrossOf(w, slot, false, false); }
+
+void relaxCrossOf(const World *w, int slot, bool last) { passCrossOf(w, slot, true, last); }
 
 // Index space of the next: a working slot a work-item. Cost: the contacts in which the circle is the light one.
 
@@ -226,7 +191,7 @@ bool isLight(const World *w, int slot) {
 }
 
 // Whether a circle takes what it is given as the heavy one of a contact.
-bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].x != 0.0f; }
+bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].INVERSE_MASS != 0.0f; }
 
 // The velocity of a heavy circle behind a pass. v: as like contacts have left it.
 float2 velocityTaken(const World *w, int slot, float2 v) {
@@ -247,12 +212,12 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
 void takeCross(const World *w, int slot, bool velocities, bool impulses) {
     if (!isHeavy(w, slot)) return;
     if (velocities) {
-        float2 v = w->motion[slot].zw;
-        w->motion[slot].zw = velocityTaken(w, slot, v);
+        float2 v = w->motion[slot].VELOCITY;
+        w->motion[slot].VELOCITY = velocityTaken(w, slot, v);
     }
     if (impulses) {
-        float2 sum = w->load[slot].xy;
-        w->load[slot].xy = impulsesTaken(w, slot, sum);
+        float2 sum = w->load[slot].IMPULSES;
+        w->load[slot].IMPULSES = impulsesTaken(w, slot, sum);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);

@@ -6,7 +6,7 @@
 // is false. inverseMassOfHeavy: 0 if it is static.
 bool waitsForTurn(const World *w, uint light, uint heavy, float restitution, float inverseMassOfHeavy, float separation,
                   bool relaxing) {
-    if (!mayWait(restitution, inverseMassOfHeavy, separation, w->circle[light].z, w->circle[heavy].z)) return false;
+    if (!mayWait(restitution, inverseMassOfHeavy, separation, w->circle[light].RADIUS, w->circle[heavy].RADIUS)) return false;
     int asked = w->id[light] + 1;
     if (relaxing) return w->claim[heavy] != asked || w->claim[light] != 0;
     atomic_max(&w->claim[heavy], asked);

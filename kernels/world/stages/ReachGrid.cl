@@ -25,7 +25,7 @@ int addReach(const World *w, int slot, float4 c, float reach) {
 // Returns the bit of its class then, else 0: for noteClasses, which takes those of many circles together.
 int noteReach(const World *w, int slot, bool looks) {
     float4 c = w->circle[slot];
-    float reach = reachOf(c.z, w->motionClamp[slot].w, w->sight[slot].w == 0.0f);
+    float reach = reachOf(c.RADIUS, w->motionClamp[slot].PATH_LENGTH, w->sight[slot].SIGHT_INVERSE_MASS == 0.0f);
     w->reach[slot] = (float4)(c.x, c.y, reach, looks ? 1.0f : 0.0f);
     return looks && reach > farIn(w, w->levels->used[0]) ? addReach(w, slot, c, reach) : 0;
 }

@@ -24,5 +24,5 @@ kernel void readback_request(global const int *homeId, global const float4 *home
 kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
                                 global float2 *byId) {
     int slot = (int) get_global_id(0);
-    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].zw;
+    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].VELOCITY;
 }

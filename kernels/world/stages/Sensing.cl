@@ -1,4 +1,4 @@
-// uses: world/stages/Events.cl world/stages/PairFilter.cl
+// uses: world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
 // Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
 // (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
 //
@@ -38,15 +38,15 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
     s.y = start[s.id].y;
     s.px = ACROSS_X(w, c.x - s.x);
     s.py = ACROSS_Y(w, c.y - s.y);
-    s.r = c.z;
-    s.path = norm(s.px, s.py);
+    s.r = c.RADIUS;
+    s.path = lengthf(s.px, s.py);
     s.fields = w->fields[s.id];
-    s.isStatic = w->homeTraits[slot].x == 0.0f;
+    s.isStatic = w->homeTraits[slot].INVERSE_MASS == 0.0f;
     s.isFast = s.path > s.r;
     return s;
 }
 
-float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + greatest(path, top)); }
+float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + maxf(path, top)); }
 
 // Whether a circle is the one of a pair that has to find it.
 bool findsSensed(int row, const Sensed *s, const Sensed *o) {
@@ -60,8 +60,8 @@ bool findsSensed(int row, const Sensed *s, const Sensed *o) {
 float timeSensed(float dx, float dy, float ux, float uy, float sum) {
     float b = -(dx * ux + dy * uy);
     float gap = (dx * dx + dy * dy) - sum * sum;
-    float disc = greatest(b * b - (ux * ux + uy * uy) * gap, 0.0f);
-    return gap > 0.0f && b > 0.0f ? least(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
+    float disc = maxf(b * b - (ux * ux + uy * uy) * gap, 0.0f);
+    return gap > 0.0f && b > 0.0f ? minf(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
 }
 
 // Tells of a pair, if it is in touch. a: the lower id.
@@ -72,23 +72,23 @@ void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float uy = b->py - a->py;
     float sum = a->r + b->r;
     float uu = ux * ux + uy * uy;
-    float closest = uu > 0.0f ? bounded(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
-    float least_ = norm(dx + closest * ux, dy + closest * uy) - sum;
+    float closest = uu > 0.0f ? clampf(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
+    float least_ = lengthf(dx + closest * ux, dy + closest * uy) - sum;
     bool touching = touches(NO_TOUCH, least_);
     Told told;
     if (!staysInTouch(NO_TOUCH, least_, sum) || !concerns(w, a->id, b->id, touching, 0.0f, 0.0f, INFINITY, &told)) return;
     float t = touching ? timeSensed(dx, dy, ux, uy, sum) : closest;
     float mx = dx + t * ux;
     float my = dy + t * uy;
-    float distance_ = norm(mx, my);
+    float distance_ = lengthf(mx, my);
     bool apart = distance_ > COINCIDENT * sum;
     int hash = pairHash(a->id, b->id);
     float towardsX = apart ? mx : partingX(hash);
     float towardsY = apart ? my : partingY(hash);
-    float length_ = norm(towardsX, towardsY);
+    float length_ = lengthf(towardsX, towardsY);
     float nx = towardsX / length_;
     float ny = towardsY / length_;
-    float vn = along(nx, ny, ux / w->k.dt, uy / w->k.dt);
+    float vn = dotf(nx, ny, ux / w->k.dt, uy / w->k.dt);
     float separation = distance_ - sum;
     float2 point = (float2)(touchPoint(a->x, t * a->px, nx, a->r, separation), touchPoint(a->y, t * a->py, ny, a->r, separation));
     tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point);
@@ -126,36 +126,11 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     for (int l = 0; l < levels->usedCount; l++) {
         int level = levels->used[l];
         float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        float left = least(s.x, toX) - margin;
-        float below = least(s.y, toY) - margin;
-        int c0 = columnFrom(&w, level, left);
-        int c1 = columnTo(&w, level, left, greatest(s.x, toX) + margin);
-        int r0 = rowFrom(&w, level, below);
-        int r1 = rowTo(&w, level, below, greatest(s.y, toY) + margin);
-        int columns = levels->columnCount[level];
-        int rows = levels->rowCount[level];
-        int first = onRing(c0, columns);
-        int width = min(c1 - c0, columns - 1) + 1;
-        int beforeEnd = min(width, columns - first);
-        Sheets sheets = sheetsAt(&w, level, left, below);
-        sheets.known = areSheetsKnown(&w, level, c1 - c0, r1 - r0);
-        for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
-            global const int *row =
-                w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
-            int overY = onRing(r0, rows) + v >= rows ? 1 : 0;
-            int many;
-            for (int u = 0; u < width; u += many) {
-                bool over = u >= beforeEnd;
-                many = sheets.known ? 1 : over ? width - u : beforeEnd;
-                global const int *cell_ = row + (over ? u - beforeEnd : first + u);
-                int2 slots_ = (int2)(cell_[0], cell_[many]);
-                if (sheets.known) {
-                    int key = sheetKeyBeside(&w, level, &sheets, over ? 1 : 0, overY);
-                    slots_ = slotsOfSheet(&w, slots_.x, slots_.y, key, !s.isStatic);
-                }
-                senseIn(&w, start, seeking, &s, slots_.x, slots_.y);
-            }
-        }
+        CellRange range = cellsAround(&w, level, minf(s.x, toX) - margin, maxf(s.x, toX) + margin, minf(s.y, toY) - margin,
+                                      maxf(s.y, toY) + margin);
+        CellCursor at = firstCells(&range);
+        int2 found;
+        while (nextCells(&w, &range, &at, !s.isStatic, &found)) senseIn(&w, start, seeking, &s, found.x, found.y);
     }
 }
 #endif

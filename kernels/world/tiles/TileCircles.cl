@@ -44,15 +44,15 @@ bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMa
     if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
-    w->motion[slot] = (float4)(m.x, m.y, 0.0f, 0.0f);
+    w->motion[slot] = (float4)(m.DX, m.DY, 0.0f, 0.0f);
     return true;
 }
 
 // Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. t: its traits. Returns whether it is
 // at a wall.
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
-    float2 walls = t.zw;
-    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.x, sum, carried)) {
+    float2 walls = t.WALLS;
+    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried)) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
@@ -63,32 +63,32 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #endif
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, sum, before, old, m);
+    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m);
 #endif
-    storeWalls(w, slot, walls, t.zw);
-    w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
-    w->burden[slot] = burdenOf(t.x, loaded);
-    w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
-    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.zw);
+    storeWalls(w, slot, walls, t.WALLS);
+    w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
+    w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
+    w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
+    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
 // Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
 // Returns whether it is at a wall.
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
     bool isStatic = burden == 0.0f;
-    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), isStatic);
+    float4 m = integratePositions(w, slot, c, (float4)(started.DX, started.DY, v.x, v.y), isStatic);
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
-        float2 walls = t.zw;
+        float2 walls = t.WALLS;
 #ifdef RECORDING
-        float2 moving = m.zw;
+        float2 moving = m.VELOCITY;
 #endif
-        relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));
+        relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden));
 #ifdef RECORDING
-        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
+        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
 #endif
-        storeWalls(w, slot, walls, t.zw);
-        atWall = hasWalls(w, c, t.zw);
+        storeWalls(w, slot, walls, t.WALLS);
+        atWall = hasWalls(w, c, t.WALLS);
     }
     w->solvedMotion[slot] = m;
     w->solvedBurden[slot] = burden;

@@ -30,8 +30,8 @@ void linkContact(const World *w, int listed) {
     ulong2 own = listedOf(w)[listed];
     ulong ids = own.x;
     uint2 p = as_uint2(own.y);
-    int low = w->bucketOf[p.x];
-    int high = w->bucketOf[p.y];
+    int low = w->bucketOf[p.LOWER];
+    int high = w->bucketOf[p.HIGHER];
     int l = levelOfBucket(w, low);
     int first = w->levels->first[l];
     int cl = w->levels->columnsLog[l];
@@ -56,10 +56,10 @@ void linkContact(const World *w, int listed) {
 
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
-    w->impulse[c] = (float2)(n.x * n.w, n.y * n.w);
-    w->masses[c] = n;
-    w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
-                        highRow != row, (int) p.y - w->bucketStart[high], carrying);
+    startImpulsesOf(w)[c] = loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE);
+    startingOf(w)[c] = n;
+    w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.LOWER - w->bucketStart[low], highColumn != column,
+                        highRow != row, (int) p.HIGHER - w->bucketStart[high], carrying);
 }
 
 // Index space: any number of work-items, which take the contacts in turn. Cost: the contacts of a

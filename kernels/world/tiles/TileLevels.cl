@@ -9,9 +9,9 @@ void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
     if (!isHeavy(w, slot)) return;
-    m->zw = velocityTaken(w, slot, m->zw);
+    m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
     if (impulses) {
-        l->xy = impulsesTaken(w, slot, l->xy);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
@@ -22,7 +22,7 @@ void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
     if (isHeavy(w, slot)) {
-        l->xy = impulsesTaken(w, slot, l->xy);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->heavySum[slot] = (long4)(0);
     }
 #ifdef RECORDING
@@ -32,50 +32,21 @@ void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
 #endif
 }
 
-// Starts a circle into a sub-step: gravity, the impulses of the sub-step before, the walls.
 void startSlot(const World *w, int slot, bool first) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
     float4 m, l;
     if (first) {
         beginCircle(w, slot, &m, &l);
     } else {
         takeAll(w, slot, true, &m, &l);
     }
-#ifdef RECORDING
-    float4 old = m;
-#endif
-    float2 before, bounce;
-    bool loaded;
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->wallBounce[slot] = bounce;
-    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
-#endif
+    startCircleAt(w, slot, m, l);
 }
 
-// Ends the biased pass for a circle: its move.
 void moveSlot(const World *w, int slot) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
     float4 m, l;
     takeAll(w, slot, false, &m, &l);
-    bool isStatic = t.x == 0.0f;
-    m = integratePositions(w, slot, c, m, isStatic);
-#ifdef RECORDING
-    float2 moving = m.zw;
-#endif
-    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], l.z > 0.0f);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->load[slot] = (float4)(0.0f, 0.0f, l.z, 0.0f);
+    moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
-#endif
 }
 
 // Ends the step for a circle.

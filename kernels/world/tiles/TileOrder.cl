@@ -118,7 +118,7 @@ uint meeting(int column, int row, int inGroup, int round) {
 }
 
 // The contacts of a tile as they are met, where their copies are to be.
-global uint *metFrom(const World *w, int firstCopy) { return (global uint *) (w->shape + firstCopy); }
+global uint *metFrom(const World *w, int firstCopy) { return metOf(w) + 2 * (size_t) firstCopy; }
 
 // Counts the contacts that a tile depends on, and takes copies for so many. Returns whether there is room for them. any: or takes
 // none.
@@ -195,7 +195,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
                     int c = first + min(from + k, size - 1);
                     link[k] = w->link[c];
-                    impulse[k] = w->impulse[c];
+                    impulse[k] = startImpulsesOf(w)[c];
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
@@ -270,7 +270,7 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             bool own = owns(r, column, row);
             uint places = atomic_add(&a->of.met.place[round], own ? 1u : 1u << 16);
             int place = (int) (own ? places & 0xffff : places >> 16);
-            if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
+            if (own) numbersOf(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
             placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
         }
     }
@@ -326,9 +326,9 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
                 if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
             }
             a->load[i] = c[n].xy;
-            a->of.circle.radius[i] = c[n].z;
-            a->of.circle.inverseMass[i] = t[n].x;
-            a->of.circle.restitution[i] = t[n].y;
+            a->of.circle.radius[i] = c[n].RADIUS;
+            a->of.circle.inverseMass[i] = t[n].INVERSE_MASS;
+            a->of.circle.restitution[i] = t[n].RESTITUTION;
             a->of.circle.slot[i] = slot;
         }
     }
@@ -345,24 +345,24 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             if (togetherItem(first, n) < contacts) contact[n] = placed[togetherItem(first, n)];
         }
         TOGETHER_EACH(n, ARRANGED) {
-            if (togetherItem(first, n) < contacts) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+            if (togetherItem(first, n) < contacts) normal[n] = startingOf(w)[contact[n].PLACED_CONTACT & ~NOT_OWN];
         }
         TOGETHER_EACH(n, ARRANGED) {
             int place = togetherItem(first, n);
             int copy = a->firstCopy + place;
             if (place >= contacts) continue;
-            int i = lowerOf(contact[n].y);
-            int j = higherOf(contact[n].y);
+            int i = lowerOf(contact[n].PLACED_CIRCLES);
+            int j = higherOf(contact[n].PLACED_CIRCLES);
             float2 base = a->load[j] - a->load[i];
             w->bases[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
-                                      greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
-            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
+                                      maxf(a->of.circle.restitution[i], a->of.circle.restitution[j]));
+            copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
-            if (contact[n].x < 0) continue;
-            int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
-            placed[place].x = number;
-            w->held[number] = normal[n].w;
+            if (contact[n].PLACED_CONTACT < 0) continue;
+            int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
+            placed[place].PLACED_CONTACT = number;
+            w->held[number] = normal[n].NORMAL_IMPULSE;
 #ifdef RECORDING
             clearTouch(w, number);
 #endif
@@ -375,8 +375,8 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
 // tiles have given theirs. placed: the tile's contacts, so many.
 void findNumbers(const World *w, global int2 *placed, int contacts) {
     TILE_EACH(place, contacts) {
-        int c = placed[place].x;
-        if (c < 0) placed[place].x = newNumbers(w)[c & ~NOT_OWN] | NOT_OWN;
+        int c = placed[place].PLACED_CONTACT;
+        if (c < 0) placed[place].PLACED_CONTACT = numbersOf(w)[c & ~NOT_OWN] | NOT_OWN;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
 }

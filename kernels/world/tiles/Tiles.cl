@@ -51,9 +51,6 @@ global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile
 // The contacts of a tile, in its order: see the array placed.
 global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firstCopy; }
 
-// By contact in its place within its group: its number for the passes. Tiles have no keys.
-global int *newNumbers(const World *w) { return (global int *) w->key; }
-
 // The circles of a contact, by their numbers in the region: of lower id, of higher id; and its round.
 #if TILE_CIRCLES > 0x7ff || TILE_ROUNDS > 0x1ff
 #error "circlesOf has no room for so many"

@@ -83,11 +83,11 @@ class CircleMathOnDevicesTest {
 
     /** Expressions in place of calls of a function of the same name; p0, p1 and so on: arguments. */
     private static final Map<String, String> TWINS = Map.of(
-            "length", "norm(p0, p1)",
-            "min", "least(p0, p1)",
-            "max", "greatest(p0, p1)",
-            "clamp", "bounded(p0, p1, p2)",
-            "dot", "along(p0, p1, p2, p3)",
+            "length", "lengthf(p0, p1)",
+            "min", "minf(p0, p1)",
+            "max", "maxf(p0, p1)",
+            "clamp", "clampf(p0, p1, p2)",
+            "dot", "dotf(p0, p1, p2, p3)",
             "difference", "p0 + (p2 - p1)",
             "freeBounce", "-(1.0f + p0) * p1 * p2",
             "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
