@@ -117,11 +117,26 @@ class LauncherTest {
     }
 
     @Test
-    void testsBenchmarksAndProgramsOfAProjectWithAColonInItsPathAreRefused() throws Exception {
+    void thePlaygroundAndTheGamesAreBuiltAndRunThroughSuchALink() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
         pretendToBuild(machine);
-        for (String command : new String[] {"test", "bench", "play", "play swarm"}) {
-            FakeMachine.Result refused = machine.launch(command.split(" "));
+        FakeMachine.Result play = machine.launch("play");
+        assertThat(play.status).as(play.output).isZero();
+        assertThat(machine.calls())
+                .containsPattern("-f playground/pom.xml -Dmaven.repo.local=[^: ]+/samples/target/repository ")
+                .containsPattern(
+                        "-cp ([^: ]+)/playground/target/classes:\\1/playground/target/lib/\\* io.github.circles2d.playground");
+        assertThat(machine.launch("play", "swarm").status).isZero();
+        assertThat(machine.calls()).containsPattern("-cp ([^: ]+)/samples/swarm/target/classes:\\1/samples/swarm/");
+        assertThat(machine.temporary()).isEmptyDirectory();
+    }
+
+    @Test
+    void testsAndBenchmarksOfAProjectWithAColonInItsPathAreRefused() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
+        pretendToBuild(machine);
+        for (String command : new String[] {"test", "bench"}) {
+            FakeMachine.Result refused = machine.launch(command);
             assertThat(refused.output).hasLineCount(1).contains(machine.clone + " has a ':'", "move the project");
             assertThat(refused.status).isEqualTo(3);
         }

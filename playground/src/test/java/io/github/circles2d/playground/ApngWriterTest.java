@@ -82,7 +82,7 @@ class ApngWriterTest {
 
     @Test
     void theFilmOfTheReadmeRunsSixSecondsAndIsSmall() throws Exception {
-        byte[] bytes = Files.readAllBytes(Path.of("docs/playground.png"));
+        byte[] bytes = Files.readAllBytes(Path.of("../docs/playground.png"));
         Apng film = new Apng(bytes);
         assertThat(bytes.length).isLessThan(1_500_000);
         assertThat(film.seconds).isBetween(5.5, 6.5);
