@@ -5,10 +5,8 @@ public final class Bounce {
     private Bounce() {}
 
     /**
-     * The square of the speed up to which an impact does not bounce. One part is the speed of a fall from a small part of a radius,
-     * so piles
-     * come to rest; the other a creeping speed, so clumps do without gravity. Both are 0 for elastic pairs. fixed takes their
-     * place.
+     * The square of the speed up to which impacts do not bounce: that of a fall from a part of a radius, so piles rest, and a
+     * creeping speed, so clumps rest without gravity. 0 for elastic pairs.
      */
     public static float bounceThreshold(float sum, float e, float gravityRate, float lengthRate, float fixed) {
         float length = inelasticity(e) * sum;
@@ -27,19 +25,15 @@ public final class Bounce {
     }
 
     /**
-     * What gravity adds to vn in half a sub-step. Sub-steps are a leapfrog: velocities are half a sub-step ahead of positions. A
-     * free bounce turns
-     * the velocity round that belongs to the position, so it neither gains nor loses height.
+     * What gravity adds to vn in half a sub-step: velocities are so far ahead of positions. A free bounce turns the velocity of the
+     * position, so it keeps the height.
      */
     public static float halfFall(float fall, float wLo, float wHi) {
         float half = 0.5f * fall;
         return wLo == 0f ? half : wHi == 0f ? -half : 0f;
     }
 
-    /**
-     * By how much a bounce off a wall would end too far from it, since it turns before the wall is reached; 0 if the path is longer
-     * than r: such paths are watched.
-     */
+    /** By how much a bounce off a wall would end too far from it, since it turns too early; 0 if the path is longer than r. */
     public static float leftBehind(float gap, float vn, float gain, float dt, float r) {
         return gap > 0f && vn < 0f && -vn * dt <= r ? gain * (gap / -vn) : 0f;
     }

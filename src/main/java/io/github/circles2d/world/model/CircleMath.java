@@ -1,17 +1,14 @@
 package io.github.circles2d.world.model;
 
 /**
- * Formulas of scalars that more than one topic needs. The topics have a class each: {@link Wrapping}, {@link Motion}, {@link
- * Paths},
- * {@link TimeOfImpact}, {@link Cells}, {@link Bounce} and {@link Walls}; visits are in {@link Constraints}.
+ * Formulas of scalars that several topics need: {@link Wrapping}, {@link Motion}, {@link Paths}, {@link TimeOfImpact}, {@link
+ * Cells}, {@link Bounce}, {@link Walls}, and visits in {@link Constraints}.
  *
- * <p>The files in {@code kernels/world/shared} have the same functions, and both give the same bits: they use {@code + - * /},
- * square
- * roots, floors, comparisons and integer operations, in one fixed bracketing, and no contraction.
+ * <p>{@code kernels/world/shared} has the same functions, with the same bits: they use {@code + - * /}, square roots, floors,
+ * comparisons and integers, in one bracketing, without contraction.
  *
- * <p>n is the normal of a contact, a unit vector from the circle of the lower id to that of the higher; vn the relative speed along
- * n,
- * negative if they approach; w an inverse mass, 0 for a static circle.
+ * <p>n is a normal from the lower id to the higher; vn the relative speed along n, negative in an approach; w an inverse mass, 0
+ * for a static circle.
  */
 public final class CircleMath {
     private CircleMath() {}
@@ -20,17 +17,17 @@ public final class CircleMath {
         return (float) Math.sqrt(x * x + y * y);
     }
 
-    /** The second of two equal numbers: of +0 and -0 too, so it is no {@link Math#min}. No NaN. */
+    /** Of +0 and -0 the second, unlike {@link Math#min}. Not for NaN. */
     public static float min(float a, float b) {
         return a < b ? a : b;
     }
 
-    /** The second of two equal numbers: of +0 and -0 too, so it is no {@link Math#max}. No NaN. */
+    /** Of +0 and -0 the second, unlike {@link Math#max}. Not for NaN. */
     public static float max(float a, float b) {
         return a > b ? a : b;
     }
 
-    /** If low is greater than high, low wins. A zero at a bound has the sign of the bound. */
+    /** If low is above high, low wins. A zero at a bound has the sign of the bound. */
     public static float clamp(float a, float low, float high) {
         return max(min(a, high), low);
     }

@@ -1,38 +1,33 @@
 package io.github.circles2d.world.model;
 
 /**
- * What moves the circles of a kind in a step: a row of floats for each kind. The host computes the rows once, and every back end gets
- * the bits. A kind that is as at first has the numbers of the world, so its circles move to the bit as if there were no kinds.
+ * What moves the circles of a kind in a step: a row of floats each. A kind as at first has the numbers of the world, so its circles
+ * move to the bit as without kinds.
  */
 public final class KindMotion {
-    /** Element: gain of speed by gravity in a sub-step, along x. */
+    /** Element: gain of speed by gravity in a sub-step. */
     public static final int GAIN_X = 0;
 
-    /** Element: the same along y. */
     public static final int GAIN_Y = 1;
 
-    /** Element: what is left of a velocity after the damping of a sub-step, as a factor. */
+    /** Element: what a sub-step leaves of a velocity. */
     public static final int DAMPING_FACTOR = 2;
 
-    /** Element: greatest speed. */
     public static final int GREATEST_SPEED = 3;
 
-    /** Element: the time in which a velocity makes its part of a path; the length of the step without damping. */
+    /** Element: path per velocity; the length of the step without damping. */
     public static final int TIME = 4;
 
-    /** Element: how many times a gain of a sub-step moves a circle in a step. */
+    /** Element: how often the gain of a sub-step moves a circle in a step. */
     public static final int FALLS = 5;
 
-    /** Element: longest path. */
     public static final int LONGEST_PATH = 6;
 
-    /** Floats of a row; the last one is of no meaning. */
     public static final int STRIDE = 8;
 
-    /** The rows of all kinds; set by {@link #update}, and of no meaning in a step that does not read them. */
+    /** Of no meaning in a step that does not read them. */
     public final float[] rows = new float[of(PairTable.KINDS)];
 
-    /** Counts the changes of {@link #rows}. */
     public int version;
 
     // What the rows have been computed from.
@@ -42,24 +37,21 @@ public final class KindMotion {
     private float gravityY;
     private int kindsVersion = -1;
 
-    /** What the kinds say of the motion of their circles. */
     public interface Values {
-        /** What gravity is multiplied by. */
         float gravityScale(int kind);
 
-        /** Damping, 1/s. */
+        /** 1/s */
         float damping(int kind);
 
-        /** Greatest speed, which may be infinite. */
+        /** May be infinite. */
         float greatestSpeed(int kind);
     }
 
-    /** Where the row of a kind begins. */
     public static int of(int kind) {
         return STRIDE * kind;
     }
 
-    /** Computes the rows, unless they are of the same constants and the same version of the kinds. */
+    /** Does nothing if what the rows follow from is the same. */
     public void update(StepConstants k, Values kinds, int ofVersion) {
         if (kindsVersion == ofVersion
                 && dt == k.dt

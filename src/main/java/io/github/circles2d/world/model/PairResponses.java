@@ -5,10 +5,8 @@ public final class PairResponses {
     /** A table of {@link PairTable}; read during the step. */
     public int[] table;
 
-    /** Counts the changes of the table. */
     public int version;
 
-    /** Sets both. */
     public void set(int[] responses, int ofVersion) {
         table = responses;
         version = ofVersion;

@@ -1,9 +1,6 @@
 package io.github.circles2d.world.model;
 
-/**
- * How far circles look, and how far they go, in continuous collision. r is a radius, path a length, top the greatest radius of
- * others.
- */
+/** How far circles look and go in continuous collision. r is a radius, path a length, top the greatest radius of others. */
 public final class Paths {
     private Paths() {}
 
@@ -29,20 +26,17 @@ public final class Paths {
         return path > most ? most / path : 1f;
     }
 
-    /**
-     * An eighth more than circles can be away that it touches or comes near to, for rounding: the cells that it looks at never
-     * decide.
-     */
+    /** An eighth more than circles are away that it comes near to, for rounding: cells never decide. */
     public static float sightMargin(float r, float path, float top) {
         return 1.125f * ((r + top) + CircleMath.max(path, Tuning.CAP * top));
     }
 
-    /** The longest path, of a circle that is not static, that a static one looks out for; longest bounds all of them. */
+    /** Of a circle that a static one looks out for; longest bounds all paths. */
     public static float carriedPath(float path, float longest, float top) {
         return CircleMath.min(path, longest) + Tuning.CAP * top;
     }
 
-    /** The least x of the part of a straight path with y from low to high; without such a part, that of one of its ends. */
+    /** The least x of a straight path with y from low to high; else of one of its ends. */
     public static float leastBetween(float x, float px, float y, float py, float low, float high) {
         float from = py == 0f ? 0f : CircleMath.clamp((low - y) / py, 0f, 1f);
         float to = py == 0f ? 1f : CircleMath.clamp((high - y) / py, 0f, 1f);
@@ -58,7 +52,7 @@ public final class Paths {
         return other * Tuning.SWEEP_RATIO >= r;
     }
 
-    /** Whether some path in a range differs from a given one by more than a length; false for an empty range. */
+    /** Whether some path in a range differs by more than a length; not for an empty range. */
     public static boolean differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
         if (lowX > highX) {
             return false;
@@ -68,10 +62,7 @@ public final class Paths {
         return ux * ux + uy * uy > length * length;
     }
 
-    /**
-     * How far a circle that meets another at once may leave its path: as far as it flies back, up to its radius, and hardly if a
-     * static circle or a smaller one is in its way.
-     */
+    /** How far it may leave its path: as far as it flies back, hardly at a static or a smaller circle. */
     public static float holdAllowance(float r, float path, float other, boolean isStatic) {
         if (isStatic) {
             return Tuning.CLAMP_ALLOWANCE * r;

@@ -1,112 +1,87 @@
 package io.github.circles2d.world.model;
 
-/**
- * The numbers that a step needs. The host computes them once, in float, and every back end gets the bits: no device computes them
- * again, so they cannot differ.
- */
+/** The constants of a step. The host computes them once, in float, and every back end gets the bits. */
 public final class StepConstants {
-    /** Length of the step, seconds. */
+    /** Seconds. */
     public float dt;
 
-    /** Sub-steps a step. */
     public int subSteps;
 
     /** Length of a sub-step, seconds. */
     public float h;
 
-    /** 1 / length of a sub-step, 1/s. */
     public float inverseH;
 
     /** Gain of speed in a sub-step. */
     public float gravityStepX;
 
-    /** Gain of speed in a sub-step. */
     public float gravityStepY;
 
-    /** What gravity moves a circle in the sub-steps of a step. */
+    /** What gravity moves a circle in the step. */
     public float fallX;
 
-    /** What gravity moves a circle in the sub-steps of a step. */
     public float fallY;
 
     /** Softness of contacts: push-out speed per depth, 1/s. */
     public float biasRate;
 
-    /** Softness of contacts: share of the impulse of a rigid contact. */
+    /** Share of the impulse of a rigid contact. */
     public float massScale;
 
-    /** Softness of contacts: share of the accumulated impulse that a visit takes away. */
+    /** Share of the accumulated impulse that a visit takes away. */
     public float impulseScale;
 
-    /** Softness of walls: push-out speed per depth, 1/s. */
     public float wallBiasRate;
 
-    /** Softness of walls: share of the impulse of a rigid wall. */
     public float wallMassScale;
 
-    /** Softness of walls: share of the accumulated impulse that a visit takes away. */
     public float wallImpulseScale;
 
     /** Gravity's part of the square of the restitution threshold, per sum of radii. */
     public float thresholdRate;
 
-    /** The same for the left and the right wall, from gravity along x. */
+    /** Of the walls across x. */
     public float thresholdRateX;
 
-    /** The same for the lower and the upper wall, from gravity along y. */
     public float thresholdRateY;
 
-    /** Threshold per sum of radii without gravity, of pairs that are not nearly elastic, 1/s. */
+    /** Threshold without gravity, per sum of radii, 1/s. */
     public float restRate;
 
-    /** The same, of pairs without restitution that nothing carries, 1/s. */
+    /** Of pairs that nothing carries. */
     public float flightRestRate;
 
-    /** The square of a restitution threshold that does not follow from gravity and radii; else 0. */
+    /** A square in place of all of these, or 0. */
     public float fixedThreshold;
 
     /** Greatest push-out speed of overlaps that are not deep, per sum of radii, 1/s. */
     public float pushRate;
 
-    /** Gain of the push-out speed of deep overlaps, 1/s. */
+    /** Its gain for deep ones, 1/s. */
     public float deepRate;
 
-    /** Factor for the impulses of the step before: the ratio of the two steps' lengths, limited. */
+    /** Factor for the impulses of the step before. */
     public float warmScale;
 
-    /** The walls at the end of the step; where there is none, it stands where no circle meets it. */
+    /** The walls at the end of the step; without one, a place that no circle comes to. */
     public Bounds bounds;
 
-    /** The arena, at the end of the step, with its edges. */
     public Bounds arena;
 
-    /** How its walls move there. */
     public final WallMotion walls = new WallMotion();
 
-    /** Whether the step reads {@link PairResponses}: some pair of kinds is not solid, or some circle has a group. */
+    /** Whether the step reads {@link PairResponses}. */
     public boolean filtering;
 
-    /** Whether the step reads {@link KindMotion}: some circle may move in another way than gravity alone moves it. */
+    /** Whether the step reads {@link KindMotion}. */
     public boolean driving;
 
     float gravityX;
     float gravityY;
 
-    /** No constants, until they are set. */
     public StepConstants() {}
 
-    /**
-     * Computes the constants.
-     *
-     * @param dt length of the step, seconds
-     * @param subSteps sub-steps a step
-     * @param gravityX gravity
-     * @param gravityY gravity
-     * @param from where the walls start
-     * @param bounds where they are at the end of the step: the arena
-     * @param previousDt length of the step before, seconds; without meaning in the first step
-     * @param contacts how contacts are
-     */
+    /** The walls go from one place to the other; previousDt is without meaning in the first step. */
     public void set(
             float dt,
             int subSteps,
@@ -151,7 +126,6 @@ public final class StepConstants {
         deepRate = Tuning.DEEP_RATE * (pushRate / Tuning.PUSH);
     }
 
-    /** A fixed threshold takes the place of all that follows from gravity and radii. */
     private void setThresholds(float gravityX, float gravityY, float fixed) {
         boolean byGravity = fixed == ContactSettings.BY_GRAVITY;
         float half = byGravity ? Tuning.BOUNCE_THRESHOLD * Tuning.BOUNCE_THRESHOLD * 0.5f : 0f;
@@ -163,7 +137,7 @@ public final class StepConstants {
         fixedThreshold = byGravity ? 0f : fixed * fixed;
     }
 
-    /** How many times the gain of speed of a sub-step moves a circle in the sub-steps of a step. */
+    /** How often the gain of a sub-step moves a circle in a step. */
     static float falls(int subSteps) {
         return 0.5f * subSteps * (subSteps + 1);
     }

@@ -1,20 +1,19 @@
 package io.github.circles2d.world.model;
 
-/** Which part of a step is reported. It changes nothing in the step. */
+/** What of a step is reported; it changes nothing in it. */
 public final class StepReports {
-    /** Whether what contacts or walls do is reported. */
+    /** Contacts and walls. */
     public boolean recording;
 
-    /** Whether some pairs that are only sensed are reported. */
+    /** Pairs that are only sensed. */
     public boolean sensing;
 
-    /** By pair of kinds, which of two circles looks for the other, if the pair is sensed and reported: by {@link SensorRule}. */
+    /** By pair of kinds, who looks for whom: {@link SensorRule}. */
     public int[] seeking;
 
-    /** Counts the changes of {@link #seeking}. */
     public int seekingVersion;
 
-    /** Sets all of it; the table is read during the step. */
+    /** The table is read during the step. */
     public void set(boolean records, boolean senses, int[] table, int version) {
         recording = records;
         sensing = senses;

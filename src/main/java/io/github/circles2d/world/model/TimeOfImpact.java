@@ -8,10 +8,7 @@ package io.github.circles2d.world.model;
 public final class TimeOfImpact {
     private TimeOfImpact() {}
 
-    /**
-     * Negative if the circle is in the wall. min and max are walls at the end of the step, which have come in by travelMin and
-     * travelMax.
-     */
+    /** Negative in the wall. Walls are as at the end of the step, and have come in by travel. */
     public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
         float low = ((min - travelMin) + r) - x;
         float high = ((max + travelMax) - r) - x;
@@ -38,8 +35,8 @@ public final class TimeOfImpact {
     }
 
     /**
-     * When a static circle takes along another, which goes a share of its path and waits: when they touch on its way, or when it is
-     * run over where it waits. 1 if it would be run over only if something stopped it at once.
+     * When a static circle takes along another, which goes a share of its path and waits: when they touch on its way, or it is run
+     * over. 1 if only a sudden stop would lead to that.
      */
     public static float timeOfCarry(
             float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {

@@ -13,7 +13,7 @@ public final class Walls {
         return side > 0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
     }
 
-    /** How far from a wall that moves circles are kept: one whose radius is more than the way of the wall is left to the step. */
+    /** How far from a wall that moves circles are kept; larger ones than its way are left to the step. */
     public static float marginAtWall(float from, float to, float margin) {
         return from == to || Math.abs(to - from) > margin ? margin : 0f;
     }
