@@ -29,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 class WorldFuzzTest {
-    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 3_000);
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 1_500);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
 
     private static final float[] HOSTILE = {
@@ -63,7 +63,7 @@ class WorldFuzzTest {
     @Test
     @Tag("exhaustive")
     void soDoThousandsMore() {
-        run(SEED + PROGRAMS, 7_000);
+        run(SEED + PROGRAMS, 8_500);
     }
 
     private static void run(long seed, int programs) {
