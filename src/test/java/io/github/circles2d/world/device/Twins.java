@@ -142,6 +142,13 @@ final class Twins implements AutoCloseable {
         }
     }
 
+    /** Lets circles of two kinds pass through each other, and sense that. */
+    void sense(int kindA, int kindB) {
+        for (Simulation simulation : simulations) {
+            simulation.kinds().setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE);
+        }
+    }
+
     /** Takes the events from every pipeline, and returns their number. */
     int assertSameEvents(String when) {
         return assertSameEvents(when, simulation -> simulation.reports().take());
