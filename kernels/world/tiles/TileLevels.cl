@@ -1,10 +1,9 @@
 // uses: world/stages/CrossSolver.cl world/tiles/TileSolver.cl
-// Worlds of several levels by tiles: all levels' tiles are in one launch. In a pass the tiles make the like contacts, and leave the
-// circles' motion apart; the cross contacts follow, CrossSolver.cl has them; then each circle takes what these have for it, and goes
-// on. What is a circle's own business lies in between, so it has launches of its own, by slots, as in Solver.cl, and with the same
-// arrays: motion, load, wallBounce. Those of TileCircles.cl are not used.
+// Several levels by tiles, all in one launch. A pass makes like contacts and leaves the circles' motion apart; CrossSolver.cl follows; then
+// each circle takes what these have for it. Circles have launches by slots, as in Solver.cl, with its arrays, and not those of
+// TileCircles.cl.
 
-// A circle behind its contacts: its motion, and its load. impulses: whether it has been given any for the sub-step to come.
+// Behind its contacts. impulses: whether it was given any.
 void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
@@ -17,7 +16,6 @@ void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
     w->heavySum[slot] = (long4)(0);
 }
 
-// Begins a step for a circle: what its contacts begin with.
 void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
     *m = w->solvedMotion[slot];
     *l = w->load[slot];
@@ -49,14 +47,13 @@ void moveSlot(const World *w, int slot) {
     w->homeFirstCached[slot] = NONE;
 }
 
-// Ends the step for a circle.
 void finishSlot(const World *w, int slot) {
     float4 m, l;
     takeAll(w, slot, false, &m, &l);
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }
 
-// Index space of each: a work-group a tile.
+// Index space of both: a work-group a tile.
 
 TILE_KERNEL solver_solveLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -78,7 +75,7 @@ TILE_KERNEL solver_relaxLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETER
     relaxTile(&w, &t, tile, subStep == w.k.subSteps - 1, 0, true);
 }
 
-// Index space of each: a working slot a work-item.
+// Index space of the others: slots.
 
 kernel void solver_startSlots(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;

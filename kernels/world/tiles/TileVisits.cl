@@ -1,12 +1,12 @@
 // uses: world/shared/Visit.cl world/tiles/TileOrder.cl
-// Stage Solver for tiles: the visits of a tile's contacts, in local memory. Speed is how many tiles a device has room for at once, and how
-// much they read. So: few registers, little local memory, and what is quickly worked out is not stored; no branches in the chain of
-// contacts that wait for each other, and nothing that could be done outside of it.
+// Visits in a tile's local memory. Speed is how many tiles a device has room for at once, and how much they read: few registers, little
+// local memory, nothing stored that is quickly worked out, and no branches and no other work in the chain of contacts that wait for each
+// other.
 
-// The circle of contacts that are none: at rest, never written.
+// Of contacts that are none: at rest, never written.
 #define NO_CIRCLE TILE_CIRCLES
 
-// A tile in local memory, by the numbers of its record.
+// By the numbers of its record.
 typedef struct {
     float2 velocity[TILE_CIRCLES + 1];
     float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
@@ -18,7 +18,7 @@ typedef struct {
     int firstCopy;
 } Tile;
 
-// Takes a tile from its record. idle: as one without circles.
+// idle: as one without circles.
 void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
     int circles = idle ? 0 : record[RECORD_CIRCLES];
@@ -36,7 +36,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The part of a round of which a work-item looks its contact up next.
+// Of which a work-item looks its contact up next.
 typedef struct {
     int part, from, to;
 } Cursor;
@@ -47,7 +47,6 @@ void setCursor(local const Tile *t, Cursor *cursor, int part) {
     cursor->to = t->partStart[min(part + 1, t->parts)];
 }
 
-// A contact that is to be read: as it is placed, or NO_CONTACT; where the tile has its copy.
 typedef struct {
     int2 contact;
     int copy;
@@ -57,14 +56,14 @@ typedef struct {
 
 bool isContact(int2 contact) { return contact.PLACED_CIRCLES >= 0; }
 
-// Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
+// Only a hint, of which OpenCL has no portable form that compilers heed.
 #if PTX
 #define PREFETCH(address) asm volatile("prefetch.global.L2 [%0];" ::"l"(address))
 #else
 #define PREFETCH(address) ((void) (address))
 #endif
 
-// The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
+// Moves on to the next part, and reads its end ahead.
 Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, Cursor *cursor) {
     int place = cursor->from + (int) get_local_id(0);
     Entry entry;
@@ -81,7 +80,6 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
     return entry;
 }
 
-// What a pass reads of a contact.
 typedef struct {
     int2 contact;   // as it is placed, or NO_CONTACT
     float4 normal;  // as in contact
@@ -107,7 +105,6 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
 #endif
 }
 
-// A contact that is ready to be visited.
 typedef struct {
     int2 contact;
     Visit visit;
@@ -159,7 +156,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
 #endif
 }
 
-// Visits a contact, with as few branches as can be: they would be most of the time.
+// Branches would be most of the time.
 void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.PLACED_CIRCLES);
     int j = higherOf(v->contact.PLACED_CIRCLES);
@@ -198,8 +195,7 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
     }
 }
 
-// Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
-// and looks up those of the third.
+// Then it makes those of the next part ready, reads those of the second from here, looks up those of the third.
 void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, TileVisit *visit,
                Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -209,7 +205,7 @@ void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool 
     *next = nextContact(w, t, contacts, cursor);
 }
 
-// Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
+// Part by part; reads are on their way for the time of a part.
 void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
     int parts = t->parts;
     Cursor cursor;
