@@ -54,7 +54,7 @@ void recordContactAt(const World *w, int k, int slot, int other, int level, int 
 void recordContact(const World *w, int k, int slot, int other, bool oneLevel) {
     int level = levelOfSlot(w, other);
     float4 own = w->sight[slot];
-    recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y), oneLevel);
+    recordContactAt(w, k, slot, other, level, ringOf(axisX(w, level), own.x), ringOf(axisY(w, level), own.y), oneLevel);
 }
 
 // One use of the counter that all work-groups share. All work-items of the work-group.

@@ -317,10 +317,10 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float edge = w->levels->inverseEdge[level];
         int rows = w->levels->rowCount[level];
         float below = minf(s.y, s.y + s.py) - margin;
-        int r0 = rowFrom(w, level, below);
-        int r1 = rowTo(w, level, below, maxf(s.y, s.y + s.py) + margin);
+        int r0 = firstOf(axisY(w, level), below);
+        int r1 = lastOf(axisY(w, level), below, maxf(s.y, s.y + s.py) + margin);
         // A static circle may cross the arena: piece by piece, unless its rows meet again on the ring.
-        bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
+        bool byPieces = s.isStatic && isWalled(axisY(w, level)) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
             int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);

@@ -18,7 +18,7 @@ void startStep(const World *w) {
 }
 
 int bucketIn(const World *w, int l, float4 c) {
-    return w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+    return w->levels->first[l] + ringOf(axisX(w, l), c.x) + (ringOf(axisY(w, l), c.y) << w->levels->columnsLog[l]);
 }
 
 void countSlot(const World *w, int slot) {
@@ -43,7 +43,7 @@ kernel void grid_count(WORLD_PARAMETERS) {
 int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
     int level = levelOf(w, c.RADIUS);
-    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetXOf(w, level, c.x), sheetYOf(w, level, c.y)) : 0;
+    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
     return key + (w->homeTraits[slot].INVERSE_MASS == 0.0f ? 1 : 0);
 }
 

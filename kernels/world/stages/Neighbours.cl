@@ -115,8 +115,8 @@ Seeker seekerOf(const World *w, int slot, bool oneLevel) {
 
 void seekIn(const World *w, Seeker *s, int atLevel) {
     s->level = atLevel;
-    s->column = columnOf(w, atLevel, s->x);
-    s->row = rowOf(w, atLevel, s->y);
+    s->column = ringOf(axisX(w, atLevel), s->x);
+    s->row = ringOf(axisY(w, atLevel), s->y);
 }
 
 // In its own level half of the cells, so that each pair is seen once; in a coarser one 3 x 3. haveSheets: known to kernels, for fewer
