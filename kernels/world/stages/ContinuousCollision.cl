@@ -344,23 +344,14 @@ kernel void continuousCollision_look(WORLD_PARAMETERS) {
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Few steps have any, so few work-items are quick to say so.
-void lookForAllCarriers(const World *w, Look look) {
-    if (!w->status[CARRYING] || refused(w)) return;
-    for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
-        if (looksAhead(w, slot)) lookForCarriers(w, slot, look);
+// Index space: any; work-items take slots in turn. Few steps have static circles that move, so few work-items are quick to say so. Cost: the
+// cells around a path. note: see meetCarried.
+kernel void continuousCollision_carry(WORLD_PARAMETERS, int note) {
+    World w = WORLD;
+    if (!status[CARRYING] || refused(&w)) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
+        if (looksAhead(&w, slot)) lookForCarriers(&w, slot, note ? CARRIERS : CARRY_TIMES);
     }
-}
-
-// Index space of both: any; work-items take slots in turn. Cost: the cells around a path.
-kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRY_TIMES);
-}
-
-kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRIERS);
 }
 
 // A circle that stops loses time, and so what gravity would give it then. After all have looked.

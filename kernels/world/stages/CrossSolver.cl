@@ -202,16 +202,12 @@ float2 impulsesTaken(const World *w, int slot, float2 impulses) {
     return (float2)(impulses.x + fromFixed(sum.z, unit), impulses.y + fromFixed(sum.w, unit));
 }
 
-// Sums are empty afterwards.
-void takeCross(const World *w, int slot, bool velocities, bool impulses) {
+// Gives a heavy circle what a pass has for it; its sums are empty afterwards. m: motion; l: load.
+void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *m, float4 *l) {
     if (!isHeavy(w, slot)) return;
-    if (velocities) {
-        float2 v = w->motion[slot].VELOCITY;
-        w->motion[slot].VELOCITY = velocityTaken(w, slot, v);
-    }
+    if (velocities) m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
     if (impulses) {
-        float2 sum = w->load[slot].IMPULSES;
-        w->load[slot].IMPULSES = impulsesTaken(w, slot, sum);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
@@ -221,6 +217,10 @@ void takeCross(const World *w, int slot, bool velocities, bool impulses) {
 kernel void cross_take(WORLD_PARAMETERS, int velocities, int impulses) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    takeCross(&w, slot, velocities != 0, impulses != 0);
+    if (slot >= circles || refused(&w) || !isHeavy(&w, slot)) return;
+    float4 m = w.motion[slot];
+    float4 l = w.load[slot];
+    takeSums(&w, slot, velocities != 0, impulses != 0, &m, &l);
+    w.motion[slot] = m;
+    w.load[slot] = l;
 }

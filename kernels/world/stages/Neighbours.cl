@@ -181,55 +181,47 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-INLINE void countContacts(const World *w, bool haveSheets, local Findings *found) {
-    int slot = (int) get_global_id(0);
+// By a work-item a slot, or with several levels a slot and a level: which is several times faster than all levels by one.
+INLINE void countContacts(const World *w, bool oneLevel, bool haveSheets, local Findings *found) {
+    int l = oneLevel ? 0 : (int) get_global_id(0) / w->circles;
+    int slot = (int) get_global_id(0) - l * w->circles;
     if (get_local_id(0) == 0) found->count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (slot < w->circles && !tooFast(w) && !gridIsEmpty(w)) {
+    bool looks = (oneLevel ? slot < w->circles : l < w->levels->usedCount) && !tooFast(w) && !gridIsEmpty(w);
+    if (looks && oneLevel) {
         seekAll(w, slot, 0, 1, true, haveSheets, found);
+    } else if (looks) {
+        Seeker s = seekerOf(w, slot, false);
+        int own = levelOfSlot(w, slot);
+        if (w->levels->used[l] <= own) seekAround(w, &s, w->levels->used[l], own, haveSheets, found);
     }
-    recordFindings(w, found, true);
+    recordFindings(w, found, oneLevel);
 }
 
-// Index space of the next two: slots. Cost: 3 x 3 cells.
+// Index space of the next four: slots; with several levels slots and levels, level after level. Cost: 3 x 3 cells.
+
 kernel void contacts_count(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContacts(&w, false, &found);
+    countContacts(&w, true, false, &found);
 }
 
 kernel void contacts_countBySheet(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContacts(&w, true, &found);
+    countContacts(&w, true, true, &found);
 }
 
-// With several levels.
-INLINE void countContactsOfLevel(const World *w, bool haveSheets, local Findings *found) {
-    int l = (int) get_global_id(0) / w->circles;
-    int slot = (int) get_global_id(0) - l * w->circles;
-    if (get_local_id(0) == 0) found->count = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (l < w->levels->usedCount && !tooFast(w) && !gridIsEmpty(w)) {
-        Seeker s = seekerOf(w, slot, false);
-        int own = levelOfSlot(w, slot);
-        if (w->levels->used[l] <= own) seekAround(w, &s, w->levels->used[l], own, haveSheets, found);
-    }
-    recordFindings(w, found, false);
-}
-
-// Index space of the next two: a slot and a level, level after level, which is several times faster than all levels by one. Cost: 3 x 3
-// cells.
 kernel void contacts_countByLevel(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContactsOfLevel(&w, false, &found);
+    countContacts(&w, false, false, &found);
 }
 
 kernel void contacts_countByLevelAndSheet(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContactsOfLevel(&w, true, &found);
+    countContacts(&w, false, true, &found);
 }
 
 // For statistics: pairs that were tested. Index space: slots.

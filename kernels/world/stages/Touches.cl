@@ -62,57 +62,43 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
 
 int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
 
-// vn: of the approach; from, to: velocity along the axis before and after the visit; gap: before it.
-void touchWall(global float4 *t, float side, float vn, float from, float to, float gap, float along_) {
+// A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
+// visit; solving: the wall is where it is before the sub-step.
+void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float d, float r, float speed, float from, float to,
+                     float along, bool solving) {
+    float min_ = axis == 0 ? w->k.minX : w->k.minY;
+    float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
+    float side = wallSide(x, min_, max_);
+    int wall = wallOf(axis, side);
+    float gap = wallGap(x, d, r, side, min_, max_) + behindOf(w, wall);
+    if (solving) gap += sweepFor(w, wall, r);
     float4 now = *t;
     float impulse = side * (to - from);
     now.y += impulse;
-    float approach = approachSpeed(vn);
+    float approach = approachSpeed(side * speed - speedFor(w, wall, r));
     if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
         now.x = approach;
-        now.z = along_;
+        now.z = along;
         now.w = side;
     }
     *t = now;
-}
-
-// In the frame of the wall, where it is before the sub-step. gap: from where it is at the end of the step; before: any impulse.
-void touchSolved(const World *w, global float4 *t, int axis, float side, float r, float before, float from, float to, float gap,
-                 float along_) {
-    int wall = wallOf(axis, side);
-    float now = (gap + behindOf(w, wall)) + sweepFor(w, wall, r);
-    touchWall(t, side, side * before - speedFor(w, wall, r), from, to, now, along_);
-}
-
-void touchRelaxed(const World *w, global float4 *t, int axis, float side, float r, float from, float to, float gap,
-                  float along_) {
-    int wall = wallOf(axis, side);
-    touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
 }
 
 // sum: of contact impulses; old, m: motion before and after.
 void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
                      float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, old.DX, c.RADIUS, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, old.DY, c.RADIUS, sideY, w->k.minY, w->k.maxY);
     float fromX = afterImpulse(before.x, inverseMass, sum.x);
     float fromY = afterImpulse(before.y, inverseMass, sum.y);
-    touchSolved(w, t, 0, sideX, c.RADIUS, before.x, fromX, m.VX, gapX, c.y + m.DY);
-    touchSolved(w, t + 1, 1, sideY, c.RADIUS, before.y, fromY, m.VY, gapY, c.x + m.DX);
+    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
+    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);
 }
 
 // v: before the visits; m: motion after them.
 void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, m.DX, c.RADIUS, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, m.DY, c.RADIUS, sideY, w->k.minY, w->k.maxY);
-    touchRelaxed(w, t, 0, sideX, c.RADIUS, v.x, m.VX, gapX, c.y + m.DY);
-    touchRelaxed(w, t + 1, 1, sideY, c.RADIUS, v.y, m.VY, gapY, c.x + m.DX);
+    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, false);
+    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, false);
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.

@@ -3,53 +3,30 @@
 // each circle takes what these have for it. Circles have launches by slots, as in Solver.cl, with its arrays, and not those of
 // TileCircles.cl.
 
-// Behind its contacts. impulses: whether it was given any.
-void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
-    *m = w->solvedMotion[slot];
-    *l = w->load[slot];
-    if (!isHeavy(w, slot)) return;
-    m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
-    if (impulses) {
-        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
-        w->claim[slot] = 0;
-    }
-    w->heavySum[slot] = (long4)(0);
-}
-
-void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
-    *m = w->solvedMotion[slot];
-    *l = w->load[slot];
-    if (isHeavy(w, slot)) {
-        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
-        w->heavySum[slot] = (long4)(0);
-    }
-#ifdef RECORDING
-    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < w->groupStart[crossGroupOf(w, slot) + 1]; c++) {
-        beginTouch(w->recording.touch, c);
-    }
-#endif
-}
-
+// first: of the step.
 void startSlot(const World *w, int slot, bool first) {
-    float4 m, l;
-    if (first) {
-        beginCircle(w, slot, &m, &l);
-    } else {
-        takeAll(w, slot, true, &m, &l);
-    }
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, !first, true, &m, &l);
+#ifdef RECORDING
+    int end = first ? w->groupStart[crossGroupOf(w, slot) + 1] : 0;
+    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w->recording.touch, c);
+#endif
     startCircleAt(w, slot, m, l);
 }
 
 void moveSlot(const World *w, int slot) {
-    float4 m, l;
-    takeAll(w, slot, false, &m, &l);
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, true, false, &m, &l);
     moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
 }
 
 void finishSlot(const World *w, int slot) {
-    float4 m, l;
-    takeAll(w, slot, false, &m, &l);
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, true, false, &m, &l);
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }
 
