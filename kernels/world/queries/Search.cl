@@ -27,9 +27,7 @@ typedef struct {
 #define TREE {circle, id, box, shape, circles}
 
 int topOf(const Tree *t) { return t->shape[0]; }
-
 int startOf(const Tree *t, int level) { return t->shape[1 + 2 * level]; }
-
 int boxesOf(const Tree *t, int level) { return t->shape[2 + 2 * level]; }
 
 // A box has x, y for its lower left and toX, toY for its upper right corner.

@@ -48,7 +48,6 @@ bool lingers(float separation, float squaredSpeed) {
 }
 
 float effectiveMass(float invMassA, float invMassB) { return 1.0f / (invMassA + invMassB); }
-
 float velocityChange(float normal, float invMass, float impulse) { return normal * (invMass * impulse); }
 
 // Returns whether there is a direction. base: difference of the bases; moved: of the displacements.

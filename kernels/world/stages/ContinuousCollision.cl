@@ -20,7 +20,8 @@ Runner runnerOf(const World *w, int slot) {
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
     bool isStatic = sight.SIGHT_INVERSE_MASS == 0.0f;
-    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE, CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
+    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE,
+                CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
     return s;
 }
 
@@ -65,7 +66,6 @@ int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOC
 
 // Whether it is fast.
 bool looksAhead(const World *w, int slot) { return w->near[slot].CONTACT_SHARE < NOT_FAST; }
-
 bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].SIGHT_INVERSE_MASS != 0.0f; }
 
 // Index space: slots.
@@ -86,7 +86,6 @@ kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
 
 // Work-items change these at once, as bits.
 volatile global int *contactTimeOf(const World *w, int slot) { return (volatile global int *) (w->near + slot); }
-
 volatile global int *restraintOf(const World *w, int slot) { return contactTimeOf(w, slot) + 1; }
 
 void restrain(const World *w, int slot, float most, bool stands) {
@@ -138,7 +137,8 @@ void meet(const World *w, const Runner *s, int other) {
 }
 
 bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
-    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y, s->r + other.RADIUS);
+    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y,
+                    s->r + other.RADIUS);
 }
 
 // Most do not touch by their paths.

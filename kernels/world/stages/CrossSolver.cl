@@ -30,9 +30,9 @@ World crossWorld(World w) {
 }
 
 float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].RADIUS, w->k.inverseH); }
-
-float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS); }
-
+float impulseRangeOf(const World *w, uint slot) {
+    return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS);
+}
 global long *sumsOf(const World *w, uint slot) { return (global long *) (w->heavySum + slot); }
 
 // range: of the sums.
@@ -156,7 +156,6 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
 }
 
 void solveCrossOf(const World *w, int slot) { passCrossOf(w, slot, false, false); }
-
 void relaxCrossOf(const World *w, int slot, bool last) { passCrossOf(w, slot, true, last); }
 
 // Index space of both: slots. Cost: the contacts as the light circle.

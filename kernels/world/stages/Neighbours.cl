@@ -101,15 +101,8 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
 
 Seeker seekerOf(const World *w, int slot, bool oneLevel) {
     float4 own = w->sight[slot];
-    Seeker s;
-    s.x = own.x;
-    s.y = own.y;
-    s.speculativeDistance = own.SIGHT_DISTANCE;
-    s.inverseMass = own.SIGHT_INVERSE_MASS;
-    s.slot = slot;
-    s.part = 0;
-    s.parts = 1;
-    s.oneLevel = oneLevel;
+    Seeker s = {.x = own.x, .y = own.y, .speculativeDistance = own.SIGHT_DISTANCE, .inverseMass = own.SIGHT_INVERSE_MASS,
+                .slot = slot, .part = 0, .parts = 1, .oneLevel = oneLevel};
     return s;
 }
 

@@ -40,18 +40,9 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 Pair pairAt(const World *w, int c, float4 n, float loads) {
     float4 b = w->base[c];
     float4 q = w->masses[c];
-    Pair p;
-    p.nx = n.NORMAL_X;
-    p.ny = n.NORMAL_Y;
-    p.separation = n.SEPARATION;
-    p.radii = b.RADII;
-    p.restitution = b.PAIR_RESTITUTION;
-    p.invMassA = q.INVERSE_MASS_A;
-    p.invMassB = q.INVERSE_MASS_B;
-    p.mass = q.EFFECTIVE_MASS;
-    p.normalImpulse = n.NORMAL_IMPULSE;
-    p.bounce = q.BOUNCE;
-    p.loaded = loads > 0.0f;
+    Pair p = {.nx = n.NORMAL_X, .ny = n.NORMAL_Y, .separation = n.SEPARATION, .normalImpulse = n.NORMAL_IMPULSE,
+              .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
+              .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
     return p;
 }
 

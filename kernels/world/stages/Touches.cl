@@ -17,7 +17,8 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
     float4 own = w->circle[lower];
     float4 m = w->motion[lower];
     t[0].zw = n.NORMAL;
-    t[1].xy = (float2)(touchPoint(own.x, m.DX, n.NORMAL_X, own.RADIUS, n.SEPARATION), touchPoint(own.y, m.DY, n.NORMAL_Y, own.RADIUS, n.SEPARATION));
+    t[1].xy = (float2)(touchPoint(own.x, m.DX, n.NORMAL_X, own.RADIUS, n.SEPARATION),
+                       touchPoint(own.y, m.DY, n.NORMAL_Y, own.RADIUS, n.SEPARATION));
 }
 
 // notKept: of a free bounce.
@@ -154,7 +155,8 @@ void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach,
     if (!isKnown(normal)) {
         float4 lower = w->homeCircle[pr.LOWER];
         normal = n.NORMAL;
-        point = (float2)(touchPoint(lower.x, 0.0f, n.NORMAL_X, lower.RADIUS, n.SEPARATION), touchPoint(lower.y, 0.0f, n.NORMAL_Y, lower.RADIUS, n.SEPARATION));
+        point = (float2)(touchPoint(lower.x, 0.0f, n.NORMAL_X, lower.RADIUS, n.SEPARATION),
+                         touchPoint(lower.y, 0.0f, n.NORMAL_Y, lower.RADIUS, n.SEPARATION));
     }
     float4 mi = w->homeMotion[pr.LOWER];
     float4 mj = w->homeMotion[pr.HIGHER];

@@ -47,9 +47,7 @@ Softness oneBodySoftness(const StepConstants *k) {
 
 // A kernel does not ask for what it may set itself.
 bool outOfRoom(const World *w) { return w->status[OUT_OF_ROOM] != 0; }
-
 bool tooFast(const World *w) { return w->k.sweeping == 0 && w->status[FAST] != 0; }
-
 bool tooCrowded(const World *w) { return w->k.thinning == 0 && w->status[CROWDED] != 0; }
 
 // At once: one read after another would be a good part of a short kernel's time.
@@ -68,9 +66,7 @@ float behindOf(const World *w, int wall) {
 }
 
 bool feelsWall(const World *w, int wall, float r) { return fabs(w->walls->travel[wall]) <= r; }
-
 float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->speed[wall] : 0.0f; }
-
 float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->sweep[wall] : 0.0f; }
 
 float travelFor(const World *w, int wall, float r) {
@@ -104,13 +100,15 @@ typedef struct {
 
 Axis axisX(const World *w, int atLevel) {
     constant Levels *l = w->levels;
-    Axis a = {l->edgeX, l->columnCount[atLevel], l->unitsX[atLevel], l->sheetsX[atLevel], l->minX, l->inverseEdge[atLevel], l->scaleX[atLevel]};
+    Axis a = {l->edgeX, l->columnCount[atLevel], l->unitsX[atLevel], l->sheetsX[atLevel], l->minX,
+              l->inverseEdge[atLevel], l->scaleX[atLevel]};
     return a;
 }
 
 Axis axisY(const World *w, int atLevel) {
     constant Levels *l = w->levels;
-    Axis a = {l->edgeY, l->rowCount[atLevel], l->unitsY[atLevel], l->sheetsY[atLevel], l->minY, l->inverseEdge[atLevel], l->scaleY[atLevel]};
+    Axis a = {l->edgeY, l->rowCount[atLevel], l->unitsY[atLevel], l->sheetsY[atLevel], l->minY,
+              l->inverseEdge[atLevel], l->scaleY[atLevel]};
     return a;
 }
 
@@ -238,7 +236,6 @@ int crossGroupOf(const World *w, int slot) { return likeGroups(w) + slot; }
 
 // Like contacts are listed first.
 int likeContacts(const World *w) { return w->groupStart[likeGroups(w)]; }
-
 int contactsListed(const World *w) { return w->groupStart[hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles)]; }
 
 // Up to four ranges of slots as one: number i is slot i + offset.x if i < end.x, else i + offset.y if i < end.y, and so on.

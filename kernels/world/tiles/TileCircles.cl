@@ -15,7 +15,6 @@ int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) 
 
 // Negative if loaded. A static circle has 0 and is never loaded.
 float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
-
 bool isLoaded(float burden) { return as_int(burden) < 0; }
 
 // Its owner may be about to write the other half.

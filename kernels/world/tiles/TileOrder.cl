@@ -137,7 +137,8 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
 }
 
 // k: its place among those met.
-void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup, uint link, float2 impulse) {
+void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup,
+                 uint link, float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     int progressLo = a->progress[lo];

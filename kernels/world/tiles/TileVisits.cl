@@ -120,18 +120,10 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     int j = higherOf(r->contact.PLACED_CIRCLES);
     float burdenA = t->burden[i];
     float burdenB = t->burden[j];
-    Pair p;
-    p.nx = r->normal.NORMAL_X;
-    p.ny = r->normal.NORMAL_Y;
-    p.separation = r->normal.SEPARATION;
-    p.radii = r->shape.SHAPE_RADII;
-    p.restitution = r->shape.SHAPE_RESTITUTION;
-    p.invMassA = fabs(burdenA);
-    p.invMassB = fabs(burdenB);
-    p.mass = r->normal.COPIED_MASS;
-    p.normalImpulse = r->impulse.STORED_IMPULSE;
-    p.bounce = r->impulse.STORED_BOUNCE;
-    p.loaded = isLoaded(burdenA) || isLoaded(burdenB);
+    Pair p = {.nx = r->normal.NORMAL_X, .ny = r->normal.NORMAL_Y, .separation = r->normal.SEPARATION,
+              .normalImpulse = r->impulse.STORED_IMPULSE, .bounce = r->impulse.STORED_BOUNCE, .mass = r->normal.COPIED_MASS,
+              .radii = r->shape.SHAPE_RADII, .restitution = r->shape.SHAPE_RESTITUTION, .invMassA = fabs(burdenA),
+              .invMassB = fabs(burdenB), .loaded = isLoaded(burdenA) || isLoaded(burdenB)};
     v->contact = r->contact;
     if (relaxing) {
         readyToRelax(&w->k, &p, &v->visit);
@@ -182,8 +174,8 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
     if (!there || v->contact.PLACED_CONTACT < 0) return;
 #ifdef RECORDING
     if (relaxing) {
-        noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce, v->visit.nx, v->visit.ny,
-                    v->separation, v->radii, &visited);
+        noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce,
+                    v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     } else {
         noteSolved(w, v->contact.PLACED_CONTACT, v->before, v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     }

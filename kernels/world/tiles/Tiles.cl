@@ -37,7 +37,6 @@
         if ((i = first_##i + (int) get_local_id(0)) < (count))
 
 global int *recordOf(const World *w, int tile) { return w->tiles + (size_t) tile * TILE_RECORD; }
-
 global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firstCopy; }
 
 // Of lower id and of higher id, by their numbers in the region; its round.
@@ -45,11 +44,8 @@ global int2 *placedFrom(const World *w, int firstCopy) { return w->placed + firs
 #error "circlesOf has no room for so many"
 #endif
 int circlesOf(int lower, int higher, int round) { return lower | higher << 11 | round << 22; }
-
 int lowerOf(int circles) { return circles & 0x7ff; }
-
 int higherOf(int circles) { return circles >> 11 & 0x7ff; }
-
 int roundOf(int circles) { return circles >> 22 & 0x1ff; }
 
 // In cells of the torus.
