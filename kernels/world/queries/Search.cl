@@ -1,11 +1,10 @@
 // uses: world/queries/Tree.cl
-// Queries, one a work-item: the tests of the Java class CircleTests, in double precision and the same order, and searches in the tree.
-// Found circles have an order: distance (of overlaps 0), then id. TREE_LEVELS, QUERY_POINT and its like are the host's; KIND_WORDS: ints in
-// front of the queries, with a bit for each kind that counts.
+// Queries, one a work-item: the tests of the Java class CircleTests, in double precision, and searches in the tree. Found circles have an
+// order: distance (of overlaps 0), then id. KIND_WORDS: ints in front of the queries, a bit for each kind that counts.
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 
-#define AREA_MARGIN 0x1p-21  // of a searched disc: more than the rounding of its sides
-#define CAST_MARGIN 0x1p-44  // more than the rounding of the exact test, by its share of the greatest length in it
+#define AREA_MARGIN 0x1p-21  // more than the rounding of a disc's sides
+#define CAST_MARGIN 0x1p-44  // more than the rounding of the exact test, as a share of its greatest length
 #define NEAREST_MARGIN 0x1p-40 // more than the rounding of a distance, by its share of it
 
 typedef struct {

@@ -1,6 +1,6 @@
 // uses: world/shared/Arithmetic.cl world/stages/Scan.cl
 // A tree of boxes over the circles at home, as the Java class CircleTree: sixteen circles a box, four boxes a box of the next level.
-// Circles are sorted by cells, in the order of a Hilbert curve. No answer depends on their order within a cell.
+// Circles are sorted by cells in the order of a Hilbert curve; no answer depends on the order within a cell.
 
 // extent: least x, least y, greatest x, greatest y, the last two negated, as sortable bits; whether a cell is crowded.
 #define LEAST_X 0

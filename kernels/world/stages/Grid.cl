@@ -1,7 +1,6 @@
 // uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
-// Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them for other stages. A counting sort; then each
-// circle finds its place in its bucket, which undoes the order in which work-items met. Refuses a step with a circle that is too fast for
-// it.
+// Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
+// place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
 // Such steps tell the host about the last one alone.
 void startStep(const World *w) {

@@ -4,7 +4,7 @@
 typedef struct {
     float x, y, speculativeDistance, inverseMass;
     int slot, level, column, row;
-    int part, parts; // of several work-items that look for one circle: which, and how many
+    int part, parts; // of several work-items that look for one circle
     bool oneLevel;   // see recordContactAt
 } Seeker;
 

@@ -1,5 +1,5 @@
-// Exclusive prefix sum of counts, which are left all 0. A work-group takes a block: SCAN_EACH (4) elements a work-item, SCAN_GROUP
-// work-items. Both arrays have room for a multiple of SCAN_EACH; the counts behind the last are 0.
+// Exclusive prefix sum of counts, which are left all 0. A work-group takes SCAN_GROUP times SCAN_EACH (4) elements. Arrays have room for a
+// multiple of SCAN_EACH, and counts behind the last are 0.
 
 // Over a work-group. cells: two a work-item; each half is read while the other is written.
 int scanGroup(int value, local int *cells, int *total) {
@@ -31,8 +31,8 @@ kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(
     if (get_local_id(0) == 0) blockSums[get_group_id(0)] = total;
 }
 
-// Clears the counts, unless the step before waits for the host and may need the sums again. Each sums up what stands before its block:
-// cheaper than a launch. Index space: a work-group a block.
+// Clears the counts, unless the step before waits for the host and may need them. Each sums up what stands before its block: cheaper than a
+// launch. Index space: a work-group a block.
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_starts(global int *counts, int count,
                                                                                 global const int *blockSums,
                                                                                 global int *starts,

@@ -1,6 +1,5 @@
 // uses: world/shared/Wall.cl world/stages/Events.cl
-// Records what contacts and walls do in a step that reports events: the passes of Solver.cl call it. The Java classes Touches and
-// WallTouches are the same.
+// Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
 //
 // touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
 // impulse of it that is not kept. wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.

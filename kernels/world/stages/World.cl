@@ -1,16 +1,16 @@
 // uses: world/shared/CircleMath.cl
-// What all stages share. Their kernels take one list of arrays (WORLD_PARAMETERS) and pack it into a struct (World); what a kernel does not
-// use costs nothing. The text comes from tables of the host: DeviceArray, ElementField, StepParameters, StatusWord.
+// What all stages share. Their kernels pack one list of arrays (WORLD_PARAMETERS) into a struct (World); what a kernel does not use costs
+// nothing. Tables of the host give the text: DeviceArray, ElementField, StepParameters, StatusWord.
 //
-// Between steps the state is at home, by slot, some slots empty. Grid copies it, sorted, to working slots; Solver writes it home. A step
-// that cannot be made as it was enqueued is refused: it writes nothing home, nor do those behind it.
+// Between steps the state is at home, by slot, some slots empty. Grid copies it, sorted, to working slots; Solver writes it home. A refused
+// step writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 //
 // Index space "slots": a work-item a working slot.
 
 #define NOT_FAST 2.0f // more than any time of impact
-#define NOT_CARRIED 2.0f // more than any time at which a static circle takes another along
+#define NOT_CARRIED 2.0f // more than any carry time
 #define NOBODY INT_MAX // more than any slot
-#define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
+#define CARRIED (-INFINITY) // as an allowance: to the end of the free path
 
 // Constants by default, for a register less. TUNED: compiled for a world with other numbers.
 #ifdef TUNED
@@ -91,8 +91,7 @@ int neighbour(int column, int offset, int side) {
     return moved < 0 ? side - 1 : moved < side ? moved : 0;
 }
 
-// An axis of a level's grid: the Java class RingCells. EDGES: compiled for a world in which not all edges are walls; others have the code
-// for walls alone.
+// The Java class RingCells. EDGES: compiled for a world in which not all edges are walls.
 typedef struct {
     int edge, side, units, sheets;
     float low, inverseEdge, scale;
@@ -194,7 +193,7 @@ int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics)
 
 typedef struct {
     int x, y;
-    bool known; // not where a range goes round the whole torus, or a level is not folded
+    bool known; // see areSheetsKnown
 } Sheets;
 
 Sheets sheetsAt(const World *w, int atLevel, float x, float y) {

@@ -1,6 +1,6 @@
 // uses: world/shared/Motion.cl world/tiles/TileTouches.cl
-// A circle's start into a sub-step and its move, by tiles: as integrateVelocities and integratePositions, once, by the work-group that owns
-// it. Neighbours read drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
+// A circle's start into a sub-step and its move, by the work-group that owns it. Neighbours read drive and burden after the start,
+// solvedMotion and solvedBurden after the move; motion and traits are the owner's.
 
 // Work-items take several circles or contacts at a time: all reads are on their way before the first is needed. How many is a matter of
 // registers, and tried out.

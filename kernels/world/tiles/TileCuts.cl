@@ -1,8 +1,7 @@
 // uses: world/tiles/Tiles.cl
 // Stage Contacts by tiles: lists the tiles of a step in which some hold too much. These are cut in two until all fit, down to 2 x 2 cells.
 
-// A listed tile in 31 bits: its first block of 2 x 2 cells, as buckets are numbered, fewer than 2^26 (the Java class Limits); log2 of
-// columns and rows.
+// A listed tile in 31 bits: its first block of 2 x 2 cells, fewer than 2^26 (the Java class Limits); log2 of columns and rows.
 #define CUT_BLOCK 0x3ffffff
 #define CUT_COLUMNS_SHIFT 26
 #define CUT_ROWS_SHIFT 29
@@ -25,8 +24,8 @@ Region regionOfListed(const World *w, int tile) {
     return r;
 }
 
-// Columns down to 8, as TileSizes has them, then rows, then columns. It skips widths whose region would go round the torus more than once.
-// Returns false for one of the smallest.
+// Columns down to 8, then rows, then columns; no widths whose region goes round the torus more than once. Returns false for one of the
+// smallest.
 bool halve(const World *w, int l, int *wl, int *hl) {
     int narrower = *wl - 1;
     while (narrower > 0 && (1 << narrower) + 2 * HALO_COLUMNS > w->levels->columnCount[l]) narrower--;

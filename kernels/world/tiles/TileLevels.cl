@@ -1,7 +1,6 @@
 // uses: world/stages/CrossSolver.cl world/tiles/TileSolver.cl
-// Several levels by tiles, all in one launch. A pass makes like contacts and leaves the circles' motion apart; CrossSolver.cl follows; then
-// each circle takes what these have for it. Circles have launches by slots, as in Solver.cl, with its arrays, and not those of
-// TileCircles.cl.
+// Several levels by tiles, all in one launch: like contacts, which leave the circles' motion apart; then CrossSolver.cl; then circles by
+// slots, with the arrays of Solver.cl and not those of TileCircles.cl.
 
 // first: of the step.
 void startSlot(const World *w, int slot, bool first) {

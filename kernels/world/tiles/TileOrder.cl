@@ -5,7 +5,7 @@
 typedef struct {
     union {
         struct {
-            uint place[TILE_ROUNDS + 1];       // by round: the places of its next own contact (lower half), and next other one
+            uint place[TILE_ROUNDS + 1];       // by round: of its next own contact (lower half), next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
         } met;
         struct { // when all have been placed
@@ -13,20 +13,20 @@ typedef struct {
             int slot[TILE_CIRCLES];
         } circle;
     } of;
-    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
+    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle, row by row
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
-    float2 load[TILE_CIRCLES];        // by circle: sums of impulses, in order; when all have been placed, its base
+    float2 load[TILE_CIRCLES];        // by circle: sums of impulses; later its base
     ushort progress[TILE_CIRCLES];     // by circle: see below
-    int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
-    short ownNumber[TILE_ROUNDS + 1];  // by round: what makes of the place of an own contact its number
+    int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
+    short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
     int firstNumber; // of the tile's own contacts
     int firstCopy;
     int contacts; // all that the tile depends on
-    int met;      // those that have been met so far
-    int overfull; // 1 where there are too many rounds
-    int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
-    int idle;     // 1 where the step had been refused when the work-group looked
+    int met;      // so far
+    int overfull; // too many rounds
+    int crowded;  // a circle has too many contacts
+    int idle;     // the step had been refused
 } Arrangement;
 
 // The first round in which a circle is free, its contacts so far (at most MOST_MET), whether one carries.
@@ -416,7 +416,7 @@ TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int cut RECORDING_PARAMETERS) {
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
-    if (status[EVENTS_LACK]) return; // the records of the step before are read once more
+    if (status[EVENTS_LACK]) return; // the records are read once more
     // Others may refuse the step meanwhile: a work-group must see one answer.
     if (get_local_id(0) == 0) {
         if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact

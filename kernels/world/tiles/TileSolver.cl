@@ -1,6 +1,6 @@
 // uses: world/tiles/TileVisits.cl
-// Passes by tiles, two launches a sub-step. Solve reads drive, burden and held, writes solvedMotion, solvedBurden and impulse, and moves
-// the circles. Relax measures contacts again, goes back to held, and starts the next sub-step.
+// Passes by tiles, two launches a sub-step. Solve reads drive, burden and held, writes solvedMotion, solvedBurden and impulse. Relax
+// measures contacts again, goes back to held, and starts the next sub-step.
 
 // Circles or contacts at a time, as a pass begins.
 #define TAKEN 4

@@ -1,7 +1,6 @@
 // uses: world/shared/Visit.cl world/tiles/TileOrder.cl
-// Visits in a tile's local memory. Speed is how many tiles a device has room for at once, and how much they read: few registers, little
-// local memory, nothing stored that is quickly worked out, and no branches and no other work in the chain of contacts that wait for each
-// other.
+// Visits in a tile's local memory. Speed is how many tiles a device has room for, and how much they read: few registers, little local
+// memory, nothing stored that is quickly worked out, no branches and no other work in the chain of contacts that wait for each other.
 
 // Of contacts that are none: at rest, never written.
 #define NO_CIRCLE TILE_CIRCLES
@@ -12,7 +11,7 @@ typedef struct {
     float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
                                    // while contacts are measured, then sums of impulses
     float burden[TILE_CIRCLES + 1];
-    uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
+    uint carried[(TILE_CIRCLES + 31) / 32]; // a bit a circle: whether a contact carries
     ushort partStart[TILE_PARTS + 2];       // by part of a round, and the end
     int circles, parts, contacts;
     int firstCopy;
@@ -84,7 +83,7 @@ typedef struct {
     int2 contact;   // as it is placed, or NO_CONTACT
     float4 normal;  // as in contact
     float2 shape;
-    float2 impulse; // in the biased pass the accumulated one alone
+    float2 impulse; // in the biased pass without a bounce
 #ifdef RECORDING
     float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
 #endif
@@ -110,7 +109,7 @@ typedef struct {
     Visit visit;
 #ifdef RECORDING
     float separation, radii;
-    float before; // in the biased pass: normal speed before any impulse
+    float before; // normal speed before any impulse
     float2 touchNow, touchSoFar;
 #endif
 } TileVisit;

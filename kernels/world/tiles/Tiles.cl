@@ -1,37 +1,32 @@
 // uses: world/stages/World.cl
-// Tiles: a pass over all like contacts in one launch. A work-group takes a tile of cells of a level and a region around it, copies the
-// region's circles into local memory, makes the pass there, and writes back what is its own: the circles of the tile's cells, and the
-// contacts of their groups.
+// Tiles: a pass over all like contacts in one launch. A work-group copies the circles of a region into local memory, makes the pass there,
+// and writes back those of its tile: of its cells, and the contacts of their groups.
 //
-// A group touches the 2 x 2 cells from its own on. Tiles begin at odd columns and rows. Going back from colour 3 to colour 0, the cells
-// that the result depends on grow by a column at each side a colour, and by a row between colours 2 and 1: a region reaches 3 columns and 1
-// row beyond its tile. Several work-groups compute what lies there, to the same bits: a pass reads one copy of the state and writes
-// another. A tile that spans the torus has no border on that axis.
+// A group touches the 2 x 2 cells from its own on, and tiles begin at odd columns and rows. Going back from colour 3 to 0, the cells that a
+// result depends on grow by a column at each side a colour, and by a row between colours 2 and 1: a region reaches 3 columns and 1 row
+// beyond its tile. What lies there several work-groups compute, to the same bits, so a pass reads one copy of the state and writes another.
+// A tile that spans the torus has no border on that axis.
 //
-// The first tiles begin at column and row -1; the last ones may be smaller. If some hold too much, a step has a list of tiles
-// (TileCuts.cl).
+// The first tiles begin at column and row -1; the last may be smaller. If some hold too much, a step has a list of tiles (TileCuts.cl).
 //
-// Within a region a contact waits only for those before it that share a circle with it: its round is the first in which these are done.
-// That gives the bits of the order in about half as many dependent steps as colours. A round has parts of no more contacts than a
-// work-group has work-items.
+// A contact waits only for those before it that share a circle: its round is the first in which these are done. That gives the bits of the
+// order, in half as many dependent steps as colours. A round has parts of a contact a work-item.
 
 // From the host. TILE_GROUP: work-items, but not of whole steps in one launch; HALO_COLUMNS: the 3 columns.
 #define HALO_ROWS 1
-#define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see the host class TileSizes
+#define TILE_ROWS (8 + 2 * HALO_ROWS) // of the largest region, see TileSizes
 #define TILE_COLUMNS (32 + 2 * HALO_COLUMNS)
 #define TILE_CELLS (TILE_COLUMNS * TILE_ROWS)
 
-// A tile reads contacts in its own order, in which gathered reads would be most of a pass. So it has copies of what each tile can follow:
-// base, shape, contact. What a contact's owner alone finds out lies by contact, in held and impulse; contacts are numbered for that, a
-// tile's in its order.
+// Gathered reads would be most of a pass: a tile has copies, in its own order, of what each tile can follow. What a contact's owner alone
+// finds out lies by contact, in held and impulse, numbered in a tile's order.
 #define NOT_OWN ((int) 0x80000000)
 
 // An entry of RECORD_SLOTS: a slot; AT_WALL: it has impulses of walls, or bounces off one; NOT_OWN: not the tile's.
 #define AT_WALL 0x40000000
 #define ENTRY_SLOT 0x3fffffff
 
-// Work-items take 0 to count - 1 in turn, all equally often, and no barrier stands behind a condition: compilers that run work-items in
-// loops get that wrong.
+// All work-items go round equally often, with no barrier behind a condition: compilers that run work-items in loops get that wrong.
 #define TILE_EACH(i, count)                                                                                            \
     for (int first_##i = 0, i; first_##i < (count); first_##i += (int) get_local_size(0))                              \
         if ((i = first_##i + (int) get_local_id(0)) < (count))
@@ -133,7 +128,7 @@ int circlesInRow(int4 slots) { return slots.y - slots.x + slots.w - slots.z; }
 // In the region of a tile that depends on them.
 typedef struct {
     int column, row;  // of the first one
-    int across, down; // how many there are; those of a row are two columns apart, and rows are
+    int across, down; // how many; columns and rows are two apart
 } Groups;
 
 Groups groupsOfColour(const Region *r, int colour) {
