@@ -10,9 +10,7 @@
 
 // Not the built-ins, which devices compute in other ways. Of +0 and -0, maxf and minf give the second; if one is NaN, too.
 float maxf(float a, float b) { return a > b ? a : b; }
-
 float minf(float a, float b) { return a < b ? a : b; }
-
 float clampf(float a, float low, float high) { return maxf(minf(a, high), low); }
 
 // The short way round. period: infinite if the axis does not wrap.
@@ -22,5 +20,4 @@ float shortWay(float d, float period) {
 }
 
 float lengthf(float x, float y) { return sqrt(x * x + y * y); }
-
 float dotf(float nx, float ny, float vx, float vy) { return nx * vx + ny * vy; }

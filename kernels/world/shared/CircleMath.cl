@@ -15,11 +15,8 @@ float shareOfPeriod(float p, float period) {
 }
 
 float inverseMass(float mass) { return 1.0f / mass; }
-
 float limitSpeed(float v) { return clampf(v, -GREATEST_SPEED, GREATEST_SPEED); }
-
 float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * impulse); }
-
 float beforeImpulse(float v, float gain, float dampingFactor) { return (v + gain) * dampingFactor; }
 
 float shareWithin(float x, float y, float most) {
@@ -32,11 +29,8 @@ float gain(float gravityGain, float force, float w, float h) {
 }
 
 float plan(float v, float dt, float fall) { return v * dt + fall; }
-
 float travelSpeed(float from, float to, float dt, float period) { return limitSpeed(shortWay(to - from, period) / dt); }
-
 float speculativeDistance(float r, float path) { return (r + MARGIN * r) + minf(path, CAP * r); }
-
 bool isFast(float path, float r) { return path > CAP * r; }
 
 float besideWalls(float x, float p, float r, float min, float max) {
@@ -81,7 +75,6 @@ float greatestBetween(float x, float px, float y, float py, float low, float hig
 }
 
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
-
 bool isLonger(float ux, float uy, float length) { return ux * ux + uy * uy > length * length; }
 
 bool differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
@@ -150,7 +143,6 @@ int sizeClass(float r, float rmax) {
 
 // Saturates, as in Java.
 int cell(float x, float min, float inverseEdge) { return convert_int_sat(maxf((x - min) * inverseEdge, 0.0f)); }
-
 int ringFirst(int a, int b, int size) { return (b + 1 == size ? 0 : b + 1) == a ? b : a; }
 
 uint mixBits(uint h) {
@@ -166,7 +158,6 @@ bool keeps(int hash, int fewer) {
 }
 
 float partingX(int hash) { return (float) (hash & 1023) - 511.5f; }
-
 float partingY(int hash) { return (float) ((int) ((uint) hash >> 10) & 1023) - 511.5f; }
 
 // Of circles with one centre. ids: the lower above the higher.

@@ -1,14 +1,14 @@
 // uses: world/shared/Arithmetic.cl world/stages/World.cl
-// The physics of a contact, of two circles or of a circle and a one-body constraint: measured, made ready (all that does not depend on
-// velocities), and visited, without branches.
+// The physics of a contact, of two circles or of one and a one-body constraint: measured, made ready (all that does not depend on
+// velocities), visited, without branches.
 
 // 1 up to NEARLY_ELASTIC, then down to 0 at 1.
 float inelasticity(float restitution) {
     return minf((1.0f - restitution) * (1.0f / (1.0f - NEARLY_ELASTIC)), 1.0f);
 }
 
-// The square of the normal speed beyond which a contact bounces: gravity's part and a creeping speed. Elastic pairs have 0, unless it is
-// fixed. radii: their sum.
+// The square of the normal speed of a bounce: gravity's part and a creeping speed; 0 for elastic pairs, unless it is fixed. radii: their
+// sum.
 float bounceThreshold(const StepConstants *k, float radii, float restitution, float gravityRate) {
     float length = inelasticity(restitution) * radii;
     float creep = k->restRate * length;
@@ -48,10 +48,9 @@ bool lingers(float separation, float squaredSpeed) {
 }
 
 float effectiveMass(float invMassA, float invMassB) { return 1.0f / (invMassA + invMassB); }
-
 float velocityChange(float normal, float invMass, float impulse) { return normal * (invMass * impulse); }
 
-// Returns whether there is a direction. base: difference of the bases; moved: of the displacements.
+// Whether surfaces need longer than LINGER to move as far as they are deep. squaredSpeed: before any impulse.
 INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY,
                     float *separation) {
     float dx = baseX + movedX;
@@ -81,29 +80,29 @@ float bounceSpeed(float restitution, float vn, float separation, float h, float 
 typedef struct {
     float separation, restitution;
     float threshold; // see restitutionThreshold
-    float flight;    // see flightThreshold; a wall has the threshold
+    float flight;    // see flightThreshold
     float mass;      // effective
     float normalImpulse;
     bool loaded; // whether one of its circles is
     // In the biased pass:
     float pushSpeed;
     float before;       // normal speed before any impulse
-    float squaredSpeed; // of the relative velocity before any impulse
+    float squaredSpeed; // relative, before any impulse
     float halfFall;     // see the function
 } Found;
 
 typedef struct {
     float mass, normalImpulse;
-    float bounceMass;        // the effective mass at a free bounce
-    float scale, bias, less; // a soft contact's; a rigid one is soft with 1, its bias, 0
-    float flight;            // square of the normal speed beyond which circles fly free of each other; INFINITY: at none
-    float gain;              // of the normal speed at a free bounce
-    float halfFall;          // taken from the normal speed at a free bounce
-    bool lingers;            // in the biased pass: they overlap for long, and are not left alone even if they part
-    float meeting;           // in the biased pass: they bounce freely if the sum of this and the normal speed is negative
+    float bounceMass;        // at a free bounce
+    float scale, bias, less; // soft; a rigid one has 1, its bias, 0
+    float flight;            // square of the normal speed from which they fly free
+    float gain;              // at a free bounce, of the normal speed
+    float halfFall;          // taken from that before
+    bool lingers;            // not left alone even if they part
+    float meeting;           // plus normal speed: negative if they bounce freely
     float bounce;            // target speed of a bounce
     float restingLimit;      // in the relaxing pass; see carries
-    bool still;              // in the relaxing pass: left alone at any speed
+    bool still;              // left alone at any speed
 } Ready;
 
 typedef struct {

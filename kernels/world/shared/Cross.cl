@@ -30,17 +30,11 @@ bool mayWait(float restitution, float inverseMassOfHeavy, float separation, floa
 }
 
 float velocityRange(float radius, float inverseH) { return radius * inverseH; }
-
 float impulseRange(float radius, float inverseH, float inverseMass) { return radius * inverseH / inverseMass; }
-
 int exponentOf(float range) { return max(as_int(range) & 0x7f800000, 47 << 23); }
-
 float scaleOf(float range) { return as_float(((127 + RANGE_LOG + 127) << 23) - exponentOf(range)); }
-
 float unitOf(float range) { return as_float(exponentOf(range) - (RANGE_LOG << 23)); }
-
 long toFixed(float value, float scale) { return (long) clampf(value * scale, -0x1p56f, 0x1p56f); }
-
 float fromFixed(long sum, float unit) { return (float) sum * unit; }
 
 // Work-items add in any order: the sum of whole numbers is the same.

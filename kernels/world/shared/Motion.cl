@@ -89,12 +89,6 @@ INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy)
     return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), (float2)(dx, dy), allowance);
 }
 
-INLINE float4 movedFreely(const StepConstants *k, float4 m) {
-    float vx = limitSpeed(m.VX);
-    float vy = limitSpeed(m.VY);
-    return (float4)(m.DX + vx * k->h, m.DY + vy * k->h, vx, vy);
-}
-
 // Cut by walls that move, where they are at the end of the sub-step.
 float keepInside(const World *w, float x, float d, float r, int axis, float min, float max) {
     return within(x, d, (min - behindOf(w, 2 * axis)) + r, (max + behindOf(w, 2 * axis + 1)) - r);
@@ -102,10 +96,9 @@ float keepInside(const World *w, float x, float d, float r, int axis, float min,
 
 INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
-    float4 free = movedFreely(k, m);
-    float2 d = free.xy;
-    float vx = free.z;
-    float vy = free.w;
+    float vx = limitSpeed(m.VX);
+    float vy = limitSpeed(m.VY);
+    float2 d = (float2)(m.DX + vx * k->h, m.DY + vy * k->h);
     if (!isStatic) d = clampMotion(w, slot, c.RADIUS, d.x, d.y);
     float edge = isStatic ? 0.0f : c.RADIUS;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);

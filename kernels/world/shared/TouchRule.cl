@@ -7,7 +7,6 @@ float approachSpeed(float vn) { return maxf(-vn, 0.0f); }
 
 // Then the place of the touch may be another after the step.
 bool isFastApproach(float approach, float dt, float radii) { return approach * dt > TOUCH_SLACK * radii; }
-
 bool touches(float approach, float separation) { return approach >= 0.0f || separation <= 0.0f; }
 
 bool staysInTouch(float approach, float separation, float radii) {

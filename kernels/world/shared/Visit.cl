@@ -1,7 +1,6 @@
 // uses: world/shared/Contact.cl world/shared/Drive.cl
-// The visit of a contact of two circles, A of the lower id and B: found, made ready, visited. A schedule has the order of contacts, takes
-// what a pass reads from where it lies, and gives back the result: slots in Solver.cl, copies in a tile in TileVisits.cl, sums of heavy
-// circles in CrossSolver.cl.
+// The visit of a contact of two circles, A of the lower id and B. A schedule has the order of contacts, takes what a pass reads from where
+// it lies, and gives back the result: slots in Solver.cl, copies in TileVisits.cl, sums of heavy circles in CrossSolver.cl.
 
 // What a pass reads.
 typedef struct {

@@ -20,7 +20,8 @@ void meetCarried(const World *w, int slot, int other, bool note) {
     float4 path = w->motionClamp[slot];
     float4 pathOfOther = w->motionClamp[other];
     float4 d = (float4)(ACROSS_X(w, o.x - c.x), ACROSS_Y(w, o.y - c.y), path.PATH_X - pathOfOther.PATH_X, path.PATH_Y - pathOfOther.PATH_Y);
-    float t = timeOfCarry(d.x, d.y, path.PATH_X, path.PATH_Y, pathOfOther.PATH_X, pathOfOther.PATH_Y, freeShare(w, other), o.RADIUS, c.RADIUS + o.RADIUS);
+    float t = timeOfCarry(d.x, d.y, path.PATH_X, path.PATH_Y, pathOfOther.PATH_X, pathOfOther.PATH_Y,
+                          freeShare(w, other), o.RADIUS, c.RADIUS + o.RADIUS);
     bool carries = isFast(path.PATH_LENGTH, o.RADIUS) ? t <= 1.0f : t < 1.0f && !contactHas(w, slot, other, c.RADIUS, o.RADIUS, d);
     if (!carries) return;
     if (!note) {

@@ -11,10 +11,10 @@ typedef struct {
 CellRange cellsAround(const World *w, int level, float left, float right, float low, float high) {
     CellRange r;
     r.level = level;
-    r.column = columnFrom(w, level, left);
-    r.row = rowFrom(w, level, low);
-    int columns = columnTo(w, level, left, right) - r.column;
-    int rows = rowTo(w, level, low, high) - r.row;
+    r.column = firstOf(axisX(w, level), left);
+    r.row = firstOf(axisY(w, level), low);
+    int columns = lastOf(axisX(w, level), left, right) - r.column;
+    int rows = lastOf(axisY(w, level), low, high) - r.row;
     r.sheets = sheetsAt(w, level, left, low);
     r.sheets.known = areSheetsKnown(w, level, columns, rows);
     r.endColumn = r.column + min(columns + 1, w->levels->columnCount[level]);

@@ -32,20 +32,16 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.slotOf[circleId] = NONE;
             break;
         case COMMAND_POSITION:
-            w.homeCircle[slot].x = a;
-            w.homeCircle[slot].y = b;
-            w.homeMotion[slot].DX = 0.0f;
-            w.homeMotion[slot].DY = 0.0f;
+            w.homeCircle[slot].xy = (float2)(a, b);
+            w.homeMotion[slot].DISPLACEMENT = (float2)(0.0f);
             break;
         case COMMAND_VELOCITY:
-            w.homeMotion[slot].VX = a;
-            w.homeMotion[slot].VY = b;
+            w.homeMotion[slot].VELOCITY = (float2)(a, b);
             break;
         case COMMAND_RADIUS:
             w.homeCircle[slot].RADIUS = a;
             w.homeFirstCached[slot] = FRESH;
-            w.homeTraits[slot].WALL_X = 0.0f;
-            w.homeTraits[slot].WALL_Y = 0.0f;
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_GROW:
             w.homeCircle[slot].RADIUS = a;
@@ -54,8 +50,7 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.homeCircle[slot].MASS = a;
             w.homeTraits[slot].INVERSE_MASS = inverseMass(a);
             w.homeFirstCached[slot] = FRESH;
-            w.homeTraits[slot].WALL_X = 0.0f;
-            w.homeTraits[slot].WALL_Y = 0.0f;
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_RESTITUTION:
             w.homeTraits[slot].RESTITUTION = a;
@@ -72,11 +67,9 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
                                              as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
-            w.homeCircle[slot].x = a;
-            w.homeCircle[slot].y = b;
+            w.homeCircle[slot].xy = (float2)(a, b);
             w.homeMotion[slot] = (float4)((float2)(0.0f), w.homeTraits[slot].KEPT_VELOCITY);
-            w.homeTraits[slot].WALL_X = 0.0f;
-            w.homeTraits[slot].WALL_Y = 0.0f;
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_FIELD:
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];

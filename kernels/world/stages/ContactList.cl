@@ -1,13 +1,13 @@
 // uses: world/shared/Cross.cl world/stages/World.cl
-// Stage Contacts, its lists: pairs in the one order that every sum follows: colour, group, lower id, higher id; behind them cross contacts,
-// by light circle. The Java classes Contacts and CrossContacts explain it.
+// Stage Contacts, its lists, in the one order that every sum follows: colour, group, lower id, higher id; behind them cross contacts, by
+// light circle. The Java classes Contacts and CrossContacts explain it.
 
 // What a work-group has found: who looked, whom it saw. Beyond this room it is recorded at once.
 #define FINDINGS 1024
 typedef struct {
     int2 slots[FINDINGS];
     int count;
-    int first; // the number of the first of them among all
+    int first; // its number among all
 } Findings;
 
 // A longer row or group sends the step the way of crowds at once: tiles take none.
@@ -54,7 +54,7 @@ void recordContactAt(const World *w, int k, int slot, int other, int level, int 
 void recordContact(const World *w, int k, int slot, int other, bool oneLevel) {
     int level = levelOfSlot(w, other);
     float4 own = w->sight[slot];
-    recordContactAt(w, k, slot, other, level, columnOf(w, level, own.x), rowOf(w, level, own.y), oneLevel);
+    recordContactAt(w, k, slot, other, level, ringOf(axisX(w, level), own.x), ringOf(axisY(w, level), own.y), oneLevel);
 }
 
 // One use of the counter that all work-groups share. All work-items of the work-group.

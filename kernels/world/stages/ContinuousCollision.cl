@@ -20,7 +20,8 @@ Runner runnerOf(const World *w, int slot) {
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
     bool isStatic = sight.SIGHT_INVERSE_MASS == 0.0f;
-    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE, CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
+    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE,
+                CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
     return s;
 }
 
@@ -65,7 +66,6 @@ int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOC
 
 // Whether it is fast.
 bool looksAhead(const World *w, int slot) { return w->near[slot].CONTACT_SHARE < NOT_FAST; }
-
 bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].SIGHT_INVERSE_MASS != 0.0f; }
 
 // Index space: slots.
@@ -86,7 +86,6 @@ kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
 
 // Work-items change these at once, as bits.
 volatile global int *contactTimeOf(const World *w, int slot) { return (volatile global int *) (w->near + slot); }
-
 volatile global int *restraintOf(const World *w, int slot) { return contactTimeOf(w, slot) + 1; }
 
 void restrain(const World *w, int slot, float most, bool stands) {
@@ -138,7 +137,8 @@ void meet(const World *w, const Runner *s, int other) {
 }
 
 bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
-    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y, s->r + other.RADIUS);
+    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y,
+                    s->r + other.RADIUS);
 }
 
 // Most do not touch by their paths.
@@ -317,10 +317,10 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float edge = w->levels->inverseEdge[level];
         int rows = w->levels->rowCount[level];
         float below = minf(s.y, s.y + s.py) - margin;
-        int r0 = rowFrom(w, level, below);
-        int r1 = rowTo(w, level, below, maxf(s.y, s.y + s.py) + margin);
+        int r0 = firstOf(axisY(w, level), below);
+        int r1 = lastOf(axisY(w, level), below, maxf(s.y, s.y + s.py) + margin);
         // A static circle may cross the arena: piece by piece, unless its rows meet again on the ring.
-        bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
+        bool byPieces = s.isStatic && isWalled(axisY(w, level)) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
             int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
@@ -344,23 +344,14 @@ kernel void continuousCollision_look(WORLD_PARAMETERS) {
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Few steps have any, so few work-items are quick to say so.
-void lookForAllCarriers(const World *w, Look look) {
-    if (!w->status[CARRYING] || refused(w)) return;
-    for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
-        if (looksAhead(w, slot)) lookForCarriers(w, slot, look);
+// Index space: any; work-items take slots in turn. Few steps have static circles that move, so few work-items are quick to say so. Cost: the
+// cells around a path. note: see meetCarried.
+kernel void continuousCollision_carry(WORLD_PARAMETERS, int note) {
+    World w = WORLD;
+    if (!status[CARRYING] || refused(&w)) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
+        if (looksAhead(&w, slot)) lookForCarriers(&w, slot, note ? CARRIERS : CARRY_TIMES);
     }
-}
-
-// Index space of both: any; work-items take slots in turn. Cost: the cells around a path.
-kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRY_TIMES);
-}
-
-kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRIERS);
 }
 
 // A circle that stops loses time, and so what gravity would give it then. After all have looked.

@@ -1,10 +1,8 @@
 // uses: world/shared/Cross.cl world/stages/CrossTurns.cl world/stages/Solver.cl
-// The cross contacts' part of stage Solver: those of circles of different levels, behind the like contacts of each pass. A pass has two
-// launches. In the first, each light circle visits its contacts, and sees the heavy ones as before; its velocity is kept aside, since it
-// may be a heavy circle for others. In the second, heavy circles take the sums of what they were given. The Java class
-// world.jvm.CrossPasses does the same.
+// Cross contacts, behind the like contacts of each pass, in two launches. Light circles visit theirs and see heavy ones as before; then
+// heavy circles take the sums. The Java class world.jvm.CrossPasses does the same.
 
-// A cross contact: its circles, of which pair has the one of lower id first.
+// pair has the circle of lower id first.
 typedef struct {
     uint light, heavy;
     bool isLightLower;
@@ -19,8 +17,7 @@ Cross crossOf(const World *w, int c, int light) {
     return x;
 }
 
-// The arrays as the passes over cross contacts find them. By tiles, each tile has copies of its contacts in the place of others: cross
-// contacts lie before these; and a tile leaves the circles' motion apart, since its neighbours may not have read the old one yet.
+// By tiles, copies lie behind cross contacts, and tiles leave the circles' motion apart: neighbours may not have read the old one yet.
 World crossWorld(World w) {
     if (w.k.tiled) {
         int like = likeContacts(&w);
@@ -32,20 +29,19 @@ World crossWorld(World w) {
 }
 
 float velocityRangeOf(const World *w, uint slot) { return velocityRange(w->circle[slot].RADIUS, w->k.inverseH); }
-
-float impulseRangeOf(const World *w, uint slot) { return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS); }
-
+float impulseRangeOf(const World *w, uint slot) {
+    return impulseRange(w->circle[slot].RADIUS, w->k.inverseH, w->traits[slot].INVERSE_MASS);
+}
 global long *sumsOf(const World *w, uint slot) { return (global long *) (w->heavySum + slot); }
 
-// Adds to two sums of a heavy circle, which have a range.
+// range: of the sums.
 void addToHeavy(global long *sums, float2 value, float range) {
     float scale = scaleOf(range);
     addFixed(sums, toFixed(value.x, scale));
     addFixed(sums + 1, toFixed(value.y, scale));
 }
 
-// Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. g: see loadAlong. Components are stored one
-// by one: others mark the same circles at the same time.
+// g: see loadAlong. Stored one by one: others mark the same circles at the same time.
 void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
     global float *own = (global float *) (w->load + x->light);
     global float *other = (global float *) (w->load + x->heavy);
@@ -68,7 +64,6 @@ void fillCrossContact(const World *w, int c, int light) {
     gatherCrossLoad(w, &x, loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE), carrying);
 }
 
-// Orders and fills the cross contacts of a light circle.
 void fillCrossOf(const World *w, int slot) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
@@ -77,7 +72,7 @@ void fillCrossOf(const World *w, int slot) {
     for (int c = from; c < to; c++) fillCrossContact(w, c, slot);
 }
 
-// Index space: a working slot a work-item. Cost: the contacts in which the circle is the light one.
+// Index space: slots. Cost: the contacts as the light circle.
 kernel void cross_fill(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
@@ -86,8 +81,8 @@ kernel void cross_fill(WORLD_PARAMETERS) {
     fillCrossOf(&w, slot);
 }
 
-// Visits a contact, and gives its circles what they get of it: the light one's velocity v, the heavy one's sums. The effective mass counts
-// the heavy one as lighter, since others visit it at the same time. Returns the normal speed before it.
+// v: velocity of the light circle. The effective mass counts the heavy one as lighter, since others visit it at the same time. Returns the
+// normal speed before the visit.
 float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, bool relaxing, float2 *v, Visited *visited) {
     float invLight = x->isLightLower ? p->invMassA : p->invMassB;
     float invHeavy = x->isLightLower ? p->invMassB : p->invMassA;
@@ -109,7 +104,6 @@ float visitCross(const World *w, const Cross *x, const Pair *p, Visit *visit_, b
     return vn;
 }
 
-// The biased pass over one contact. v: velocity of the light circle.
 void solveCrossContact(const World *w, int c, int light, float2 *v) {
     Cross x = crossOf(w, c, light);
     Visit visit_;
@@ -119,7 +113,6 @@ void solveCrossContact(const World *w, int c, int light, float2 *v) {
     keepSolved(w, c, &visit_, &visited);
 }
 
-// The relaxing pass over one contact.
 void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
     Cross x = crossOf(w, c, light);
     uint2 pr = w->pair[c];
@@ -136,7 +129,7 @@ void relaxCrossContact(const World *w, int c, int light, bool last, float2 *v) {
     keepRelaxed(w, c, &p, &visit_, &visited);
 }
 
-// Gives a light circle its velocity behind its visits: kept aside if it is a heavy one for others, which still look at it.
+// Others still look at the velocity of one that is heavy for them.
 void leaveLight(const World *w, int slot, float2 v) {
     if (w->crossLoad[slot] > 0) {
         w->lightVelocity[slot] = v;
@@ -145,7 +138,7 @@ void leaveLight(const World *w, int slot, float2 v) {
     }
 }
 
-// A pass over the cross contacts of a light circle. last: in the relaxing pass, whether it is that of the last sub-step.
+// last: of the last sub-step.
 INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
     int from = w->groupStart[crossGroupOf(w, slot)];
     int to = w->groupStart[crossGroupOf(w, slot) + 1];
@@ -162,10 +155,9 @@ INLINE void passCrossOf(const World *w, int slot, bool relaxing, bool last) {
 }
 
 void solveCrossOf(const World *w, int slot) { passCrossOf(w, slot, false, false); }
-
 void relaxCrossOf(const World *w, int slot, bool last) { passCrossOf(w, slot, true, last); }
 
-// Index space of the next: a working slot a work-item. Cost: the contacts in which the circle is the light one.
+// Index space of both: slots. Cost: the contacts as the light circle.
 
 kernel void cross_solve(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -190,10 +182,10 @@ bool isLight(const World *w, int slot) {
     return w->groupStart[crossGroupOf(w, slot)] != w->groupStart[crossGroupOf(w, slot) + 1];
 }
 
-// Whether a circle takes what it is given as the heavy one of a contact.
+// A static one takes nothing.
 bool isHeavy(const World *w, int slot) { return w->crossLoad[slot] > 0 && w->traits[slot].INVERSE_MASS != 0.0f; }
 
-// The velocity of a heavy circle behind a pass. v: as like contacts have left it.
+// v: as like contacts have left it.
 float2 velocityTaken(const World *w, int slot, float2 v) {
     if (isLight(w, slot)) v = w->lightVelocity[slot];
     long4 sum = w->heavySum[slot];
@@ -201,32 +193,32 @@ float2 velocityTaken(const World *w, int slot, float2 v) {
     return (float2)(v.x + fromFixed(sum.x, unit), v.y + fromFixed(sum.y, unit));
 }
 
-// The sum of a heavy circle's impulses for the sub-step to come. impulses: all but those that it is given as the heavy one.
+// impulses: all others.
 float2 impulsesTaken(const World *w, int slot, float2 impulses) {
     long4 sum = w->heavySum[slot];
     float unit = unitOf(impulseRangeOf(w, (uint) slot));
     return (float2)(impulses.x + fromFixed(sum.z, unit), impulses.y + fromFixed(sum.w, unit));
 }
 
-// Gives a heavy circle what a pass has for it: velocity, and impulses for the sub-step to come. Sums are empty afterwards.
-void takeCross(const World *w, int slot, bool velocities, bool impulses) {
+// Gives a heavy circle what a pass has for it; its sums are empty afterwards. m: motion; l: load.
+void takeSums(const World *w, int slot, bool velocities, bool impulses, float4 *m, float4 *l) {
     if (!isHeavy(w, slot)) return;
-    if (velocities) {
-        float2 v = w->motion[slot].VELOCITY;
-        w->motion[slot].VELOCITY = velocityTaken(w, slot, v);
-    }
+    if (velocities) m->VELOCITY = velocityTaken(w, slot, m->VELOCITY);
     if (impulses) {
-        float2 sum = w->load[slot].IMPULSES;
-        w->load[slot].IMPULSES = impulsesTaken(w, slot, sum);
+        l->IMPULSES = impulsesTaken(w, slot, l->IMPULSES);
         w->claim[slot] = 0;
     }
     w->heavySum[slot] = (long4)(0);
 }
 
-// Index space: a working slot a work-item.
+// Index space: slots.
 kernel void cross_take(WORLD_PARAMETERS, int velocities, int impulses) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    takeCross(&w, slot, velocities != 0, impulses != 0);
+    if (slot >= circles || refused(&w) || !isHeavy(&w, slot)) return;
+    float4 m = w.motion[slot];
+    float4 l = w.load[slot];
+    takeSums(&w, slot, velocities != 0, impulses != 0, &m, &l);
+    w.motion[slot] = m;
+    w.load[slot] = l;
 }

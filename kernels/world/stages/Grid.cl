@@ -1,10 +1,8 @@
 // uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
-// Stage Grid: copies the circles into the working arrays, sorted by (level, bucket), and within a bucket by sheet, if there are sheets, and
-// by id. A counting sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes
-// whatever order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is too fast for
-// it.
+// Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
+// place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
-// What a step that takes fast circles, or crowds, or tiles, tells the host is about the last one alone.
+// Such steps tell the host about the last one alone.
 void startStep(const World *w) {
     if (refused(w)) return;
     if (w->k.sweeping) w->status[FAST] = 0;
@@ -18,9 +16,8 @@ void startStep(const World *w) {
     w->status[FOUND] = 0;
 }
 
-// The bucket of a circle of a level.
 int bucketIn(const World *w, int l, float4 c) {
-    return w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+    return w->levels->first[l] + ringOf(axisX(w, l), c.x) + (ringOf(axisY(w, l), c.y) << w->levels->columnsLog[l]);
 }
 
 void countSlot(const World *w, int slot) {
@@ -34,7 +31,7 @@ void countSlot(const World *w, int slot) {
     w->rank[slot] = atomic_inc(&w->tally[bucket]);
 }
 
-// Counts the circles of each bucket. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void grid_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
@@ -42,11 +39,10 @@ kernel void grid_count(WORLD_PARAMETERS) {
     if (slot < slots && !refused(&w)) countSlot(&w, slot);
 }
 
-// The key of a circle in a slot at home.
 int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
     int level = levelOf(w, c.RADIUS);
-    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetXOf(w, level, c.x), sheetYOf(w, level, c.y)) : 0;
+    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
     return key + (w->homeTraits[slot].INVERSE_MASS == 0.0f ? 1 : 0);
 }
 
@@ -58,14 +54,14 @@ void scatterSlot(const World *w, int slot) {
     if (w->levels->haveSheets) w->listedSheet[place] = sheetKeyOfSlot(w, slot);
 }
 
-// Lists the circles of each bucket. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void grid_scatter(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot < slots && !refused(&w)) scatterSlot(&w, slot);
 }
 
-// How many of the circles [from, to) of a bucket have a lower id. Several at a time: a read takes long, and most have few.
+// Several at a time: a read takes long, and most buckets have few.
 int countLower(const World *w, int from, int to, int id) {
     int sum = 0;
     for (int i = from; i < to; i += 4) {
@@ -78,7 +74,7 @@ int countLower(const World *w, int from, int to, int id) {
     return sum;
 }
 
-// How many of the circles [from, to) of a bucket come before one: of a lower key, or of its own and with a lower id.
+// Of a lower key, or of its own and with a lower id.
 int countBefore(const World *w, int from, int to, int key, int id) {
     int sum = 0;
     for (int i = from; i < to; i++) {
@@ -88,10 +84,10 @@ int countBefore(const World *w, int from, int to, int key, int id) {
     return sum;
 }
 
-// About the least radius: a static circle that moves is fast if it is so for circles of this radius.
+// About: a static circle is fast if it is for circles of this radius.
 float leastRadius(const World *w) { return 0.5f * w->levels->top[w->levels->used[0]]; }
 
-// The share of its path after which a circle touches a wall; 1 if it does not fly far.
+// 1 if the circle does not fly far.
 float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     if (!far) return 1.0f;
     const StepConstants *k = &w->k;
@@ -100,7 +96,7 @@ float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     return maxf(minf(tx, ty), 0.0f);
 }
 
-// Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast.
+// Returns whether it is fast.
 bool gatherCircle(const World *w, int i) {
     int2 listed = w->order[i];
     int from = listed.LISTED_SLOT;
@@ -174,15 +170,15 @@ bool gatherCircle(const World *w, int i) {
     return fast;
 }
 
-// Whether nothing has been counted: the step was refused before.
+// The step was refused before.
 bool gridIsEmpty(const World *w) {
     return w->bucketStart[w->levels->first[LEVELS]] == 0 || w->status[EVENTS_LACK] != 0;
 }
 
-// Index space: a circle a work-item. Cost: the circles of its bucket.
+// Index space: slots. Cost: the circles of its bucket.
 kernel void grid_gather(WORLD_PARAMETERS) {
     World w = WORLD;
-    // One of a work-group speaks for all: a store of every fast circle to one place takes longer than all the rest.
+    // For all of the work-group: a store of every fast circle to one place takes longer than all the rest.
     local int fast;
     int i = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;

@@ -1,15 +1,14 @@
 // uses: world/shared/PairRule.cl world/stages/PairFilter.cl world/stages/ContinuousCollision.cl world/stages/ContactList.cl
-// Stage Contacts, its search: the pairs of circles that may meet within the step.
+// Stage Contacts, its search: circles that may meet within the step.
 
-// What a circle looks with.
 typedef struct {
     float x, y, speculativeDistance, inverseMass;
     int slot, level, column, row;
-    int part, parts; // of several work-items that look for one circle: which, and how many
+    int part, parts; // of several work-items that look for one circle
     bool oneLevel;   // see recordContactAt
 } Seeker;
 
-// Whether a pair in a crowd is one of those that are kept.
+// Of a pair in a crowd.
 bool keepsPair(const World *w, const Seeker *s, int other) {
     int id = w->id[s->slot];
     int otherId = w->id[other];
@@ -17,8 +16,8 @@ bool keepsPair(const World *w, const Seeker *s, int other) {
     return keeps(hash, min(candidatesOf(w)[s->slot], candidatesOf(w)[other]));
 }
 
-// The piece that lies v rows above the seeker. With the seeker's own row: what is left of its own bucket, and the next. Rows
-// may span the edge of the torus; so that all work-items of a warp take the same way there, it is not a case of its own.
+// Three cells, v rows above the seeker. With its own row: what is left of its own bucket, and the next. The edge of the torus is no case
+// apart: all work-items of a warp take the same way.
 Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
     global const int *start = w->bucketStart;
     int cl = w->levels->columnsLog[s->level];
@@ -46,8 +45,7 @@ Piece pieceOf(const World *w, const Seeker *s, int v, bool withOwnRow) {
     return pieceOfRanges(from, to);
 }
 
-// The slots of the cell that is u columns and v rows from the seeker's own: of its sheet alone, and for a static seeker without static
-// circles.
+// Of the cell's sheet; without static circles for a static seeker.
 int2 slotsBeside(const World *w, const Seeker *s, const Sheets *sheets, int u, int v) {
     int columns = w->levels->columnCount[s->level];
     int rows = w->levels->rowCount[s->level];
@@ -59,7 +57,7 @@ int2 slotsBeside(const World *w, const Seeker *s, const Sheets *sheets, int u, i
     return slotsOfSheet(w, start[0], start[1], sheetKeyBeside(w, s->level, sheets, overX, overY), s->inverseMass != 0.0f);
 }
 
-// As pieceOf by sheets: the three cells v rows above the seeker; or what is left of its own one and the next.
+// isOwnRow: without what lies before the seeker.
 Piece pieceOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
     Sheets sheets = sheetsAt(w, s->level, s->x, s->y);
     int2 left = isOwnRow ? (int2)(0) : slotsBeside(w, s, &sheets, -1, v);
@@ -69,12 +67,12 @@ Piece pieceOfSheets(const World *w, const Seeker *s, int v, bool isOwnRow) {
     return pieceOfRanges((int4)(left.x, middle.x, right.x, 0), (int4)(left.y, middle.y, right.y, 0));
 }
 
-// Whether a seeker looks at each cell of a level by itself. haveSheets: whether there are any, which the kernel may know.
+// Each cell by itself.
 bool looksBySheet(const World *w, const Seeker *s, bool haveSheets) {
     return haveSheets && (w->levels->folded[s->level] || s->inverseMass == 0.0f);
 }
 
-// Looks at a piece of the neighbourhood, in one loop. found: null where it is but to be known how many there are.
+// found: null to count alone.
 void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *found) {
     int count = piece->end.w;
     if (found == 0) {
@@ -95,7 +93,7 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
         if (k < FINDINGS) {
             found->slots[k] = (int2)(s->slot, other);
         } else {
-            // By the cells that are known here: to work them out again would take a GPU more registers than all else.
+            // By cells that are known here: to work them out again takes a GPU more registers than all else.
             recordContactAt(w, atomic_inc(&w->status[FOUND]), s->slot, other, s->level, s->column, s->row, s->oneLevel);
         }
     }
@@ -103,26 +101,19 @@ void seek(const World *w, const Seeker *s, const Piece *piece, local Findings *f
 
 Seeker seekerOf(const World *w, int slot, bool oneLevel) {
     float4 own = w->sight[slot];
-    Seeker s;
-    s.x = own.x;
-    s.y = own.y;
-    s.speculativeDistance = own.SIGHT_DISTANCE;
-    s.inverseMass = own.SIGHT_INVERSE_MASS;
-    s.slot = slot;
-    s.part = 0;
-    s.parts = 1;
-    s.oneLevel = oneLevel;
+    Seeker s = {.x = own.x, .y = own.y, .speculativeDistance = own.SIGHT_DISTANCE, .inverseMass = own.SIGHT_INVERSE_MASS,
+                .slot = slot, .part = 0, .parts = 1, .oneLevel = oneLevel};
     return s;
 }
 
 void seekIn(const World *w, Seeker *s, int atLevel) {
     s->level = atLevel;
-    s->column = columnOf(w, atLevel, s->x);
-    s->row = rowOf(w, atLevel, s->y);
+    s->column = ringOf(axisX(w, atLevel), s->x);
+    s->row = ringOf(axisY(w, atLevel), s->y);
 }
 
-// Looks in the cells around a circle. In its own level, half of them, so that each pair is seen once; in a coarser one, 3 x 3 buckets.
-// haveSheets: whether there are any, which kernels know: those of worlds without have registers less.
+// In its own level half of the cells, so that each pair is seen once; in a coarser one 3 x 3. haveSheets: known to kernels, for fewer
+// registers.
 INLINE void seekAround(const World *w, Seeker *s, int atLevel, int own, bool haveSheets, local Findings *found) {
     seekIn(w, s, atLevel);
     bool inOwnLevel = atLevel == own;
@@ -139,7 +130,7 @@ INLINE void seekAround(const World *w, Seeker *s, int atLevel, int own, bool hav
     }
 }
 
-// Looks for the neighbours of a circle; where several work-items share in that: for those of one part.
+// part, parts: of several work-items that share in it.
 INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel, bool haveSheets, local Findings *found) {
     Seeker s = seekerOf(w, slot, oneLevel);
     s.part = part;
@@ -151,7 +142,7 @@ INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel
     }
 }
 
-// How many circles of a piece may meet the seeker within the step.
+// Who may meet the seeker.
 int candidatesIn(const World *w, const Seeker *s, const Piece *piece) {
     int sum = 0;
     for (int i = 0; i < piece->end.w; i++) {
@@ -163,8 +154,7 @@ int candidatesIn(const World *w, const Seeker *s, const Piece *piece) {
     return sum;
 }
 
-// Counts the candidates of each circle: those of its own level and of coarser ones that it may meet. Into rank.
-// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells a level.
+// Candidates in its own level and coarser ones. Index space: slots. Cost: 3 x 3 cells a level.
 kernel void contacts_crowd(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
@@ -184,62 +174,50 @@ kernel void contacts_crowd(WORLD_PARAMETERS) {
     if (sum > CROWD) status[CROWDED] = 1;
 }
 
-// Finds the contacts, and counts those of each group; notes where there is a crowd, if that is not to be thinned out.
-INLINE void countContacts(const World *w, bool haveSheets, local Findings *found) {
-    int slot = (int) get_global_id(0);
-    if (get_local_id(0) == 0) found->count = 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (slot < w->circles && !tooFast(w) && !gridIsEmpty(w)) {
-        seekAll(w, slot, 0, 1, true, haveSheets, found);
-    }
-    recordFindings(w, found, true);
-}
-
-// Index space: a working slot a work-item. Cost: the circles of 3 x 3 cells.
-kernel void contacts_count(WORLD_PARAMETERS) {
-    World w = WORLD;
-    local Findings found;
-    countContacts(&w, false, &found);
-}
-
-// The same, where there are sheets.
-kernel void contacts_countBySheet(WORLD_PARAMETERS) {
-    World w = WORLD;
-    local Findings found;
-    countContacts(&w, true, &found);
-}
-
-// The same, if there are several levels.
-INLINE void countContactsOfLevel(const World *w, bool haveSheets, local Findings *found) {
-    int l = (int) get_global_id(0) / w->circles;
+// By a work-item a slot, or with several levels a slot and a level: which is several times faster than all levels by one.
+INLINE void countContacts(const World *w, bool oneLevel, bool haveSheets, local Findings *found) {
+    int l = oneLevel ? 0 : (int) get_global_id(0) / w->circles;
     int slot = (int) get_global_id(0) - l * w->circles;
     if (get_local_id(0) == 0) found->count = 0;
     barrier(CLK_LOCAL_MEM_FENCE);
-    if (l < w->levels->usedCount && !tooFast(w) && !gridIsEmpty(w)) {
+    bool looks = (oneLevel ? slot < w->circles : l < w->levels->usedCount) && !tooFast(w) && !gridIsEmpty(w);
+    if (looks && oneLevel) {
+        seekAll(w, slot, 0, 1, true, haveSheets, found);
+    } else if (looks) {
         Seeker s = seekerOf(w, slot, false);
         int own = levelOfSlot(w, slot);
         if (w->levels->used[l] <= own) seekAround(w, &s, w->levels->used[l], own, haveSheets, found);
     }
-    recordFindings(w, found, false);
+    recordFindings(w, found, oneLevel);
 }
 
-// Index space: a working slot and a level a work-item, level after level: a circle that looked in all levels by itself would take
-// several times as long. Cost: the circles of 3 x 3 cells.
+// Index space of the next four: slots; with several levels slots and levels, level after level. Cost: 3 x 3 cells.
+
+kernel void contacts_count(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Findings found;
+    countContacts(&w, true, false, &found);
+}
+
+kernel void contacts_countBySheet(WORLD_PARAMETERS) {
+    World w = WORLD;
+    local Findings found;
+    countContacts(&w, true, true, &found);
+}
+
 kernel void contacts_countByLevel(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContactsOfLevel(&w, false, &found);
+    countContacts(&w, false, false, &found);
 }
 
-// The same, where there are sheets.
 kernel void contacts_countByLevelAndSheet(WORLD_PARAMETERS) {
     World w = WORLD;
     local Findings found;
-    countContactsOfLevel(&w, true, &found);
+    countContacts(&w, false, true, &found);
 }
 
-// How many pairs the broad phase tested for each circle in the last step: into rank. Index space: a working slot a
-// work-item.
+// For statistics: pairs that were tested. Index space: slots.
 kernel void contacts_candidates(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);

@@ -1,8 +1,7 @@
 // uses: world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
-// Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
-// (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
+// Tells of pairs that are only sensed and touched in a step. The Java classes Sensing, SensorRule and SensedPair are the same.
 //
-// start: by id: x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
+// start: by id, x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
 
 #ifdef REPORTING
 
@@ -13,7 +12,7 @@
 #define SEEKS 2
 #define BOTH_SEEK 3
 
-// Notes where circles are. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global const int *status,
                           global float2 *start) {
     int slot = (int) get_global_id(0);
@@ -21,7 +20,6 @@ kernel void sensing_begin(global const int *homeId, global const float4 *homeCir
     if (slot < slots && homeId[slot] >= 0) start[homeId[slot]] = homeCircle[slot].xy;
 }
 
-// A circle that takes part.
 typedef struct {
     float x, y, px, py, r, path;
     int id, slot;
@@ -48,7 +46,7 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
 
 float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + maxf(path, top)); }
 
-// Whether a circle is the one of a pair that has to find it.
+// Whether s has to find the pair.
 bool findsSensed(int row, const Sensed *s, const Sensed *o) {
     if (s->isFast || o->isFast) {
         return s->isFast && (!o->isFast || s->path > o->path || (s->path == o->path && s->id < o->id));
@@ -56,7 +54,7 @@ bool findsSensed(int row, const Sensed *s, const Sensed *o) {
     return row == SEEKS || (row == BOTH_SEEK && s->id < o->id);
 }
 
-// The share of the step after which two circles touch first that do touch. dx, dy: between them at the start; ux, uy: of the paths.
+// A share of the step. d: between circles that touch, at the start; u: of the paths.
 float timeSensed(float dx, float dy, float ux, float uy, float sum) {
     float b = -(dx * ux + dy * uy);
     float gap = (dx * dx + dy * dy) - sum * sum;
@@ -64,7 +62,7 @@ float timeSensed(float dx, float dy, float ux, float uy, float sum) {
     return gap > 0.0f && b > 0.0f ? minf(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
 }
 
-// Tells of a pair, if it is in touch. a: the lower id.
+// If it is in touch. a: the lower id.
 void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float dx = ACROSS_X(w, b->x - a->x);
     float dy = ACROSS_Y(w, b->y - a->y);
@@ -110,12 +108,12 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
     }
 }
 
-// Index space: a slot at home a work-item. Cost: the cells around its path, for a circle that looks for others.
+// Index space: slots at home. Cost: the cells around its path, if it looks for others.
 kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global const int *seeking REPORTING_PARAMETERS) {
     World w = WORLD;
     REPORT_IN(w);
     int slot = (int) get_global_id(0);
-    // A step that has not been made has left home in another order than the grid's.
+    // A step that was not made has left home in another order.
     if (slot >= circles || !isMade(&w)) return;
     int part = seeking[SEEKING_KINDS + w.fields[w.homeId[slot]].kind];
     if (part == 0) return;

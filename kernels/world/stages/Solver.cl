@@ -1,8 +1,7 @@
 // uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/stages/Touches.cl
-// Stage Solver: the sub-steps of a step, by slots. Contacts are visited with one launch per colour; the Java class world.jvm.Solver does
-// the same.
+// Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.Solver does the same.
 
-// Starts a circle into a sub-step. m, l: its motion and load.
+// m: motion; l: load.
 void startCircleAt(const World *w, int slot, float4 m, float4 l) {
     float4 c = w->circle[slot];
     float4 t = w->traits[slot];
@@ -21,7 +20,7 @@ void startCircleAt(const World *w, int slot, float4 m, float4 l) {
 #endif
 }
 
-// Moves a circle behind the biased pass. m: its motion.
+// Behind the biased pass.
 void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
     float4 c = w->circle[slot];
     float4 t = w->traits[slot];
@@ -37,29 +36,20 @@ void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
 #endif
 }
 
-// A contact as the arrays have it. n: as measured; loads: whether its circles are loaded, added up.
+// n: as measured; loads: of both circles, added up.
 Pair pairAt(const World *w, int c, float4 n, float loads) {
     float4 b = w->base[c];
     float4 q = w->masses[c];
-    Pair p;
-    p.nx = n.NORMAL_X;
-    p.ny = n.NORMAL_Y;
-    p.separation = n.SEPARATION;
-    p.radii = b.RADII;
-    p.restitution = b.PAIR_RESTITUTION;
-    p.invMassA = q.INVERSE_MASS_A;
-    p.invMassB = q.INVERSE_MASS_B;
-    p.mass = q.EFFECTIVE_MASS;
-    p.normalImpulse = n.NORMAL_IMPULSE;
-    p.bounce = q.BOUNCE;
-    p.loaded = loads > 0.0f;
+    Pair p = {.nx = n.NORMAL_X, .ny = n.NORMAL_Y, .separation = n.SEPARATION, .normalImpulse = n.NORMAL_IMPULSE,
+              .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
+              .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
     return p;
 }
 
-// Whether a circle is loaded, in the relaxing pass: of its load no more than that, since others write the rest.
+// In the relaxing pass others write the rest of the load.
 float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[2]; }
 
-// Takes a contact for the biased pass. Returns it.
+// Takes a contact for a pass.
 Pair takeToSolve(const World *w, int c, uint2 pr, Visit *v) {
     float4 la = w->load[pr.LOWER];
     float4 lb = w->load[pr.HIGHER];
@@ -69,7 +59,7 @@ Pair takeToSolve(const World *w, int c, uint2 pr, Visit *v) {
     return p;
 }
 
-// Measures a contact again and takes it for the relaxing pass. ma, mb: motion of its circles. Returns it.
+// Measures it again. ma, mb: motion.
 Pair takeToRelax(const World *w, int c, uint2 pr, float4 ma, float4 mb, Visit *v) {
     float4 n = w->contact[c];
     measureContact(w->base[c], ma, mb, &n);
@@ -78,7 +68,7 @@ Pair takeToRelax(const World *w, int c, uint2 pr, float4 ma, float4 mb, Visit *v
     return p;
 }
 
-// Visits a contact, and gives its circles what they get of it. ma, mb: their motion. Returns the normal speed before it.
+// Returns the normal speed before the visit.
 float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bool relaxing, Visited *visited) {
     float vn = visitPair(v, ma.VELOCITY, mb.VELOCITY, relaxing, visited);
     if (!visited->leaves) {
@@ -90,7 +80,6 @@ float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bo
     return vn;
 }
 
-// Keeps what the biased pass has made of a contact.
 void keepSolved(const World *w, int c, const Visit *v, const Visited *visited) {
     w->masses[c].BOUNCE = v->ready.bounce;
     w->contact[c].NORMAL_IMPULSE = visited->normalImpulse;
@@ -99,7 +88,6 @@ void keepSolved(const World *w, int c, const Visit *v, const Visited *visited) {
 #endif
 }
 
-// Keeps what the relaxing pass has made of a contact.
 void keepRelaxed(const World *w, int c, const Pair *p, const Visit *v, const Visited *visited) {
     w->contact[c] = (float4)(p->nx, p->ny, p->separation, visited->normalImpulse);
 #ifdef RECORDING
@@ -107,7 +95,6 @@ void keepRelaxed(const World *w, int c, const Pair *p, const Visit *v, const Vis
 #endif
 }
 
-// The biased pass over one contact.
 void solveContact(const World *w, int c) {
     uint2 pr = w->pair[c];
     Visit v;
@@ -117,7 +104,6 @@ void solveContact(const World *w, int c) {
     keepSolved(w, c, &v, &visited);
 }
 
-// The relaxing pass over one contact.
 void relaxContact(const World *w, int c, bool last) {
     uint2 pr = w->pair[c];
     float4 ma = w->motion[pr.LOWER];
@@ -135,7 +121,7 @@ void relaxContact(const World *w, int c, bool last) {
     keepRelaxed(w, c, &p, &v, &visited);
 }
 
-// Index space of each kernel of a colour: a group a work-item. Cost: its contacts.
+// Index space of both: a group of the colour. Cost: its contacts.
 
 kernel void solver_solve(WORLD_PARAMETERS, int colour RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -151,7 +137,7 @@ kernel void solver_relax(WORLD_PARAMETERS, int colour, int last RECORDING_PARAME
     for (int c = contacts.x; c < contacts.y; c++) relaxContact(&w, c, last != 0);
 }
 
-// Index space of the others: a working slot a work-item.
+// Index space of the others: slots.
 
 kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;

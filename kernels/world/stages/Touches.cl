@@ -1,15 +1,12 @@
 // uses: world/shared/Wall.cl world/stages/Events.cl
-// Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
-// wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
-// first world that reports.
+// Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
 //
-// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
-// sub-step that the contact does not keep.
-// wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
+// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
+// impulse of it that is not kept. wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
 
 #ifdef RECORDING
 
-// Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
+// Where, only if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
@@ -19,10 +16,11 @@ void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n
     float4 own = w->circle[lower];
     float4 m = w->motion[lower];
     t[0].zw = n.NORMAL;
-    t[1].xy = (float2)(touchPoint(own.x, m.DX, n.NORMAL_X, own.RADIUS, n.SEPARATION), touchPoint(own.y, m.DY, n.NORMAL_Y, own.RADIUS, n.SEPARATION));
+    t[1].xy = (float2)(touchPoint(own.x, m.DX, n.NORMAL_X, own.RADIUS, n.SEPARATION),
+                       touchPoint(own.y, m.DY, n.NORMAL_Y, own.RADIUS, n.SEPARATION));
 }
 
-// Takes a visit of the biased pass down. notKept: the impulse of a free bounce.
+// notKept: of a free bounce.
 void noteSolvedContact(const World *w, global float4 *touch, int c, float notKept) {
     uint2 pr = w->pair[c];
     float4 n = w->contact[c];
@@ -33,7 +31,7 @@ void noteSolvedContact(const World *w, global float4 *touch, int c, float notKep
     noteTouch(w, t, c, approach, n, n.NORMAL_IMPULSE + notKept, n.SEPARATION);
 }
 
-// Takes a visit of the relaxing pass down. bounced: the impulse of a bounce.
+// bounced: impulse of a bounce.
 void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounced) {
     global float4 *t = touch + 2 * c;
     float notKept = t[1].w + bounced;
@@ -44,13 +42,12 @@ void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounc
     noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
 }
 
-// Begins a step for a contact.
 void beginTouch(global float4 *touch, int c) {
     touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     touch[2 * c + 1] = (float4)(0.0f);
 }
 
-// Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
+// Index space: any; work-items take contacts and slots in turn.
 kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
@@ -63,64 +60,45 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     }
 }
 
-// The number of a wall.
 int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
 
-// Takes a visit of the wall of an axis down. vn: normal speed that the circle approached with; from, to: velocity along the axis
-// before and after the visit; gap: separation before it; along: coordinate along the wall.
-void touchWall(global float4 *t, float side, float vn, float from, float to, float gap, float along_) {
+// A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
+// visit; solving: the wall is where it is before the sub-step.
+void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float d, float r, float speed, float from, float to,
+                     float along, bool solving) {
+    float min_ = axis == 0 ? w->k.minX : w->k.minY;
+    float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
+    float side = wallSide(x, min_, max_);
+    int wall = wallOf(axis, side);
+    float gap = wallGap(x, d, r, side, min_, max_) + behindOf(w, wall);
+    if (solving) gap += sweepFor(w, wall, r);
     float4 now = *t;
     float impulse = side * (to - from);
     now.y += impulse;
-    float approach = approachSpeed(vn);
+    float approach = approachSpeed(side * speed - speedFor(w, wall, r));
     if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
         now.x = approach;
-        now.z = along_;
+        now.z = along;
         now.w = side;
     }
     *t = now;
 }
 
-// Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step. gap: from where the
-// wall is at the end of the step; before: velocity before any impulse.
-void touchSolved(const World *w, global float4 *t, int axis, float side, float r, float before, float from, float to, float gap,
-                 float along_) {
-    int wall = wallOf(axis, side);
-    float now = (gap + behindOf(w, wall)) + sweepFor(w, wall, r);
-    touchWall(t, side, side * before - speedFor(w, wall, r), from, to, now, along_);
-}
-
-// Takes a visit of the relaxing pass down. gap: from where the wall is at the end of the step.
-void touchRelaxed(const World *w, global float4 *t, int axis, float side, float r, float from, float to, float gap,
-                  float along_) {
-    int wall = wallOf(axis, side);
-    touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
-}
-
-// Takes the visits of both walls in the biased pass down. c: circle; sum: of the impulses of its contacts; before: velocity before any
-// impulse; old, m: motion before and after integrateVelocities.
+// sum: of contact impulses; old, m: motion before and after.
 void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
                      float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, old.DX, c.RADIUS, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, old.DY, c.RADIUS, sideY, w->k.minY, w->k.maxY);
     float fromX = afterImpulse(before.x, inverseMass, sum.x);
     float fromY = afterImpulse(before.y, inverseMass, sum.y);
-    touchSolved(w, t, 0, sideX, c.RADIUS, before.x, fromX, m.VX, gapX, c.y + m.DY);
-    touchSolved(w, t + 1, 1, sideY, c.RADIUS, before.y, fromY, m.VY, gapY, c.x + m.DX);
+    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
+    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);
 }
 
-// Takes the visits of both walls in the relaxing pass down. v: velocity before the visits; m: motion after them.
+// v: before the visits; m: motion after them.
 void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, m.DX, c.RADIUS, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, m.DY, c.RADIUS, sideY, w->k.minY, w->k.maxY);
-    touchRelaxed(w, t, 0, sideX, c.RADIUS, v.x, m.VX, gapX, c.y + m.DY);
-    touchRelaxed(w, t + 1, 1, sideY, c.RADIUS, v.y, m.VY, gapY, c.x + m.DX);
+    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, false);
+    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, false);
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.
@@ -176,7 +154,8 @@ void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach,
     if (!isKnown(normal)) {
         float4 lower = w->homeCircle[pr.LOWER];
         normal = n.NORMAL;
-        point = (float2)(touchPoint(lower.x, 0.0f, n.NORMAL_X, lower.RADIUS, n.SEPARATION), touchPoint(lower.y, 0.0f, n.NORMAL_Y, lower.RADIUS, n.SEPARATION));
+        point = (float2)(touchPoint(lower.x, 0.0f, n.NORMAL_X, lower.RADIUS, n.SEPARATION),
+                         touchPoint(lower.y, 0.0f, n.NORMAL_Y, lower.RADIUS, n.SEPARATION));
     }
     float4 mi = w->homeMotion[pr.LOWER];
     float4 mj = w->homeMotion[pr.HIGHER];

@@ -1,16 +1,16 @@
 // uses: world/shared/CircleMath.cl
-// What all stages share. Their kernels take one list of arrays (WORLD_PARAMETERS) and pack it into a struct (World); what a kernel does not
-// use costs nothing. The text comes from tables of the host: DeviceArray, ElementField, StepParameters, StatusWord.
+// What all stages share. Their kernels pack one list of arrays (WORLD_PARAMETERS) into a struct (World); what a kernel does not use costs
+// nothing. Tables of the host give the text: DeviceArray, ElementField, StepParameters, StatusWord.
 //
-// Between steps the state is at home, by slot, some slots empty. Grid copies it, sorted, to working slots; Solver writes it home. A step
-// that cannot be made as it was enqueued is refused: it writes nothing home, nor do those behind it.
+// Between steps the state is at home, by slot, some slots empty. Grid copies it, sorted, to working slots; Solver writes it home. A refused
+// step writes nothing home, nor do those behind it, until the host has enqueued it in another way.
 //
 // Index space "slots": a work-item a working slot.
 
 #define NOT_FAST 2.0f // more than any time of impact
-#define NOT_CARRIED 2.0f // more than any time at which a static circle takes another along
+#define NOT_CARRIED 2.0f // more than any carry time
 #define NOBODY INT_MAX // more than any slot
-#define CARRIED (-INFINITY) // the allowance of a circle that goes to the end of its free path, whatever its velocity
+#define CARRIED (-INFINITY) // as an allowance: to the end of the free path
 
 // Constants by default, for a register less. TUNED: compiled for a world with other numbers.
 #ifdef TUNED
@@ -47,9 +47,7 @@ Softness oneBodySoftness(const StepConstants *k) {
 
 // A kernel does not ask for what it may set itself.
 bool outOfRoom(const World *w) { return w->status[OUT_OF_ROOM] != 0; }
-
 bool tooFast(const World *w) { return w->k.sweeping == 0 && w->status[FAST] != 0; }
-
 bool tooCrowded(const World *w) { return w->k.thinning == 0 && w->status[CROWDED] != 0; }
 
 // At once: one read after another would be a good part of a short kernel's time.
@@ -68,9 +66,7 @@ float behindOf(const World *w, int wall) {
 }
 
 bool feelsWall(const World *w, int wall, float r) { return fabs(w->walls->travel[wall]) <= r; }
-
 float speedFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->speed[wall] : 0.0f; }
-
 float sweepFor(const World *w, int wall, float r) { return feelsWall(w, wall, r) ? w->walls->sweep[wall] : 0.0f; }
 
 float travelFor(const World *w, int wall, float r) {
@@ -95,16 +91,48 @@ int neighbour(int column, int offset, int side) {
     return moved < 0 ? side - 1 : moved < side ? moved : 0;
 }
 
-// The Java class RingCells. EDGES: compiled for a world in which not all are walls; others have the code for walls alone.
+// The Java class RingCells. EDGES: compiled for a world in which not all edges are walls.
+typedef struct {
+    int edge, side, units, sheets;
+    float low, inverseEdge, scale;
+} Axis;
+
+Axis axisX(const World *w, int atLevel) {
+    constant Levels *l = w->levels;
+    Axis a = {l->edgeX, l->columnCount[atLevel], l->unitsX[atLevel], l->sheetsX[atLevel], l->minX,
+              l->inverseEdge[atLevel], l->scaleX[atLevel]};
+    return a;
+}
+
+Axis axisY(const World *w, int atLevel) {
+    constant Levels *l = w->levels;
+    Axis a = {l->edgeY, l->rowCount[atLevel], l->unitsY[atLevel], l->sheetsY[atLevel], l->minY,
+              l->inverseEdge[atLevel], l->scaleY[atLevel]};
+    return a;
+}
+
 #ifdef EDGES
-// Of an axis without walls.
-long cellAlong(int edge, float x, float min_, float scale, int units) {
-    if (edge == EDGE_OPEN) {
-        long unit = (long) clampf(x * scale, -0x1p62f, 0x1p62f);
-        long cell_ = unit / units;
-        return unit < 0 && cell_ * units != unit ? cell_ - 1 : cell_;
+bool isWalled(Axis a) { return a.edge == EDGE_WALL; }
+
+// The short way round.
+#define ACROSS_X(w, d) shortWay(d, (w)->levels->periodX)
+#define ACROSS_Y(w, d) shortWay(d, (w)->levels->periodY)
+#else
+bool isWalled(Axis a) { return true; }
+
+#define ACROSS_X(w, d) (d)
+#define ACROSS_Y(w, d) (d)
+#endif
+
+int cellAtWall(Axis a, float x) { return cell(x, a.low, a.inverseEdge); }
+
+long cellAlong(Axis a, float x) {
+    if (a.edge == EDGE_OPEN) {
+        long unit = (long) clampf(x * a.scale, -0x1p62f, 0x1p62f);
+        long cell_ = unit / a.units;
+        return unit < 0 && cell_ * a.units != unit ? cell_ - 1 : cell_;
     }
-    return (long) floor(clampf((x - min_) * scale, -0x1p30f, 0x1p30f));
+    return (long) floor(clampf((x - a.low) * a.scale, -0x1p30f, 0x1p30f));
 }
 
 int longOnRing(long cell_, int side) {
@@ -112,98 +140,26 @@ int longOnRing(long cell_, int side) {
     return rest < 0 ? rest + side : rest;
 }
 
-// As far behind the column of the first as the range goes.
-int lastAlong(int edge, float from, float to, float min_, float scale, int units, int side) {
-    long first = cellAlong(edge, from, min_, scale, units);
-    long more = cellAlong(edge, to, min_, scale, units) - first;
-    return longOnRing(first, side) + (int) (more < side ? more : side);
+// The column (or row) of the torus.
+int ringOf(Axis a, float x) { return isWalled(a) ? onRing(cellAtWall(a, x), a.side) : longOnRing(cellAlong(a, x), a.side); }
+
+// Where a range begins. It ends at most once around the torus behind that.
+int firstOf(Axis a, float x) { return isWalled(a) ? cellAtWall(a, x) : ringOf(a, x); }
+
+int lastOf(Axis a, float from, float to) {
+    if (isWalled(a)) return cellAtWall(a, to);
+    long first = cellAlong(a, from);
+    long more = cellAlong(a, to) - first;
+    return longOnRing(first, a.side) + (int) (more < a.side ? more : a.side);
 }
 
-int columnOf(const World *w, int atLevel, float x) {
-    constant Levels *l = w->levels;
-    if (l->edgeX == EDGE_WALL) return onRing(cell(x, l->minX, l->inverseEdge[atLevel]), l->columnCount[atLevel]);
-    return longOnRing(cellAlong(l->edgeX, x, l->minX, l->scaleX[atLevel], l->unitsX[atLevel]), l->columnCount[atLevel]);
+int sheetOf(Axis a, float x) {
+    if (isWalled(a)) return cellAtWall(a, x) / a.side;
+    long cell_ = cellAlong(a, x);
+    long sheet = cell_ / a.side;
+    if (cell_ < 0 && sheet * a.side != cell_) sheet--;
+    return a.sheets == ENDLESS ? (int) sheet : longOnRing(sheet, a.sheets);
 }
-
-int rowOf(const World *w, int atLevel, float y) {
-    constant Levels *l = w->levels;
-    if (l->edgeY == EDGE_WALL) return onRing(cell(y, l->minY, l->inverseEdge[atLevel]), l->rowCount[atLevel]);
-    return longOnRing(cellAlong(l->edgeY, y, l->minY, l->scaleY[atLevel], l->unitsY[atLevel]), l->rowCount[atLevel]);
-}
-
-// Where a range begins. It ends, see columnTo, at most once around the torus behind that.
-int columnFrom(const World *w, int atLevel, float x) {
-    constant Levels *l = w->levels;
-    return l->edgeX == EDGE_WALL ? cell(x, l->minX, l->inverseEdge[atLevel]) : columnOf(w, atLevel, x);
-}
-
-int columnTo(const World *w, int atLevel, float from, float to) {
-    constant Levels *l = w->levels;
-    if (l->edgeX == EDGE_WALL) return cell(to, l->minX, l->inverseEdge[atLevel]);
-    return lastAlong(l->edgeX, from, to, l->minX, l->scaleX[atLevel], l->unitsX[atLevel], l->columnCount[atLevel]);
-}
-
-int rowFrom(const World *w, int atLevel, float y) {
-    constant Levels *l = w->levels;
-    return l->edgeY == EDGE_WALL ? cell(y, l->minY, l->inverseEdge[atLevel]) : rowOf(w, atLevel, y);
-}
-
-int rowTo(const World *w, int atLevel, float from, float to) {
-    constant Levels *l = w->levels;
-    if (l->edgeY == EDGE_WALL) return cell(to, l->minY, l->inverseEdge[atLevel]);
-    return lastAlong(l->edgeY, from, to, l->minY, l->scaleY[atLevel], l->unitsY[atLevel], l->rowCount[atLevel]);
-}
-
-bool rowsHaveWalls(const World *w) { return w->levels->edgeY == EDGE_WALL; }
-
-int sheetAlong(int edge, float x, float min_, float scale, int units, int side, int sheets) {
-    long cell_ = cellAlong(edge, x, min_, scale, units);
-    long sheet = cell_ / side;
-    if (cell_ < 0 && sheet * side != cell_) sheet--;
-    return sheets == ENDLESS ? (int) sheet : longOnRing(sheet, sheets);
-}
-
-int sheetXOf(const World *w, int atLevel, float x) {
-    constant Levels *l = w->levels;
-    if (l->edgeX == EDGE_WALL) return cell(x, l->minX, l->inverseEdge[atLevel]) / l->columnCount[atLevel];
-    return sheetAlong(l->edgeX, x, l->minX, l->scaleX[atLevel], l->unitsX[atLevel], l->columnCount[atLevel], l->sheetsX[atLevel]);
-}
-
-int sheetYOf(const World *w, int atLevel, float y) {
-    constant Levels *l = w->levels;
-    if (l->edgeY == EDGE_WALL) return cell(y, l->minY, l->inverseEdge[atLevel]) / l->rowCount[atLevel];
-    return sheetAlong(l->edgeY, y, l->minY, l->scaleY[atLevel], l->unitsY[atLevel], l->rowCount[atLevel], l->sheetsY[atLevel]);
-}
-
-#define ACROSS_X(w, d) shortWay(d, (w)->levels->periodX)
-#define ACROSS_Y(w, d) shortWay(d, (w)->levels->periodY)
-#else
-int columnOf(const World *w, int atLevel, float x) {
-    return onRing(cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]), w->levels->columnCount[atLevel]);
-}
-
-int rowOf(const World *w, int atLevel, float y) {
-    return onRing(cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]), w->levels->rowCount[atLevel]);
-}
-
-int sheetXOf(const World *w, int atLevel, float x) {
-    return cell(x, w->levels->minX, w->levels->inverseEdge[atLevel]) / w->levels->columnCount[atLevel];
-}
-
-int sheetYOf(const World *w, int atLevel, float y) {
-    return cell(y, w->levels->minY, w->levels->inverseEdge[atLevel]) / w->levels->rowCount[atLevel];
-}
-
-#define columnFrom(w, atLevel, x) cell(x, (w)->levels->minX, (w)->levels->inverseEdge[atLevel])
-#define columnTo(w, atLevel, from, to) columnFrom(w, atLevel, to)
-#define rowFrom(w, atLevel, y) cell(y, (w)->levels->minY, (w)->levels->inverseEdge[atLevel])
-#define rowTo(w, atLevel, from, to) rowFrom(w, atLevel, to)
-#define rowsHaveWalls(w) true
-
-// The short way round.
-#define ACROSS_X(w, d) (d)
-#define ACROSS_Y(w, d) (d)
-#endif
 
 // Sheets of a folded level: the Java class GridLevels.
 
@@ -237,11 +193,11 @@ int2 slotsOfSheet(const World *w, int from, int to, int sheet, bool withStatics)
 
 typedef struct {
     int x, y;
-    bool known; // not where a range goes round the whole torus, or a level is not folded
+    bool known; // see areSheetsKnown
 } Sheets;
 
 Sheets sheetsAt(const World *w, int atLevel, float x, float y) {
-    Sheets sheets = {sheetXOf(w, atLevel, x), sheetYOf(w, atLevel, y), true};
+    Sheets sheets = {sheetOf(axisX(w, atLevel), x), sheetOf(axisY(w, atLevel), y), true};
     return sheets;
 }
 
@@ -279,7 +235,6 @@ int crossGroupOf(const World *w, int slot) { return likeGroups(w) + slot; }
 
 // Like contacts are listed first.
 int likeContacts(const World *w) { return w->groupStart[likeGroups(w)]; }
-
 int contactsListed(const World *w) { return w->groupStart[hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles)]; }
 
 // Up to four ranges of slots as one: number i is slot i + offset.x if i < end.x, else i + offset.y if i < end.y, and so on.

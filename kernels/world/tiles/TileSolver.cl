@@ -1,21 +1,19 @@
 // uses: world/tiles/TileVisits.cl
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile, in two launches a sub-step. Solve reads drive, burden and held, writes
-// solvedMotion, solvedBurden and impulse, and ends with the circles' move. Relax measures the contacts again, goes back to held, and starts
-// the next sub-step.
+// Passes by tiles, two launches a sub-step. Solve reads drive, burden and held, writes solvedMotion, solvedBurden and impulse. Relax
+// measures contacts again, goes back to held, and starts the next sub-step.
 
-// How many circles or contacts a work-item takes at a time as a pass begins.
+// Circles or contacts at a time, as a pass begins.
 #define TAKEN 4
 
-// The entry of a circle of a region that is the tile's own, or a negative number.
+// Negative if it is not the tile's own.
 int ownEntry(global const int *entries, int i, int circles) { return i < circles ? entries[i] : NOT_OWN; }
 
-// Notes whether a circle is at a wall.
 void noteWall(global int *entries, int i, int entry, bool atWall) {
     int next = atWall ? entry | AT_WALL : entry & ENTRY_SLOT;
     if (next != entry) entries[i] = next;
 }
 
-// Takes the circles of a region as a pass finds them where there are several levels: in motion and load, as for Solver.cl.
+// With several levels, where Solver.cl has it.
 void takeMotion(const World *w, local Tile *t, global const int *entries, bool relaxing) {
     int circles = t->circles;
     TILE_TOGETHER(first, circles, TAKEN) {
@@ -26,7 +24,7 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
         TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
         TOGETHER_EACH(n, TAKEN) {
             m[n] = w->motion[slot[n]];
-            // Not the rest of it: in the relaxing pass neighbours write that.
+            // In the relaxing pass neighbours write the rest.
             global const float *load = (global const float *) (w->load + slot[n]);
             loaded[n] = load[2];
             before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) load;
@@ -43,8 +41,7 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
     }
 }
 
-// Leaves a tile's own circles behind a pass where there are several levels: for the cross contacts, see crossWorld. loads: whether
-// their sums of impulses too.
+// With several levels, for crossWorld.
 void leaveMotion(const World *w, local const Tile *t, global const int *entries, bool loads) {
     int circles = t->circles;
     TILE_TOGETHER(first, circles, 2) {
@@ -69,8 +66,7 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
     }
 }
 
-// The biased pass of a tile. together: how many circles a work-item moves at a time; levels: whether there are several, and so the
-// contacts alone are solved here.
+// together: circles that a work-item moves at a time; levels: several, so contacts alone.
 void solveTile(const World *w, local Tile *t, int tile, int subStep, int together, bool levels) {
     global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
@@ -119,8 +115,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
     }
 }
 
-// Measures the contacts of a tile after the circles have moved. Before the pass, since no contact has to wait for another here:
-// hardly a work-item is idle, while in the parts of rounds half of them are.
+// Before the pass: no contact waits for another here, so hardly a work-item is idle; in parts of rounds half are.
 void measureContacts(const World *w, local Tile *t) {
     global const int2 *placed = placedFrom(w, t->firstCopy);
     int contacts = t->contacts;
@@ -150,8 +145,7 @@ void measureContacts(const World *w, local Tile *t) {
     }
 }
 
-// Starts the circles of a tile that are noted to be at walls. They are few: in a loop of their own they do not hold the registers
-// of those that a work-item starts together.
+// Few: in the loop of the others they would hold registers.
 void startAtWalls(const World *w, local Tile *t, global int *entries) {
     int circles = t->circles;
 #pragma unroll 1
@@ -167,9 +161,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
     }
 }
 
-// The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
-// home. together: how many of them a work-item starts at a time; levels: whether there are several, and so the contacts alone are
-// relaxed here.
+// Then the circles start into the next sub-step, or go home.
 void relaxTile(const World *w, local Tile *t, int tile, bool last, int together, bool levels) {
     global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
@@ -229,8 +221,6 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
     if (!last) startAtWalls(w, t, entries);
 }
 
-// Stores a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
-// looked up by id.
 void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
@@ -238,7 +228,7 @@ void storeHeldImpulse(const World *w, int c) {
     storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }
 
-// Index space: any number of work-items, which take the contacts in turn.
+// Index space: any; work-items take contacts in turn.
 kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
@@ -246,7 +236,7 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) storeHeldImpulse(&w, c);
 }
 
-// Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
+// Index space of both: a work-group a tile. Cost: the circles of its region, and its parts of rounds.
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;

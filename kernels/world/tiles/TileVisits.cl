@@ -1,24 +1,23 @@
 // uses: world/shared/Visit.cl world/tiles/TileOrder.cl
-// Stage Solver for tiles: the visits of a tile's contacts, in local memory. Speed is how many tiles a device has room for at once, and how
-// much they read. So: few registers, little local memory, and what is quickly worked out is not stored; no branches in the chain of
-// contacts that wait for each other, and nothing that could be done outside of it.
+// Visits in a tile's local memory. Speed is how many tiles a device has room for, and how much they read: few registers, little local
+// memory, nothing stored that is quickly worked out, no branches and no other work in the chain of contacts that wait for each other.
 
-// The circle of contacts that are none: at rest, never written.
+// Of contacts that are none: at rest, never written.
 #define NO_CIRCLE TILE_CIRCLES
 
-// A tile in local memory, by the numbers of its record.
+// By the numbers of its record.
 typedef struct {
     float2 velocity[TILE_CIRCLES + 1];
     float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
                                    // while contacts are measured, then sums of impulses
     float burden[TILE_CIRCLES + 1];
-    uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
+    uint carried[(TILE_CIRCLES + 31) / 32]; // a bit a circle: whether a contact carries
     ushort partStart[TILE_PARTS + 2];       // by part of a round, and the end
     int circles, parts, contacts;
     int firstCopy;
 } Tile;
 
-// Takes a tile from its record. idle: as one without circles.
+// idle: as one without circles.
 void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     global int *record = recordOf(w, tile);
     int circles = idle ? 0 : record[RECORD_CIRCLES];
@@ -36,7 +35,7 @@ void takeTile(const World *w, local Tile *t, int tile, bool idle) {
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// The part of a round of which a work-item looks its contact up next.
+// Of which a work-item looks its contact up next.
 typedef struct {
     int part, from, to;
 } Cursor;
@@ -47,7 +46,6 @@ void setCursor(local const Tile *t, Cursor *cursor, int part) {
     cursor->to = t->partStart[min(part + 1, t->parts)];
 }
 
-// A contact that is to be read: as it is placed, or NO_CONTACT; where the tile has its copy.
 typedef struct {
     int2 contact;
     int copy;
@@ -57,14 +55,14 @@ typedef struct {
 
 bool isContact(int2 contact) { return contact.PLACED_CIRCLES >= 0; }
 
-// Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
+// Only a hint, of which OpenCL has no portable form that compilers heed.
 #if PTX
 #define PREFETCH(address) asm volatile("prefetch.global.L2 [%0];" ::"l"(address))
 #else
 #define PREFETCH(address) ((void) (address))
 #endif
 
-// The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
+// Moves on to the next part, and reads its end ahead.
 Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, Cursor *cursor) {
     int place = cursor->from + (int) get_local_id(0);
     Entry entry;
@@ -81,12 +79,11 @@ Entry nextContact(const World *w, local const Tile *t, global const int2 *contac
     return entry;
 }
 
-// What a pass reads of a contact.
 typedef struct {
     int2 contact;   // as it is placed, or NO_CONTACT
     float4 normal;  // as in contact
     float2 shape;
-    float2 impulse; // in the biased pass the accumulated one alone
+    float2 impulse; // in the biased pass without a bounce
 #ifdef RECORDING
     float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
 #endif
@@ -107,13 +104,12 @@ void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
 #endif
 }
 
-// A contact that is ready to be visited.
 typedef struct {
     int2 contact;
     Visit visit;
 #ifdef RECORDING
     float separation, radii;
-    float before; // in the biased pass: normal speed before any impulse
+    float before; // normal speed before any impulse
     float2 touchNow, touchSoFar;
 #endif
 } TileVisit;
@@ -123,18 +119,10 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
     int j = higherOf(r->contact.PLACED_CIRCLES);
     float burdenA = t->burden[i];
     float burdenB = t->burden[j];
-    Pair p;
-    p.nx = r->normal.NORMAL_X;
-    p.ny = r->normal.NORMAL_Y;
-    p.separation = r->normal.SEPARATION;
-    p.radii = r->shape.SHAPE_RADII;
-    p.restitution = r->shape.SHAPE_RESTITUTION;
-    p.invMassA = fabs(burdenA);
-    p.invMassB = fabs(burdenB);
-    p.mass = r->normal.COPIED_MASS;
-    p.normalImpulse = r->impulse.STORED_IMPULSE;
-    p.bounce = r->impulse.STORED_BOUNCE;
-    p.loaded = isLoaded(burdenA) || isLoaded(burdenB);
+    Pair p = {.nx = r->normal.NORMAL_X, .ny = r->normal.NORMAL_Y, .separation = r->normal.SEPARATION,
+              .normalImpulse = r->impulse.STORED_IMPULSE, .bounce = r->impulse.STORED_BOUNCE, .mass = r->normal.COPIED_MASS,
+              .radii = r->shape.SHAPE_RADII, .restitution = r->shape.SHAPE_RESTITUTION, .invMassA = fabs(burdenA),
+              .invMassB = fabs(burdenB), .loaded = isLoaded(burdenA) || isLoaded(burdenB)};
     v->contact = r->contact;
     if (relaxing) {
         readyToRelax(&w->k, &p, &v->visit);
@@ -159,7 +147,7 @@ void readyContact(const World *w, local const Tile *t, const Reading *r, bool re
 #endif
 }
 
-// Visits a contact, with as few branches as can be: they would be most of the time.
+// Branches would be most of the time.
 void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxing, bool last) {
     int i = lowerOf(v->contact.PLACED_CIRCLES);
     int j = higherOf(v->contact.PLACED_CIRCLES);
@@ -185,8 +173,8 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
     if (!there || v->contact.PLACED_CONTACT < 0) return;
 #ifdef RECORDING
     if (relaxing) {
-        noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce, v->visit.nx, v->visit.ny,
-                    v->separation, v->radii, &visited);
+        noteRelaxed(w, v->contact.PLACED_CONTACT, v->touchNow, v->touchSoFar, v->visit.ready.normalImpulse, v->visit.ready.bounce,
+                    v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     } else {
         noteSolved(w, v->contact.PLACED_CONTACT, v->before, v->visit.nx, v->visit.ny, v->separation, v->radii, &visited);
     }
@@ -198,8 +186,7 @@ void visitContact(const World *w, local Tile *t, const TileVisit *v, bool relaxi
     }
 }
 
-// Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
-// and looks up those of the third.
+// Then it makes those of the next part ready, reads those of the second from here, looks up those of the third.
 void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, TileVisit *visit,
                Reading *reading, Entry *next, Cursor *cursor) {
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -209,7 +196,7 @@ void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool 
     *next = nextContact(w, t, contacts, cursor);
 }
 
-// Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
+// Part by part; reads are on their way for the time of a part.
 void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
     int parts = t->parts;
     Cursor cursor;
