@@ -1,13 +1,11 @@
 package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.engines.Engines;
-import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.measure.Contender;
+import io.github.circles2d.bench.measure.Series;
 import io.github.circles2d.bench.results.ResultsFolder;
-import io.github.circles2d.bench.series.Contender;
-import io.github.circles2d.bench.series.Series;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.XYChart;
@@ -37,18 +35,20 @@ final class SeriesCharts {
         int index = 0;
         for (ResultsFolder folder : folders) {
             for (Contender who : SeriesTables.contenders(folder)) {
-                if (who.engine().startsWith("world") && !who.threads().equals("1")) {
-                    index += line(chart, WorldCharts.label(folder, who.engine()), folder, who, series, index, false);
+                if (isHeadlined(who)) {
+                    String name = WorldCharts.label(folder, who.engine());
+                    index += Charts.line(chart, name, millis(folder, who, series), index, false);
                 }
             }
         }
         for (ResultsFolder folder : folders) {
             int before = index;
             for (Contender who : SeriesTables.contenders(folder)) {
-                boolean oneCore =
-                        who.engine().equals(Engines.WORLD_JVM) && who.threads().equals("1");
-                if (!who.engine().startsWith("world") || oneCore) {
-                    index += line(chart, label(who), folder, who, series, index, true);
+                boolean oneCore = who.equals(new Contender(Engines.WORLD_JVM, "1"));
+                if (!who.isWorld() || oneCore) {
+                    String threads = who.threads() + (who.threads().equals("1") ? " thread" : " threads");
+                    String name = (oneCore ? "World, Java" : who.engine()) + ", " + threads;
+                    index += Charts.line(chart, name, millis(folder, who, series), index, true);
                 }
             }
             if (index > before) {
@@ -58,26 +58,17 @@ final class SeriesCharts {
         return chart;
     }
 
-    private static String label(Contender who) {
-        String threads = who.threads() + (who.threads().equals("1") ? " thread" : " threads");
-        return (who.engine().equals(Engines.WORLD_JVM) ? "World, Java" : who.engine()) + ", " + threads;
+    /** Whether it is World with all that a machine has. */
+    private static boolean isHeadlined(Contender who) {
+        return who.isWorld() && !who.threads().equals("1");
     }
 
-    private static int line(
-            XYChart chart, String name, ResultsFolder folder, Contender who, Series series, int index, boolean thin) {
-        List<Integer> sizes = new ArrayList<>();
-        List<Double> millis = new ArrayList<>();
-        for (int n : series.sizes()) {
-            Map<String, String> run = SeriesTables.run(folder, who, series, n);
-            if (SeriesTables.ok(run)) {
-                sizes.add(n);
-                millis.add(Numbers.parse(run.get("median_ms")));
-            }
-        }
-        if (sizes.isEmpty() || chart.getSeriesMap().containsKey(name)) {
-            return 0;
-        }
-        Charts.line(chart, name, sizes, millis, index, thin);
-        return 1;
+    private static Map<Integer, Double> millis(ResultsFolder folder, Contender who, Series series) {
+        return Charts.points(
+                series.sizes().stream()
+                        .map(n -> SeriesTables.run(folder, who, series, n))
+                        .filter(Tables::ok)
+                        .toList(),
+                "median_ms");
     }
 }
