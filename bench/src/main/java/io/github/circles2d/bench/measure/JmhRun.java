@@ -9,6 +9,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.openjdk.jmh.results.IterationResult;
@@ -44,7 +46,8 @@ record JmhRun(RunResult result, String failure) {
         Path log = Files.createTempFile("circles2d-jmh", ".log");
         PrintStream console = System.err;
         ByteArrayOutputStream errors = new ByteArrayOutputStream();
-        try (Watchdog watchdog = new Watchdog(timeoutSeconds)) {
+        CompletableFuture<Void> watchdog = killChildrenAfter(timeoutSeconds);
+        try {
             // JMH passes on what the other JVM writes to its standard error, past the log.
             System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
             ChainedOptionsBuilder options = new OptionsBuilder()
@@ -59,7 +62,7 @@ record JmhRun(RunResult result, String failure) {
                 options.param(parameter.getKey(), parameter.getValue());
             }
             Collection<RunResult> results = new Runner(options.build()).run();
-            if (watchdog.fired()) {
+            if (watchdog.isDone()) {
                 return new JmhRun(null, GIVEN_UP + " after " + timeoutSeconds + " s");
             }
             if (results.isEmpty()) {
@@ -70,6 +73,7 @@ record JmhRun(RunResult result, String failure) {
         } catch (RunnerException e) {
             return new JmhRun(null, e.getMessage());
         } finally {
+            watchdog.cancel(false);
             System.setErr(console);
             Files.delete(log);
         }
@@ -107,35 +111,10 @@ record JmhRun(RunResult result, String failure) {
         return result.getBenchmarkResults().iterator().next().getIterationResults();
     }
 
-    /** Kills the JVMs that this one has started if they run for too long. */
-    static final class Watchdog implements AutoCloseable {
-        private final Thread thread;
-        private volatile boolean fired;
-
-        Watchdog(long seconds) {
-            thread = new Thread(() -> watch(seconds), "watchdog");
-            thread.setDaemon(true);
-            thread.start();
-        }
-
-        private void watch(long seconds) {
-            try {
-                Thread.sleep(1000 * seconds);
-            } catch (InterruptedException e) {
-                return;
-            }
-            fired = true;
-            ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly);
-        }
-
-        /** Whether it had to. */
-        boolean fired() {
-            return fired;
-        }
-
-        @Override
-        public void close() {
-            thread.interrupt();
-        }
+    /** Kills the JVMs that this one has started, unless that is cancelled in time. */
+    static CompletableFuture<Void> killChildrenAfter(long seconds) {
+        return CompletableFuture.runAsync(
+                () -> ProcessHandle.current().children().forEach(ProcessHandle::destroyForcibly),
+                CompletableFuture.delayedExecutor(seconds, TimeUnit.SECONDS));
     }
 }

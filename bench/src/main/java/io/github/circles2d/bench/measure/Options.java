@@ -44,21 +44,14 @@ public record Options(
         Path folder,
         Path write,
         Path take) {
-    /** What can be measured, in the order in which it is. */
+    /** What can be measured, in the order in which it is. The series are a command by themselves. */
     public enum Part {
-        /** Copy bandwidth of every device. */
         COPY,
-        /** Wrong slots of the computed indexing. */
         ACCURACY,
-        /** The thesis's strategies. */
         STRATEGIES,
-        /** Transfers between host and device. */
         TRANSFER,
-        /** World by back end, size and read-back. */
         WORLD,
-        /** The engines on the same scenes. */
         PEERS,
-        /** World and other engines at growing n, which is a command by itself. */
         SERIES
     }
 

@@ -59,25 +59,12 @@ final class Roof {
                         + Numbers.parse(run.get("detect_us"))
                         + Numbers.parse(run.get("resolve_us")))
                 / 1000;
-        folder.put(
-                Kind.ROOF,
-                Table.columns(
-                        "device",
-                        run.get("device"),
-                        "strategy",
-                        run.get("strategy"),
-                        "n",
-                        run.get("n"),
-                        "moved_bytes",
-                        Long.toString((long) moved),
-                        "copy_gb_per_s",
-                        bandwidth,
-                        "roof_ms",
-                        Numbers.exact(roof),
-                        "kernels_ms",
-                        Numbers.exact(kernels),
-                        "share_of_roof",
-                        Numbers.exact(roof / kernels)));
+        Map<String, String> row = Table.columns("device", run.get("device"), "strategy", run.get("strategy"));
+        row.putAll(Table.columns("n", run.get("n"), "moved_bytes", Long.toString((long) moved)));
+        row.putAll(Table.columns("copy_gb_per_s", bandwidth, "roof_ms", Numbers.exact(roof)));
+        row.put("kernels_ms", Numbers.exact(kernels));
+        row.put("share_of_roof", Numbers.exact(roof / kernels));
+        folder.put(Kind.ROOF, row);
     }
 
     private static void putStage(

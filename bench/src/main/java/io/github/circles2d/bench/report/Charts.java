@@ -201,6 +201,37 @@ public final class Charts {
         return 1;
     }
 
+    /** Draws World on all machines, and other engines on the first that has some; of lines of one name the first alone. */
+    static XYChart compare(
+            XYChart chart,
+            List<ResultsFolder> folders,
+            Function<ResultsFolder, Map<String, Map<Integer, Double>>> worlds,
+            Function<ResultsFolder, Map<String, Map<Integer, Double>>> others) {
+        int index = 0;
+        for (ResultsFolder folder : folders) {
+            for (Map.Entry<String, Map<Integer, Double>> line :
+                    worlds.apply(folder).entrySet()) {
+                index += line(chart, line.getKey(), line.getValue(), index, false);
+            }
+        }
+        for (ResultsFolder folder : folders) {
+            int before = index;
+            for (Map.Entry<String, Map<Integer, Double>> line :
+                    others.apply(folder).entrySet()) {
+                index += line(chart, line.getKey(), line.getValue(), index, true);
+            }
+            if (index > before) {
+                break;
+            }
+        }
+        return chart;
+    }
+
+    /** Of two lines of one name, the one that is drawn: the first that has points. */
+    static Map<Integer, Double> drawn(Map<Integer, Double> first, Map<Integer, Double> second) {
+        return first.isEmpty() ? second : first;
+    }
+
     static void save(XYChart chart, Path folder, String name) throws IOException {
         if (chart.getSeriesMap().isEmpty()) {
             return;

@@ -6,6 +6,7 @@ import io.github.circles2d.bench.measure.Series;
 import io.github.circles2d.bench.results.ResultsFolder;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.XYChart;
@@ -31,36 +32,27 @@ final class SeriesCharts {
     }
 
     static XYChart steps(List<ResultsFolder> folders, Series series) {
-        XYChart chart = Charts.chart("A step of the series " + series.title, "circles", "ms a step");
-        int index = 0;
-        for (ResultsFolder folder : folders) {
-            for (Contender who : SeriesTables.contenders(folder)) {
-                if (isHeadlined(who)) {
-                    String name = WorldCharts.label(folder, who.engine());
-                    index += Charts.line(chart, name, millis(folder, who, series), index, false);
-                }
-            }
-        }
-        for (ResultsFolder folder : folders) {
-            int before = index;
-            for (Contender who : SeriesTables.contenders(folder)) {
-                boolean oneCore = who.equals(new Contender(Engines.WORLD_JVM, "1"));
-                if (!who.isWorld() || oneCore) {
-                    String threads = who.threads() + (who.threads().equals("1") ? " thread" : " threads");
-                    String name = (oneCore ? "World, Java" : who.engine()) + ", " + threads;
-                    index += Charts.line(chart, name, millis(folder, who, series), index, true);
-                }
-            }
-            if (index > before) {
-                break;
-            }
-        }
-        return chart;
+        return Charts.compare(
+                Charts.chart("A step of the series " + series.title, "circles", "ms a step"),
+                folders,
+                folder -> lines(folder, series, true),
+                folder -> lines(folder, series, false));
     }
 
-    /** Whether it is World with all that a machine has. */
-    private static boolean isHeadlined(Contender who) {
-        return who.isWorld() && !who.threads().equals("1");
+    /** By engine: of World with all that a machine has, or of the others and World on one thread. */
+    private static Map<String, Map<Integer, Double>> lines(ResultsFolder folder, Series series, boolean ofWorld) {
+        Map<String, Map<Integer, Double>> lines = new LinkedHashMap<>();
+        for (Contender who : SeriesTables.contenders(folder)) {
+            boolean oneThread = who.threads().equals("1");
+            String engine = who.engine().equals(Engines.WORLD_JVM) ? "World, Java" : who.engine();
+            String name = engine + ", " + who.threads() + (oneThread ? " thread" : " threads");
+            if (ofWorld && who.isWorld() && !oneThread) {
+                lines.merge(WorldCharts.label(folder, who.engine()), millis(folder, who, series), Charts::drawn);
+            } else if (!ofWorld && (!who.isWorld() || oneThread && who.engine().equals(Engines.WORLD_JVM))) {
+                lines.merge(name, millis(folder, who, series), Charts::drawn);
+            }
+        }
+        return lines;
     }
 
     private static Map<Integer, Double> millis(ResultsFolder folder, Contender who, Series series) {

@@ -8,10 +8,11 @@ import java.awt.Font;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -55,28 +56,20 @@ final class WorldCharts {
      * World on all machines, of machines that are alike the first; other engines on the first machine that has some.
      */
     static XYChart steps(List<ResultsFolder> folders) {
-        XYChart chart = Charts.chart("A step on the scene packed", "circles", "ms a step");
-        int index = 0;
-        for (ResultsFolder folder : folders) {
-            Set<String> worlds = new LinkedHashSet<>(folder.table(Kind.WORLD).values("engine", "status", "ok"));
-            worlds.addAll(folder.table(Kind.PEERS).values("engine", "status", "ok"));
-            worlds.removeIf(engine -> !engine.startsWith("world"));
-            for (String engine : worlds) {
-                index += Charts.line(chart, label(folder, engine), millis(folder, engine), index, false);
-            }
-        }
-        for (ResultsFolder folder : folders) {
-            int before = index;
-            for (String engine : folder.table(Kind.PEERS).values("engine", "scene", "packed", "status", "ok")) {
-                if (Engines.PEERS.contains(engine)) {
-                    index += Charts.line(chart, label(folder, engine), millis(folder, engine), index, true);
-                }
-            }
-            if (index > before) {
-                break;
-            }
-        }
-        return chart;
+        return Charts.compare(
+                Charts.chart("A step on the scene packed", "circles", "ms a step"),
+                folders,
+                folder -> lines(folder, engine -> engine.startsWith("world")),
+                folder -> lines(folder, Engines.PEERS::contains));
+    }
+
+    private static Map<String, Map<Integer, Double>> lines(ResultsFolder folder, Predicate<String> wanted) {
+        Map<String, Map<Integer, Double>> lines = new LinkedHashMap<>();
+        Stream.of(Kind.WORLD, Kind.PEERS)
+                .flatMap(kind -> folder.table(kind).values("engine", "status", "ok").stream())
+                .filter(wanted)
+                .forEach(engine -> lines.merge(label(folder, engine), millis(folder, engine), Charts::drawn));
+        return lines;
     }
 
     /** Ms a step by n: steps in one call; if there are none of these, the steps of the comparison. */

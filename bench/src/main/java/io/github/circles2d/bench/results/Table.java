@@ -10,10 +10,15 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** A CSV file (RFC 4180, with a header line): rows of named texts, of which some columns are the key. */
 public final class Table {
+    /** A field in quotes, or without, and what ends it. */
+    private static final Pattern FIELD = Pattern.compile("\\G(?:\"((?:[^\"]++|\"\")*+)\"|([^,\"\r\n]*+))\r?([,\n])");
+
     private final List<String> columns;
     private final List<String> keys;
     private final List<Map<String, String>> rows = new ArrayList<>();
@@ -176,30 +181,13 @@ public final class Table {
     private static List<List<String>> lines(String text) {
         List<List<String>> lines = new ArrayList<>();
         List<String> line = new ArrayList<>();
-        StringBuilder field = new StringBuilder();
-        boolean quoted = false;
-        for (int i = 0; i < text.length(); i++) {
-            char c = text.charAt(i);
-            if (quoted) {
-                boolean escaped = c == '"' && i + 1 < text.length() && text.charAt(i + 1) == '"';
-                if (escaped) {
-                    i++;
-                }
-                quoted = c != '"' || escaped;
-                if (quoted) {
-                    field.append(c);
-                }
-            } else if (c == '"') {
-                quoted = true;
-            } else if (c == ',' || c == '\n') {
-                line.add(field.toString());
-                field.setLength(0);
-                if (c == '\n') {
-                    lines.add(line);
-                    line = new ArrayList<>();
-                }
-            } else if (c != '\r') {
-                field.append(c);
+        Matcher field = FIELD.matcher(text);
+        while (field.find()) {
+            String quoted = field.group(1);
+            line.add(quoted == null ? field.group(2) : quoted.replace("\"\"", "\""));
+            if (field.group(3).equals("\n")) {
+                lines.add(line);
+                line = new ArrayList<>();
             }
         }
         return lines;

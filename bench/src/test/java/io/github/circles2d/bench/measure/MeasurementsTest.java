@@ -16,6 +16,8 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -176,17 +178,16 @@ class MeasurementsTest {
 
     @Test
     void aWatchdogEndsAProcessThatRunsForTooLong() throws Exception {
-        try (JmhRun.Watchdog watchdog = new JmhRun.Watchdog(60)) {
-            assertThat(watchdog.fired()).isFalse();
-        }
         // a JVM that waits for its standard input
         Process waiting = new ProcessBuilder(Path.of(System.getProperty("java.home"), "bin", "jshell")
                         .toString())
                 .start();
-        try (JmhRun.Watchdog watchdog = new JmhRun.Watchdog(1)) {
-            assertThat(waiting.waitFor()).isNotZero();
-            assertThat(watchdog.fired()).isTrue();
-        }
+        assertThat(JmhRun.killChildrenAfter(60).cancel(false)).isTrue();
+        assertThat(waiting.isAlive()).isTrue();
+        CompletableFuture<Void> watchdog = JmhRun.killChildrenAfter(1);
+        assertThat(watchdog.isDone()).isFalse();
+        assertThat(waiting.waitFor()).isNotZero();
+        watchdog.get(1, TimeUnit.SECONDS);
     }
 
     @Test
