@@ -28,6 +28,7 @@ final class Pace {
     void remember(ResultsFolder folder) {
         for (Kind kind : List.of(Kind.STRATEGIES, Kind.PEERS, Kind.WORLD, Kind.SERIES)) {
             folder.table(kind).rows("status", "ok").stream()
+                    .filter(row -> !row.get("mean_ms").isEmpty())
                     .sorted(Comparator.comparingLong(row -> Long.parseLong(row.get("n"))))
                     .forEach(row -> remember(
                             Task.family(kind, row), Long.parseLong(row.get("n")), Numbers.parse(row.get("mean_ms"))));

@@ -48,6 +48,7 @@ record SeriesWork(Task task, double patience, ResultsFolder folder) implements W
 
     @Override
     public String run(Pace pace, double secondsLeft) throws IOException {
+        long before = System.nanoTime();
         Map<String, String> figures = secondsLeft < LEAST_SECONDS
                 ? Map.of("status", "left out: the time was up")
                 : measure(Math.min(patience, secondsLeft));
@@ -63,6 +64,10 @@ record SeriesWork(Task task, double patience, ResultsFolder folder) implements W
         row.put("date", LocalDate.now(ZoneOffset.UTC).toString());
         row.put("remarks", Engines.remarks(row.get("engine")));
         folder.put(task.kind(), row);
+        if (ok) {
+            double seconds = (System.nanoTime() - before) / 1e9;
+            pace.learn(task, Numbers.parse(row.get("median_ms")), seconds, Integer.parseInt(row.get("runs")));
+        }
         return ok
                 ? Numbers.brief(row.get("median_ms")) + " ms, mean depth " + Numbers.brief(row.get("mean_depth"))
                 : status;

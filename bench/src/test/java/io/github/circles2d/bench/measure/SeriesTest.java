@@ -23,6 +23,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -31,6 +33,17 @@ class SeriesTest {
 
     @TempDir
     Path temporary;
+
+    /** What is measured here need not be exact, so it may run beside another measurement. */
+    @BeforeEach
+    void ignoreOtherMeasurements() {
+        System.setProperty("jmh.ignoreLock", "true");
+    }
+
+    @AfterEach
+    void heedThemAgain() {
+        System.clearProperty("jmh.ignoreLock");
+    }
 
     /** An engine that does nothing for a time. */
     private static final class Sleeper implements Engine {
