@@ -2,14 +2,12 @@ package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.GameCosts;
+import io.github.circles2d.bench.measure.Measurements;
 import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
 import io.github.circles2d.bench.report.Page;
 import io.github.circles2d.bench.results.ResultsFolder;
-import io.github.circles2d.bench.series.SeriesBench;
-import io.github.circles2d.bench.sweep.Options;
-import io.github.circles2d.bench.sweep.Sweep;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -50,7 +48,7 @@ public final class Bench {
     private Bench() {}
 
     /**
-     * Runs what the first argument names, or else the sweep.
+     * Runs what the first argument names, or else measures.
      *
      * @param arguments see {@code --help}
      */
@@ -75,9 +73,6 @@ public final class Bench {
                 case "broadphase":
                     BroadPhaseBench.run(rest, System.out);
                     break;
-                case "series":
-                    SeriesBench.run(rest, System.out);
-                    break;
                 case "games":
                     GameCosts.run(rest, System.out);
                     break;
@@ -91,7 +86,7 @@ public final class Bench {
                     writePage(rest);
                     break;
                 default:
-                    sweep(all);
+                    Measurements.run(all, System.out);
             }
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());
@@ -103,15 +98,6 @@ public final class Bench {
         List<String> all = new ArrayList<>(SMOKE);
         all.addAll(more);
         org.openjdk.jmh.Main.main(all.toArray(new String[0]));
-    }
-
-    private static void sweep(List<String> arguments) throws IOException {
-        Options options = Options.parse(arguments);
-        if (options.help()) {
-            System.out.println(Options.HELP);
-        } else {
-            Sweep.run(options, System.out);
-        }
     }
 
     private static ResultsFolder folder(List<String> arguments) throws IOException {

@@ -3,9 +3,10 @@ package io.github.circles2d.bench.report;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.github.circles2d.bench.measure.Series;
+import io.github.circles2d.bench.results.Resources;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
-import io.github.circles2d.bench.series.Series;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
@@ -16,6 +17,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -100,7 +103,9 @@ class PageTest {
 
     @Test
     void theProseItselfHoldsNoMeasuredFigure() {
-        String prose = (Page.template() + Page.conclusions() + Page.world() + Page.series())
+        String prose = Stream.of("page.md", "conclusions.md", "world.md", "series.md")
+                .map(Resources::text)
+                .collect(Collectors.joining())
                 .replaceAll("\\{\\{[^}]*\\}\\}", "");
         assertThat(Pattern.compile("[0-9][0-9.,]* ?(ms|µs|us|GB|MB|GiB|MiB|KB|%|times)\\b")
                         .matcher(prose)
