@@ -344,8 +344,8 @@ kernel void continuousCollision_look(WORLD_PARAMETERS) {
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Index space: any; work-items take slots in turn. Few steps have static circles that move, so few work-items are quick to say so. Cost: the
-// cells around a path. note: see meetCarried.
+// note: see meetCarried. Index space: any; few work-items take slots in turn, since they are quick to say that no static circle moves. Cost:
+// the cells around a path.
 kernel void continuousCollision_carry(WORLD_PARAMETERS, int note) {
     World w = WORLD;
     if (!status[CARRYING] || refused(&w)) return;
