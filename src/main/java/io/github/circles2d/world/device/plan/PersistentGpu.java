@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/Resident.cl}. A
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/PersistentGpu.cl}. A
  * launch costs the host several microseconds, and a barrier over resident work-groups costs one or two. In a large world each
  * work-group has several tiles, and barriers cost more than launches.
  */
@@ -43,7 +43,7 @@ public final class PersistentGpu implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/persistent_gpu/Resident.cl");
+        return List.of("world/persistent_gpu/PersistentGpu.cl");
     }
 
     @Override
