@@ -2,7 +2,6 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.github.circles2d.opencl.TestScale;
 import java.util.Arrays;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
@@ -59,7 +58,7 @@ class WorldMergeTest {
     void aCircleThatGrowsInACrowdAtRestThrowsNone() {
         Crowd byGrowth = new Crowd((world, handle, radius) -> world.grow(handle, radius, 45));
         Crowd atOnce = new Crowd(World::setRadius);
-        for (long seed = 1; seed <= TestScale.of(2, 4); seed++) {
+        for (long seed = 1; seed <= 4; seed++) {
             byGrowth.run(seed);
             atOnce.run(seed);
         }
