@@ -42,7 +42,7 @@ class EdgesAgreeTest {
     private static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
-        pipelines.add(new JvmPipeline(3, 1, 0, false));
+        pipelines.add(new JvmPipeline(TestScale.of(2, 3), 1, 0, false));
         pipelines.add(Pipelines.of(device, Plans.COLOURS));
         if (Tiles.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.TILES));

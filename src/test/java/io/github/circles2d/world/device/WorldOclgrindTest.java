@@ -10,8 +10,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -40,6 +42,9 @@ class WorldOclgrindTest {
     private static final Pattern KERNEL = Pattern.compile(
             "^kernel (?:__attribute__\\S*\\(\\w+, 1, 1\\)\\)\\) )?void\\s+(\\w+)|^TILE_KERNEL (\\w+)",
             Pattern.MULTILINE);
+
+    /** By size and world: the kernels that ran in one that has passed. */
+    private static final Map<String, List<String>> RAN = new ConcurrentHashMap<>();
 
     /** In the lines of each report. They are read from the output, since a log begins anew with each context. */
     private static final String[] REPORTS = {"Kernel: ", "Oclgrind - ", "OCLGRIND"};
@@ -130,8 +135,17 @@ class WorldOclgrindTest {
         }
     }
 
-    /** Returns the kernels that ran, none of which was reported. */
+    /** Returns the kernels that ran, none of which was reported. No world is run twice. */
     private static List<String> run(String driver, String world, String size) throws IOException {
+        List<String> kernels = RAN.get(size + " " + world);
+        if (kernels == null) {
+            kernels = runWorld(driver, world, size);
+            RAN.put(size + " " + world, kernels);
+        }
+        return kernels;
+    }
+
+    private static List<String> runWorld(String driver, String world, String size) throws IOException {
         ForkedJvm.Result result = new ForkedJvm()
                 .option("-Djavacl.cacheBinaries=false")
                 .environment("OCL_ICD_VENDORS", driver)
