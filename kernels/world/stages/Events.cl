@@ -60,9 +60,10 @@ int typesOf(const World *w, int lower, int higher) {
 int findTouching(const World *w, int lower, int higher) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(lower, higher) & r->mask;; place = (place + 1) & r->mask) {
-        int4 pair = r->touching[place];
-        if (pair.z == NEVER_USED) return NONE;
-        if (pair.x == lower && pair.y == higher && pair.z >= r->step - 1) return place;
+        // The ids alone: others tell of their pairs at the same time, and write the rest of these.
+        int2 ids = *(global const int2 *) (r->touching + place);
+        if (ids.x == NONE) return NONE; // never used
+        if (ids.x == lower && ids.y == higher && r->touching[place].z >= r->step - 1) return place;
     }
 }
 
