@@ -334,13 +334,24 @@ public final class ContactEvents {
     // ---- a step in Java
     // ----------------------------------------------------------------------------------------------
 
-    /**
-     * The number of a pair that touched in the last step, or {@link #NONE}.
-     *
-     * @param guess a number that it may have, or any other
-     */
-    public int find(int guess, int lower, int higher) {
-        return pairs.find(guess, lower, higher);
+    /** The number of a pair that touched in the last step, or {@link #NONE}. */
+    public int find(int lower, int higher) {
+        return pairs.find(lower, higher);
+    }
+
+    /** What stands for the number of a pair whose hit goes on; of what this returns, the number again. Below {@link #NONE}. */
+    public static int going(int pair) {
+        return -2 - pair;
+    }
+
+    /** Counts how often pairs have been numbered anew. Until it does, {@link #isNumber} tells which numbers still hold. */
+    public int numbering() {
+        return pairs.numbering;
+    }
+
+    /** Whether a number that a pair had after a step still is one; if not, {@link #find} tells. */
+    public boolean isNumber(int pair) {
+        return pair < pairs.count;
     }
 
     /**
@@ -356,10 +367,28 @@ public final class ContactEvents {
         return tracker.concerns(pair, lower, higher, touches, approach, impulse, threshold);
     }
 
+    /** Whether a touch is a hit; threshold as in {@link #concerns}. */
+    public boolean isHit(float approach, float impulse, float threshold) {
+        return tracker.isHit(approach, impulse, threshold);
+    }
+
     /**
-     * Ends a step that has told of every pair in touch.
+     * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
+     * does, before {@link #endStep}; {@link #concerns} calls it.
+     */
+    public boolean misses(TouchRecords... records) {
+        return tracker.misses(records);
+    }
+
+    /** Tells that a pair still touches. Several threads may call this at once, of different pairs. */
+    public void stamp(int pair) {
+        tracker.stamp(pair);
+    }
+
+    /**
+     * Ends a step.
      *
-     * @param records those that {@link #concerns} asked for, in any order
+     * @param records those of all threads, in any order
      */
     public void endStep(TouchRecords... records) {
         place.changedHere();

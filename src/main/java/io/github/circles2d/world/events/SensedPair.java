@@ -45,8 +45,12 @@ public final class SensedPair {
         float closest = SensorRule.timeOfClosest(dx, dy, ux, uy);
         float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
         boolean touches = TouchRule.touches(TouchRule.NONE, least);
-        if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)
-                || !events.concerns(events.find(ContactEvents.NONE, a, b), a, b, touches, 0f, 0f, Float.MAX_VALUE)) {
+        if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)) {
+            return;
+        }
+        int pair = events.find(a, b);
+        records.stay(pair == ContactEvents.NONE ? 0 : 1);
+        if (!events.concerns(pair, a, b, touches, 0f, 0f, Float.MAX_VALUE)) {
             return;
         }
         float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;
@@ -62,6 +66,7 @@ public final class SensedPair {
         float vn = CircleMath.dot(nx, ny, ux / dt, uy / dt);
         float separation = distance - sum;
         records.add(
+                pair,
                 a,
                 b,
                 TouchRule.approach(vn),

@@ -71,6 +71,9 @@ public final class Contacts {
     /** Whether contacts have been listed in this step. */
     private boolean begun;
 
+    /** Steps so far that have listed contacts. */
+    private long steps;
+
     /** Whether there was a crowd in the last step. */
     private boolean wereCrowded;
 
@@ -241,9 +244,10 @@ public final class Contacts {
         ensureContacts(sum + cross.count());
         if (!begun) {
             begun = true;
+            steps++;
             impulseCache.begin(count);
             if (touches != null) {
-                touches.begin();
+                touches.begin(steps);
             }
         }
         rowStart[levels.rows] = (int) sum;

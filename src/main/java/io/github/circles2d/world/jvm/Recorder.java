@@ -10,6 +10,7 @@ import io.github.circles2d.world.model.StepReports;
 /** Records what a step reports, and hands it over: what contacts and walls do, and which pairs are sensed. */
 final class Recorder {
     private final State state;
+    private final Contacts contacts;
     private final Team team;
     private final ContactEvents events;
     private final Touches touches;
@@ -20,14 +21,15 @@ final class Recorder {
 
     Recorder(State state, Grid grid, GridLevels levels, Contacts contacts, Team team, ContactEvents events) {
         this.state = state;
+        this.contacts = contacts;
         this.team = team;
         this.events = events;
-        touches = new Touches(state, contacts, team, events);
         sensing = new Sensing(state, grid, levels, team, events);
         records = new TouchRecords[team.most()];
         for (int worker = 0; worker < records.length; worker++) {
             records[worker] = new TouchRecords();
         }
+        touches = new Touches(state, contacts, team, events, records);
     }
 
     /** What records contacts and walls in such a step; null if nothing does. */
@@ -36,6 +38,9 @@ final class Recorder {
     }
 
     void ensure(StepReports reports) {
+        for (TouchRecords each : records) {
+            each.clear();
+        }
         if (reports.recording && touches.walls != null) {
             touches.walls.ensure();
         }
@@ -53,24 +58,26 @@ final class Recorder {
 
     /** Ends a step. */
     void end(int worker, StepConstants k, StepReports reports) {
-        TouchRecords own = records[worker];
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        own.clear();
         if (reports.recording) {
-            touches.endStep(worker, own, from, to, k);
+            touches.endStep(worker, from, to, k);
         }
         if (reports.sensing) {
-            sensing.find(worker, own, from, to, k);
+            sensing.find(worker, records[worker], from, to, k);
+        }
+        team.sync(worker);
+        if (reports.recording && events.misses(records)) {
+            touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
         }
         team.sync(worker);
         if (worker == 0) {
-            for (int idle = team.size(); idle < records.length; idle++) {
-                records[idle].clear();
-            }
             events.endStep(records);
         }
         team.sync(worker);
+        if (reports.recording) {
+            touches.learn(worker);
+        }
     }
 
     /** Memory of the arrays. */

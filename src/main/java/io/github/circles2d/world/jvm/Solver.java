@@ -332,7 +332,7 @@ public final class Solver {
         for (int l = 0; l < share.count; l++) {
             crossPasses[worker].solve(firstCross(share, l), endCross(share, l), k);
             if (touches != null) {
-                touches.afterSolve(firstCross(share, l), endCross(share, l), k);
+                touches.afterSolve(worker, firstCross(share, l), endCross(share, l), k);
             }
         }
         team.sync(worker);
@@ -398,7 +398,7 @@ public final class Solver {
     private void solve(int worker, int level, int row, StepConstants k) {
         passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
         if (touches != null) {
-            touches.afterSolve(firstContact(level, row), firstContact(level, row + 1), k);
+            touches.afterSolve(worker, firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 

@@ -167,12 +167,13 @@ final class WallTouches {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
         int wall = WallCode.of(axis, side);
-        int pair = events.find(ContactEvents.NONE, id, wall);
+        int pair = events.find(id, wall);
         if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
             float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
             float vn = side * state.motion[s + VX + axis] - speed;
             boolean isX = axis == 0;
             records.add(
+                    pair,
                     id,
                     wall,
                     approach,

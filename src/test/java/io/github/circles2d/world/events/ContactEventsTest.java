@@ -24,9 +24,9 @@ class ContactEventsTest {
     private void step(ContactEvents events, boolean touch) {
         records.clear();
         events.queue().asked(1);
-        int pair = events.find(ContactEvents.NONE, 0, 1);
+        int pair = events.find(0, 1);
         if (touch && events.concerns(pair, 0, 1, true, 0, 0, 1)) {
-            records.add(0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
+            records.add(pair, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
         }
         events.endStep(records);
     }
