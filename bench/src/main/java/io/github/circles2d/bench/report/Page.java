@@ -12,6 +12,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,9 +25,9 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Writes the results page: the template {@code page.md}, in which {@code {{name}}} on a line of its own stands for a table
- * or chart, and {@code {{machine table key .. column}}} within a sentence for one figure out of a results folder. So every
- * measured figure on the page comes from a committed file.
+ * Writes the results pages: one of all machines by the template {@code page.md}, and one of each by {@code machine.md}. In a template
+ * {@code {{name}}} on a line of its own stands for a table or chart, and {@code {{machine table key .. column}}} within a sentence for one
+ * figure out of a results folder. So every measured figure on the pages comes from a committed file.
  */
 public final class Page {
     private static final Pattern PLACE = Pattern.compile("\\{\\{([^}]*)\\}\\}");
@@ -48,6 +49,30 @@ public final class Page {
      */
     public static String of(Path results) throws IOException {
         return new Page(folders(results)).fill(template()).stripTrailing() + "\n";
+    }
+
+    /** The page of one machine, without the sections of which the machine has nothing. */
+    public static String ofMachine(ResultsFolder folder) {
+        String page = new Page(List.of(folder)).fill(machine());
+        return Stream.of(page.split("(?m)^(?=## )"))
+                        .filter(section -> !section.contains(NOTHING))
+                        .collect(Collectors.joining())
+                        .stripTrailing()
+                + "\n";
+    }
+
+    /** The pages by their file names: the one of all machines, and beside it one of each. */
+    public static Map<Path, String> all(Path results, Path page) throws IOException {
+        Map<Path, String> pages = new LinkedHashMap<>();
+        pages.put(page, of(results));
+        for (ResultsFolder folder : folders(results)) {
+            pages.put(page.resolveSibling(fileOf(folder)), ofMachine(folder));
+        }
+        return pages;
+    }
+
+    private static String fileOf(ResultsFolder folder) {
+        return "benchmarks-" + folder.name() + ".md";
     }
 
     /** The folders that {@code machines.txt} names. */
@@ -73,14 +98,9 @@ public final class Page {
         return resource("conclusions.md");
     }
 
-    /** The section on World, with places for tables. */
-    static String world() {
-        return resource("world.md");
-    }
-
-    /** The section on the series, with places for tables. */
-    static String series() {
-        return resource("series.md");
+    /** The prose of a machine's page, with places for tables. */
+    static String machine() {
+        return resource("machine.md");
     }
 
     private static String resource(String name) {
@@ -103,8 +123,13 @@ public final class Page {
         switch (place) {
             case "conclusions":
                 return machinesOfConclusionsAreThere() ? fill(conclusions()) : "";
-            case "machines":
-                return orNothing(machines());
+            case "machine rows":
+                return machines();
+            case "machine facts":
+                return machines().isEmpty() ? "" : machineHead() + machines();
+            case "name":
+                return folders.get(0).name();
+
             case "figure3":
                 return orNothing(figure3());
             case "device-only":
@@ -128,17 +153,36 @@ public final class Page {
                                 Engines.PEERS.stream(), Stream.of(Engines.WORLD_JVM, "world@device", "circles2d-*"))
                         .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
                         .collect(Collectors.joining());
-            case "series":
-                return folders.isEmpty() ? NOTHING : fill(series());
             case "series headline":
                 return orNothing(grid(SeriesTables.headline(folders)));
+            case "series charts":
+                return seriesCharts();
             case "series steps":
                 return orNothing(allSeries());
             case "series outside":
-                return orNothing(SeriesTables.outside(folders));
+                return SeriesTables.outside(folders);
             default:
                 return place.startsWith("world") ? world(place) : figure(place);
         }
+    }
+
+    /** A chart of each series that is drawn, under its name and what it is. */
+    private String seriesCharts() {
+        StringBuilder text = new StringBuilder();
+        for (Series series : Series.values()) {
+            String file = SeriesCharts.file(series);
+            if (!folders.isEmpty() && Files.exists(folders.get(0).path().resolveSibling(file + ".svg"))) {
+                text.append("**")
+                        .append(series.title)
+                        .append("**: ")
+                        .append(series.description)
+                        .append(".\n\n");
+                text.append("![ms a step by number of circles](../bench/results/")
+                        .append(file)
+                        .append(".svg)\n\n");
+            }
+        }
+        return text.toString();
     }
 
     private String allSeries() {
@@ -149,7 +193,6 @@ public final class Page {
             text.append(description.substring(0, 1).toUpperCase(Locale.ROOT))
                     .append(description.substring(1))
                     .append(".\n\n");
-            text.append(allMachinesChart(SeriesCharts.file(series))).append('\n');
             text.append(grid(SeriesTables.steps(folders, series))).append('\n');
             text.append(SeriesTables.failures(folders, series));
             text.append(SeriesTables.notMeasured(folders, series)).append('\n');
@@ -157,16 +200,13 @@ public final class Page {
         return text.toString();
     }
 
-    /** World's parts; nothing where there are no results of it. */
+    /** World's parts. */
     private String world(String place) {
         switch (place) {
-            case "world":
-                boolean measured = folders.stream()
-                        .anyMatch(folder ->
-                                !folder.table(Kind.WORLD).rows("status", "ok").isEmpty());
-                return measured ? fill(world()) : "";
+            case "world bits":
+                return orNothing(grid(WorldTables.bits(folders)));
             case "world chart":
-                return allMachinesChart(WorldCharts.FILE);
+                return chart(folders.get(0), WorldCharts.FILE);
             case "world targets":
                 return orNothing(grid(Targets.times(folders)));
             case "world ratios":
@@ -175,8 +215,6 @@ public final class Page {
                 return orNothing(grid(Targets.growth(folders)));
             case "world steps":
                 return orNothing(perMachine(WorldTables::steps, LeftOut::world));
-            case "world bits":
-                return orNothing(grid(WorldTables.bits(folders)));
             case "world stages":
                 return orNothing(perDevice((folder, device) -> WorldTables.stages(folder, Engines.world(device))));
             case "world traffic":
@@ -186,15 +224,10 @@ public final class Page {
             case "world transfers":
                 return orNothing(perDevice(WorldTables::transfers));
             case "world quality":
-                return qualityCharts();
+                return orNothing(qualityCharts());
             default:
                 throw new IllegalArgumentException("the page has no part {{" + place + "}}");
         }
-    }
-
-    private String allMachinesChart(String file) {
-        boolean drawn = !folders.isEmpty() && Files.exists(folders.get(0).path().resolveSibling(file + ".svg"));
-        return drawn ? "![ms a step by number of circles](../bench/results/" + file + ".svg)\n" : "";
     }
 
     private String qualityCharts() {
@@ -251,20 +284,25 @@ public final class Page {
         return grid.isEmpty() ? "" : grid.markdown();
     }
 
+    private static String machineHead() {
+        return "| machine | processor | device | Java | date |\n|---|---|---|---|---|\n";
+    }
+
     private String machines() {
-        Grid grid = Grid.ofProse("machine", "processor", "device", "Java", "date");
+        StringBuilder rows = new StringBuilder();
         for (ResultsFolder folder : folders) {
             for (String device : Tables.devices(folder)) {
-                grid.add(List.of(
-                        "[" + folder.name() + "](../bench/results/" + folder.name() + ")",
+                rows.append(String.join(
+                        " | ",
+                        "| [" + folder.name() + "](" + fileOf(folder) + ")",
                         folder.machine("processor") + ", " + folder.machine("cores") + " cores, "
                                 + folder.machine("memory GiB") + " GiB; " + folder.machine("system"),
                         "**" + device + "**: " + folder.machine("device " + device),
                         folder.machine("java"),
-                        folder.machine("date")));
+                        folder.machine("date") + " |\n"));
             }
         }
-        return grid(grid);
+        return rows.toString();
     }
 
     private String figure3() {

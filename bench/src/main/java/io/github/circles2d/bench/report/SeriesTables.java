@@ -24,7 +24,7 @@ final class SeriesTables {
 
     private SeriesTables() {}
 
-    /** Who has or should have figures on a machine: World on its devices, and on a machine without a GPU all others. */
+    /** Who has or should have figures on a machine: World on its GPUs, and on a machine without a GPU all others. */
     static List<Contender> contenders(ResultsFolder folder) {
         Set<Contender> all = new LinkedHashSet<>();
         List<String> devices = Tables.devices(folder);
@@ -32,7 +32,9 @@ final class SeriesTables {
         for (String device : devices) {
             boolean isGpu = Tables.kind(folder, device).equals("GPU");
             gpu |= isGpu;
-            all.add(new Contender(Engines.world(device), isGpu ? Contender.NO_THREADS : folder.machine("cores")));
+            if (isGpu) {
+                all.add(new Contender(Engines.world(device), Contender.NO_THREADS));
+            }
         }
         if (!gpu) {
             all.add(new Contender(Engines.WORLD_JVM, folder.machine("cores")));
@@ -109,7 +111,7 @@ final class SeriesTables {
         return series.sizes().stream().anyMatch(n -> run(folder, who, series, n) != null);
     }
 
-    /** The headline: World and Box2D on all machines, at every n of the first series. */
+    /** The headline: World and Box2D on all machines, at every n of the first series; of those that were measured. */
     static Grid headline(List<ResultsFolder> folders) {
         Series series = Series.values()[0];
         List<String> header = new ArrayList<>(List.of("engine", "threads", "machine"));
@@ -121,7 +123,7 @@ final class SeriesTables {
                 boolean headlined = engine.startsWith("world") && !who.threads().equals("1")
                         || engine.equals(BOX2D_V3)
                         || engine.equals("gdx-box2d");
-                if (headlined) {
+                if (headlined && tried(folder, who, series)) {
                     List<String> row = new ArrayList<>(List.of(engine, who.threads(), folder.name()));
                     series.sizes().forEach(n -> row.add(millis(run(folder, who, series, n))));
                     grid.add(row);

@@ -92,7 +92,7 @@ final class WorldTables {
         return Integer.parseInt(run.get("skipped")) + Integer.parseInt(run.get("steps"));
     }
 
-    /** Stages of the engine on a device, beside the roof. */
+    /** Stages of the engine on a device, beside the roof; not those that take less than a hundredth of the step. */
     static Grid stages(ResultsFolder folder, String engine) {
         Grid grid =
                 Grid.ofNumbers("n", "stage", "µs a step", "MB that must move", "copy GB/s", "roof µs", "share of roof");
@@ -100,6 +100,13 @@ final class WorldTables {
                 new ArrayList<>(folder.table(Kind.WORLD_STAGES).rows("engine", engine));
         rows.sort(Comparator.comparing(row -> Integer.valueOf(row.get("n"))));
         for (Map<String, String> row : rows) {
+            double step = rows.stream()
+                    .filter(other -> other.get("n").equals(row.get("n")))
+                    .mapToDouble(other -> number(other, "time_us"))
+                    .sum();
+            if (number(row, "time_us") < 0.01 * step) {
+                continue;
+            }
             boolean roof = !row.get("roof_us").isEmpty();
             grid.add(List.of(
                     Numbers.whole(Long.parseLong(row.get("n"))),
