@@ -15,13 +15,13 @@ float bounceThreshold(const StepConstants *k, float radii, float restitution, fl
     return OR_FIXED(k, gravityRate * length + creep * creep);
 }
 
-// The same for two circles that nothing carries, which creep less;
+// The same for two circles that nothing carries, which creep less.
 float flightThreshold(const StepConstants *k, float radii, float restitution) {
     float creep = k->flightRestRate * ((1.0f - restitution) * radii);
     return OR_FIXED(k, k->thresholdRate * (inelasticity(restitution) * radii) + creep * creep);
 }
 
-// and for circles of which one is carried.
+// The same for circles of which one is carried.
 float restitutionThreshold(const StepConstants *k, float radii, float restitution) {
     return bounceThreshold(k, radii, restitution, k->thresholdRate);
 }
@@ -41,7 +41,7 @@ float halfFall(float fall, float invMassA, float invMassB) {
     return invMassA == 0.0f ? half_ : invMassB == 0.0f ? -half_ : 0.0f;
 }
 
-// Whether surfaces would need longer than LINGER to move as far as they are deep. squaredSpeed: relative, before any impulse.
+// Whether surfaces need longer than LINGER to move as far as they are deep. squaredSpeed: before any impulse.
 bool lingers(float separation, float squaredSpeed) {
     float way = LINGER * LINGER * squaredSpeed;
     return separation < 0.0f && way < separation * separation;
@@ -50,7 +50,7 @@ bool lingers(float separation, float squaredSpeed) {
 float effectiveMass(float invMassA, float invMassB) { return 1.0f / (invMassA + invMassB); }
 float velocityChange(float normal, float invMass, float impulse) { return normal * (invMass * impulse); }
 
-// Whether surfaces need longer than LINGER to move as far as they are deep. squaredSpeed: before any impulse.
+// Returns whether there is a direction. base: difference of the bases; moved: of the displacements.
 INLINE bool measure(float baseX, float baseY, float movedX, float movedY, float radii, float *normalX, float *normalY,
                     float *separation) {
     float dx = baseX + movedX;

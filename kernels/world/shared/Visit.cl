@@ -78,10 +78,10 @@ INLINE bool carriesOn(const Visit *v, float vn, const Visited *visited) {
     return visited->solved && carries(visited->normalImpulse, after, v->ready.restingLimit);
 }
 
-// What a free bounce gave and the contact does not keep;
+// What a free bounce gave and the contact does not keep.
 float impulseOfFlight(const Visited *v) { return v->leaves || v->solved ? 0.0f : v->impulse; }
 
-// in the relaxing pass any bounce.
+// The same in the relaxing pass, which keeps no bounce.
 float impulseOfBounce(const Visit *v, const Visited *visited) {
     if (!visited->solved) return impulseOfFlight(visited);
     return v->ready.bounce > 0.0f ? v->ready.normalImpulse + visited->impulse : 0.0f;

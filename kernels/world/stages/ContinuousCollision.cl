@@ -1,7 +1,7 @@
 // uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl
 // uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl world/stages/CellScan.cl
 // Stage ContinuousCollision keeps fast circles from passing through others. The Java class of this name explains it, function by function.
-// Steps without fast circles leave it out: motion clamps are as Grid has set them.
+// Steps without fast circles leave it out: Grid has set their motion clamps.
 
 // BLOCK_LOG is 2: blocks have 4 x 4 cells, as many rows as a piece has ranges.
 
@@ -276,8 +276,7 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     }
 }
 
-// A fast circle looks for others in each level in which it does not reach far, and every circle looks for those that reach far: the parts
-// of its look.
+// A fast circle looks for others in levels in which it does not reach far, and every circle for those that reach far.
 int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
 
 bool hasPartOfLook(const World *w, int slot, int part) {
@@ -337,15 +336,15 @@ void lookForCarriers(const World *w, int slot, Look look) {
     }
 }
 
-// Index space: a slot and a part of its look, part after part, which is faster than all levels by one. Cost: the cells around it.
+// Index space: a slot and a part of its look, part after part, faster than all levels by one. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int number = (int) get_global_id(0);
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Index space: any; work-items take slots in turn. Few steps have static circles that move, so few work-items are quick to say so. Cost: the
-// cells around a path. note: see meetCarried.
+// note: see meetCarried. Index space: any; few work-items take slots in turn, since they are quick to say that no static circle moves. Cost:
+// the cells around a path.
 kernel void continuousCollision_carry(WORLD_PARAMETERS, int note) {
     World w = WORLD;
     if (!status[CARRYING] || refused(&w)) return;

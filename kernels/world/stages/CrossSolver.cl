@@ -45,14 +45,15 @@ void addToHeavy(global long *sums, float2 value, float range) {
 void gatherCrossLoad(const World *w, const Cross *x, float2 g, bool carrying) {
     global float *own = (global float *) (w->load + x->light);
     global float *other = (global float *) (w->load + x->heavy);
-    own[0] = x->isLightLower ? own[0] - g.x : own[0] + g.x;
-    own[1] = x->isLightLower ? own[1] - g.y : own[1] + g.y;
+    global float *sum = own + IMPULSES_AT;
+    sum[0] = x->isLightLower ? sum[0] - g.x : sum[0] + g.x;
+    sum[1] = x->isLightLower ? sum[1] - g.y : sum[1] + g.y;
     if (w->traits[x->heavy].INVERSE_MASS != 0.0f) {
         addToHeavy(sumsOf(w, x->heavy) + 2, x->isLightLower ? g : -g, impulseRangeOf(w, x->heavy));
     }
     if (carrying) {
-        own[3] = 1.0f;
-        other[3] = 1.0f;
+        own[LOADED_NEXT_AT] = 1.0f;
+        other[LOADED_NEXT_AT] = 1.0f;
     }
 }
 

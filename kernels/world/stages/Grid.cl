@@ -2,7 +2,7 @@
 // Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
 // place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
-// Such steps tell the host about the last one alone.
+// Steps that take fast circles, crowds or tiles tell the host about the last one alone.
 void startStep(const World *w) {
     if (refused(w)) return;
     if (w->k.sweeping) w->status[FAST] = 0;

@@ -142,7 +142,7 @@ INLINE void seekAll(const World *w, int slot, int part, int parts, bool oneLevel
     }
 }
 
-// Who may meet the seeker.
+// How many circles of a piece may meet the seeker.
 int candidatesIn(const World *w, const Seeker *s, const Piece *piece) {
     int sum = 0;
     for (int i = 0; i < piece->end.w; i++) {

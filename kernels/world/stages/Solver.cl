@@ -47,7 +47,7 @@ Pair pairAt(const World *w, int c, float4 n, float loads) {
 }
 
 // In the relaxing pass others write the rest of the load.
-float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[2]; }
+float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[LOADED_AT]; }
 
 // Takes a contact for a pass.
 Pair takeToSolve(const World *w, int c, uint2 pr, Visit *v) {

@@ -18,12 +18,14 @@ float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : 
 bool isLoaded(float burden) { return as_int(burden) < 0; }
 
 // Its owner may be about to write the other half.
-float2 lastingTraits(const World *w, int slot) { return ((global const float2 *) w->traits)[2 * slot]; }
+float2 lastingTraits(const World *w, int slot) {
+    return *(global const float2 *) ((global const float *) (w->traits + slot) + INVERSE_MASS_AT);
+}
 
 // If they have changed.
 void storeWalls(const World *w, int slot, float2 old, float2 walls) {
     if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
-        ((global float2 *) w->traits)[2 * slot + 1] = walls;
+        *(global float2 *) ((global float *) (w->traits + slot) + WALLS_AT) = walls;
     }
 }
 

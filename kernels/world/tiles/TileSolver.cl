@@ -26,8 +26,8 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
             m[n] = w->motion[slot[n]];
             // In the relaxing pass neighbours write the rest.
             global const float *load = (global const float *) (w->load + slot[n]);
-            loaded[n] = load[2];
-            before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) load;
+            loaded[n] = load[LOADED_AT];
+            before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) (load + BEFORE_AT);
             inverseMass[n] = lastingTraits(w, slot[n]).x;
         }
         TOGETHER_EACH(n, TAKEN) {
@@ -60,8 +60,8 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             global float *load = (global float *) (w->load + slot);
-            *(global float2 *) load = t->load[i];
-            load[3] = carried ? 1.0f : 0.0f;
+            *(global float2 *) (load + IMPULSES_AT) = t->load[i];
+            load[LOADED_NEXT_AT] = carried ? 1.0f : 0.0f;
         }
     }
 }

@@ -285,7 +285,7 @@ public enum DeviceArray {
         return switch (type) {
             case "int", "uint", "float" -> 4;
             case "int2", "uint2", "float2", "ulong" -> 8;
-            case "int4", "float4" -> 16;
+            case "int4", "float4", "ulong2" -> 16;
             case "long4" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             default -> throw new IllegalStateException(type + " has no size here");

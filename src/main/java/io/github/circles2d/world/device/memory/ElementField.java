@@ -127,6 +127,11 @@ enum ElementField {
         return aliasOf;
     }
 
+    /** The place of its first component, for kernels that must not touch the others: {@code VELOCITY_AT}. */
+    int at() {
+        return at;
+    }
+
     /** The components of the vector, such as {@code zw}. */
     String components() {
         return COMPONENTS.substring(at, at + width);

@@ -23,6 +23,7 @@ final class WorldTables {
         tileRecord(text);
         for (ElementField field : ElementField.values()) {
             define(text, field.name(), field.components(), "of " + field.array().kernelName());
+            define(text, field.name() + "_AT", field.at(), "for those who touch no other component");
         }
         define(text, "NONE", "(" + CachedImpulse.NONE + ")", "no slot, no id, no contact");
         define(text, "FRESH", "(" + CachedImpulse.FRESH + ")", "cached impulses that are not its circle's own");
