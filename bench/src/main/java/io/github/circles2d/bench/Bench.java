@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -126,8 +127,10 @@ public final class Bench {
                     "the folder of all results and the page are needed, such as: page bench/results docs/benchmarks.md; not "
                             + Arrays.toString(arguments.toArray()));
         }
-        Path page = Path.of(arguments.get(1));
-        Files.writeString(page, Page.of(Path.of(arguments.get(0))));
-        System.out.println("wrote " + page);
+        for (Map.Entry<Path, String> page :
+                Page.all(Path.of(arguments.get(0)), Path.of(arguments.get(1))).entrySet()) {
+            Files.writeString(page.getKey(), page.getValue());
+            System.out.println("wrote " + page.getKey());
+        }
     }
 }

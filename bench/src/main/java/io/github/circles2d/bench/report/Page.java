@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -24,9 +25,10 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Writes the results page: the template {@code page.md}, in which {@code {{name}}} on a line by itself stands for a table
- * or chart, and {@code {{machine table key .. column}}} within a sentence for one figure out of a results folder. So every
- * measured figure on the page comes from a committed file.
+ * Writes the results pages: one of all machines by the template {@code page.md}, and one of each by {@code machine.md}. In a
+ * template {@code {{name}}} on a line by itself stands for a table or chart, and {@code {{machine table key .. column}}}
+ * within a sentence for one figure out of a results folder. So every measured figure on the pages comes from a committed
+ * file.
  */
 public final class Page {
     private static final Pattern PLACE = Pattern.compile("\\{\\{([^}]*)\\}\\}");
@@ -42,7 +44,8 @@ public final class Page {
     Page(List<ResultsFolder> folders) {
         this.folders = folders;
         parts.put("conclusions", this::conclusions);
-        table("machines", () -> Tables.machines(folders));
+        parts.put("name", () -> folders.get(0).name());
+        parts.put("machines", () -> Tables.machines(folders).markdown());
         part("figure3", () -> perDevice(this::figure3));
         part("device-only", () -> perDevice((folder, device) -> block(Tables.modes(folder, device))));
         table("findings", () -> Findings.grid(folders));
@@ -53,12 +56,13 @@ public final class Page {
         part("peers packed", () -> peers("packed"));
         part("peers thesis", () -> peers("thesis"));
         part("engines", Page::engines);
-        part("series", () -> folders.isEmpty() ? "" : fill(Resources.text("series.md")));
         table("series headline", () -> SeriesTables.headline(folders));
+        parts.put(
+                "series charts",
+                () -> Stream.of(Series.values()).map(this::seriesChart).collect(Collectors.joining()));
         part("series steps", () -> Stream.of(Series.values()).map(this::series).collect(Collectors.joining()));
-        part("series outside", () -> SeriesTables.outside(folders));
-        parts.put("world", this::world);
-        parts.put("world chart", () -> chart("", WorldCharts.FILE));
+        parts.put("series outside", () -> SeriesTables.outside(folders));
+        parts.put("world chart", () -> chart(folders.get(0).name() + "/", WorldCharts.FILE));
         table("world targets", () -> Targets.times(folders));
         table("world ratios", () -> Targets.ratios(folders));
         table("world growth", () -> Targets.growth(folders));
@@ -70,7 +74,7 @@ public final class Page {
         table("world traffic", WorldTables::traffic);
         part("world storms", () -> perMachine("", folder -> block(WorldTables.storms(folder)), folder -> ""));
         part("world transfers", () -> perDevice((folder, device) -> block(WorldTables.transfers(folder, device))));
-        parts.put("world quality", this::quality);
+        part("world quality", this::quality);
     }
 
     private void part(String name, Supplier<String> text) {
@@ -84,15 +88,39 @@ public final class Page {
         part(name, () -> grid.get().markdown());
     }
 
-    /**
-     * The page for the folders that {@code machines.txt} in {@code results} names, one a line and in this order; it links
-     * them as {@code ../bench/results}. Other folders are someone's own and stay out of it.
-     */
+    /** The page of the folders that {@code machines.txt} in {@code results} names, one a line and in this order. */
     public static String of(Path results) throws IOException {
         return new Page(folders(results)).fill(Resources.text("page.md")).stripTrailing() + "\n";
     }
 
-    /** The folders that {@code machines.txt} names. */
+    /** The page of one machine, without the sections for which the machine has no results. */
+    static String ofMachine(ResultsFolder folder) {
+        String page = new Page(List.of(folder)).fill(Resources.text("machine.md"));
+        String kept = Stream.of(page.split("(?m)^(?=## )"))
+                .filter(section -> !section.contains(NOTHING))
+                .collect(Collectors.joining());
+        return kept.stripTrailing() + "\n";
+    }
+
+    /**
+     * The pages by their file names: {@code page} of all machines, and one of each beside it. They link to the charts as
+     * {@code ../bench/results}.
+     */
+    public static Map<Path, String> all(Path results, Path page) throws IOException {
+        Map<Path, String> pages = new LinkedHashMap<>();
+        pages.put(page, of(results));
+        for (ResultsFolder folder : folders(results)) {
+            pages.put(page.resolveSibling(fileOf(folder)), ofMachine(folder));
+        }
+        return pages;
+    }
+
+    /** The file name of a machine's page. */
+    static String fileOf(ResultsFolder folder) {
+        return "benchmarks-" + folder.name() + ".md";
+    }
+
+    /** The folders that {@code machines.txt} names. Other folders are someone's own. */
     public static List<ResultsFolder> folders(Path results) throws IOException {
         List<ResultsFolder> folders = new ArrayList<>();
         for (String name : Files.readAllLines(results.resolve(MACHINES))) {
@@ -127,13 +155,6 @@ public final class Page {
         return machinesAreThere ? fill(conclusions) : "";
     }
 
-    /** World's parts; nothing if there are no results of it. */
-    private String world() {
-        boolean measured =
-                folders.stream().anyMatch(folder -> folder.table(Kind.WORLD).row("status", "ok") != null);
-        return measured ? fill(Resources.text("world.md")) : "";
-    }
-
     private static String engines() {
         return Stream.concat(Engines.PEERS.stream(), Stream.of(Engines.WORLD_JVM, "world@device", "circles2d-*"))
                 .map(name -> "- **" + name + "**: " + Engines.remarks(name) + ".\n")
@@ -164,11 +185,16 @@ public final class Page {
         return section(
                 series.title,
                 description.substring(0, 1).toUpperCase(Locale.ROOT) + description.substring(1) + ".\n\n"
-                        + chart("", SeriesCharts.file(series))
                         + block(SeriesTables.steps(folders, series))
                         + SeriesTables.failures(folders, series)
                         + SeriesTables.notMeasured(folders, series)
                         + "\n");
+    }
+
+    /** The chart under the name of the series and what it is; empty if it is not drawn. */
+    private String seriesChart(Series series) {
+        String chart = chart("", SeriesCharts.file(series));
+        return chart.isEmpty() ? "" : "**" + series.title + "**: " + series.description + ".\n\n" + chart;
     }
 
     private String quality() {

@@ -25,13 +25,14 @@ final class SeriesTables {
 
     private SeriesTables() {}
 
-    /** Who has or should have figures on a machine: World on its devices, and on a machine without a GPU all others. */
+    /** Who has or should have figures on a machine: World on its GPUs, and on a machine without a GPU all others. */
     static List<Contender> contenders(ResultsFolder folder) {
         Set<Contender> all = new LinkedHashSet<>();
         String cores = folder.machine("cores");
         for (String device : Tables.devices(folder)) {
-            boolean gpu = Tables.kind(folder, device).equals("GPU");
-            all.add(new Contender(Engines.world(device), gpu ? Contender.NO_THREADS : cores));
+            if (Tables.kind(folder, device).equals("GPU")) {
+                all.add(new Contender(Engines.world(device), Contender.NO_THREADS));
+            }
         }
         if (all.stream().noneMatch(Contender::isOnGpu)) {
             for (String engine : List.of(Engines.WORLD_JVM, BOX2D_V3)) {
@@ -57,14 +58,16 @@ final class SeriesTables {
         return grid(folders, series, true, (folder, who) -> tried(folder, who, series));
     }
 
-    /** The headline: World and Box2D on all machines, at every n of the first series. */
+    /** The headline: World and Box2D on all machines, at every n of the first series; of those that were measured. */
     static Grid headline(List<ResultsFolder> folders) {
+        Series series = Series.values()[0];
         return grid(
                 folders,
-                Series.values()[0],
+                series,
                 false,
-                (folder, who) -> who.isWorld() && !who.threads().equals("1")
-                        || List.of(BOX2D_V3, "gdx-box2d").contains(who.engine()));
+                (folder, who) -> (who.isWorld() && !who.threads().equals("1")
+                                || List.of(BOX2D_V3, "gdx-box2d").contains(who.engine()))
+                        && tried(folder, who, series));
     }
 
     private static Grid grid(

@@ -61,13 +61,13 @@ final class Tables {
                 : run.get("status").replaceFirst(":.*", "");
     }
 
-    /** The machines of the page. */
+    /** The machines, each with a link to its page. */
     static Grid machines(List<ResultsFolder> folders) {
         Grid grid = Grid.ofProse("machine", "processor", "device", "Java", "date");
         for (ResultsFolder folder : folders) {
             for (String device : devices(folder)) {
                 grid.add(
-                        "[" + folder.name() + "](../bench/results/" + folder.name() + ")",
+                        "[" + folder.name() + "](" + Page.fileOf(folder) + ")",
                         folder.machine("processor") + ", " + folder.machine("cores") + " cores, "
                                 + folder.machine("memory GiB") + " GiB; " + folder.machine("system"),
                         "**" + device + "**: " + folder.machine("device " + device),
