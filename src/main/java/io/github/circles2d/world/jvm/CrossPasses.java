@@ -44,26 +44,15 @@ import io.github.circles2d.world.model.StepConstants;
  * <p>A normal points from the circle of the lower id to the other. Times the side of its contact, which is 1 or -1, it points from the
  * light circle to the heavy one.
  */
-final class CrossPasses {
-    /** Contacts that the relaxing pass works on at a time. */
-    private static final int BLOCK = 256;
-
-    private final State state;
-    private final Contacts contacts;
+final class CrossPasses extends RelaxingPass {
     private final HeavyCircles heavyCircles;
-    private final ContactPasses passes;
     private final int worker;
 
     /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
     Touches touches;
 
-    /** Contacts of a block that are still to do something with. */
-    private final int[] listed = new int[BLOCK];
-
-    CrossPasses(State state, Contacts contacts, ContactPasses passes, int worker) {
-        this.state = state;
-        this.contacts = contacts;
-        this.passes = passes;
+    CrossPasses(State state, Contacts contacts, int worker) {
+        super(state, contacts);
         this.worker = worker;
         heavyCircles = contacts.cross().heavyCircles;
     }
@@ -73,7 +62,7 @@ final class CrossPasses {
         float[] q = contacts.contact;
         float[] m = state.motion;
         for (int c = from; c < to; c++) {
-            passes.measure(c);
+            measure(c);
             int o = ContactRow.of(c);
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
@@ -268,34 +257,8 @@ final class CrossPasses {
         sums[HeavyCircles.sum(heavy) + GAIN_Y] += CrossRule.toFixed(ny * ofHeavy, scale);
     }
 
-    /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
-    void relax(int from, int to, StepConstants k, boolean last) {
-        for (int block = from; block < to; block += BLOCK) {
-            int open = measureAll(block, Math.min(to, block + BLOCK));
-            int carrying = relaxOpen(open, k);
-            if (last) {
-                storeImpulses(carrying);
-            } else {
-                warmStart(carrying);
-            }
-        }
-    }
-
-    /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
-    private int measureAll(int from, int to) {
-        float[] q = contacts.contact;
-        int open = 0;
-        for (int c = from; c < to; c++) {
-            passes.measure(c);
-            int o = ContactRow.of(c);
-            listed[open] = c;
-            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
-        }
-        return open;
-    }
-
-    /** Relaxes the contacts that are listed, and lists those of them that carry; returns their number. */
-    private int relaxOpen(int open, StepConstants k) {
+    @Override
+    int relaxOpen(int open, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         int[] heavyAndSide = contacts.heavyAndSide;
@@ -351,21 +314,16 @@ final class CrossPasses {
         return carrying;
     }
 
-    private void warmStart(int carrying) {
+    @Override
+    void warmStart(int carrying) {
         for (int n = 0; n < carrying; n++) {
-            int c = listed[n];
-            addImpulse(c, contacts.contact[ContactRow.of(c) + NORMAL_IMPULSE]);
-            load(c);
+            addImpulse(listed[n], contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE]);
+            load(listed[n]);
         }
     }
 
-    /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
-    private void storeImpulses(int carrying) {
-        for (int n = 0; n < carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
-            if (impulse > 0f) {
-                contacts.storeCrossImpulse(listed[n], impulse);
-            }
-        }
+    @Override
+    void store(int c, float normalImpulse) {
+        contacts.storeCrossImpulse(c, normalImpulse);
     }
 }
