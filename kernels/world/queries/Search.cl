@@ -1,21 +1,18 @@
 // uses: world/queries/Tree.cl
-// Queries, one a work-item: the tests of the Java class CircleTests, in double precision and in the same order, and the searches in
-// the tree. What is found is put into its defined order here: by distance, then by id; overlaps have the distance 0.
-// From the host: QUERY_POINT and its like, the shapes of queries; TREE_LEVELS; and KIND_WORDS, the ints in front of the queries, which
-// have a bit for each kind that counts.
+// Queries, one a work-item: the tests of the Java class CircleTests, in double precision, and searches in the tree. Found circles have an
+// order: distance (of overlaps 0), then id. KIND_WORDS: ints in front of the queries, a bit for each kind that counts.
 #pragma OPENCL EXTENSION cl_khr_fp64 : enable
 
-#define AREA_MARGIN 0x1p-21  // of a searched disc: more than the rounding of its sides
-#define CAST_MARGIN 0x1p-44  // more than the rounding of the exact test, by its share of the greatest length in it
+#define AREA_MARGIN 0x1p-21  // more than the rounding of a disc's sides
+#define CAST_MARGIN 0x1p-44  // more than the rounding of the exact test, as a share of its greatest length
 #define NEAREST_MARGIN 0x1p-40 // more than the rounding of a distance, by its share of it
 
-// A circle that was found.
 typedef struct {
     double distance;
     float x, y;
 } Place;
 
-// The tree. shape: the top level; then where the boxes of each level begin and how many there are.
+// shape: the top level; then where each level's boxes begin and how many there are.
 typedef struct {
     global const float4 *circle;
     global const int *id;
@@ -29,12 +26,10 @@ typedef struct {
 #define TREE {circle, id, box, shape, circles}
 
 int topOf(const Tree *t) { return t->shape[0]; }
-
 int startOf(const Tree *t, int level) { return t->shape[1 + 2 * level]; }
-
 int boxesOf(const Tree *t, int level) { return t->shape[2 + 2 * level]; }
 
-// A query. kind: its shape. A box has x, y for its lower left and toX, toY for its upper right corner.
+// A box has x, y for its lower left and toX, toY for its upper right corner.
 typedef struct {
     int kind;
     double x, y, toX, toY, reach, unitX, unitY, length, margin;
@@ -79,8 +74,6 @@ Query queryOf(const Tree *t, int kind, global const int *words, int number, floa
     return q;
 }
 
-// ---- exact tests ----------------------------------------------------------------------------------------------------
-
 double squaredDistance(const Query *q, float4 c) {
     double dx = c.x - q->x;
     double dy = c.y - q->y;
@@ -121,7 +114,6 @@ bool admits(const Query *q, int id) {
     return (q->kinds[kind >> 5] >> (kind & 31) & 1) != 0;
 }
 
-// Whether a query finds a circle, and at which distance.
 bool finds(const Query *q, float4 c, double *distance) {
     *distance = 0.0;
     if (q->kind == QUERY_BOX) return overlapsBox(q, c);
@@ -132,9 +124,7 @@ bool finds(const Query *q, float4 c, double *distance) {
     return true;
 }
 
-// ---- boxes ----------------------------------------------------------------------------------------------------------
-
-// Narrows the part of a path that is within a range of one axis. A component of 0 is in it for ever, or never.
+// A component of 0 is in the range for ever, or never.
 void narrow(double from, double unit, double low, double high, double *enter, double *leave) {
     if (unit == 0.0) {
         if (from < low || from > high) *leave = -1.0;
@@ -146,7 +136,7 @@ void narrow(double from, double unit, double low, double high, double *enter, do
     *leave = fmin(*leave, fmax(a, b));
 }
 
-// Not more than the distance of what a query may find in a box; infinite if it finds nothing there within a limit.
+// A lower bound in a box; infinite if there is nothing within the limit.
 double distanceOf(const Query *q, float4 box, double limit) {
     if (isCast(q->kind)) {
         double enter = 0.0;
@@ -171,9 +161,7 @@ double distanceOf(const Query *q, float4 box, double limit) {
     return meets ? 0.0 : INFINITY;
 }
 
-// ---- order ----------------------------------------------------------------------------------------------------------
-
-// Rows of circles that were found, and a heap in them with the last in the order on top.
+// A heap has the last in the order on top.
 typedef struct {
     global int *id;
     global Place *place;
@@ -223,10 +211,7 @@ void sortRows(const Rows *rows, int n) {
     }
 }
 
-// ---- searches -------------------------------------------------------------------------------------------------------
-
-// Goes through the tree without a stack: from a box to the first in it, else to the next. Returns how many circles it finds; rows,
-// if there are any, take them.
+// Without a stack: from a box to the first in it, else to the next. Returns how many it finds.
 int findAll(const Tree *t, const Query *q, const Rows *rows) {
     int count = 0;
     int level = topOf(t);
@@ -258,7 +243,7 @@ int findAll(const Tree *t, const Query *q, const Rows *rows) {
     return count;
 }
 
-// Counts what each query finds. Index space: a query a work-item.
+// Index space: a query.
 kernel void queries_count(TREE_PARAMETERS, int kind, global const int *words, int filtered,
                           global const CircleFields *fields, int n, global int *counts) {
     int number = (int) get_global_id(0);
@@ -268,7 +253,7 @@ kernel void queries_count(TREE_PARAMETERS, int kind, global const int *words, in
     counts[number] = findAll(&tree, &q, 0);
 }
 
-// Lists what each query finds, up to its end. Index space: a query a work-item.
+// Index space: a query.
 kernel void queries_list(TREE_PARAMETERS, int kind, global const int *words, int filtered,
                          global const CircleFields *fields, int n, global const int *ends, global int *foundId,
                          global Place *foundPlace) {
@@ -284,8 +269,7 @@ kernel void queries_list(TREE_PARAMETERS, int kind, global const int *words, int
 // Three siblings at most wait for each level, and four of the last.
 #define MOST_WAITING (BOXES_A_BOX * (TREE_LEVELS + 1))
 
-// Finds the first few circles of a query: goes into the nearest of what waits. That is a group of boxes, those of a level that share a
-// box of the next, or at level -1 the circles of a box.
+// Goes into the nearest that waits: boxes of a level that share one of the next, or at level -1 the circles of a box.
 int findFew(const Tree *t, const Query *q, int most, const Rows *rows) {
     int waitingLevel[MOST_WAITING];
     int waitingBox[MOST_WAITING];
@@ -338,7 +322,7 @@ int findFew(const Tree *t, const Query *q, int most, const Rows *rows) {
     return count;
 }
 
-// Finds the first few circles of each query. Index space: a query a work-item.
+// Index space: a query.
 kernel void queries_few(TREE_PARAMETERS, int kind, global const int *words, int filtered,
                         global const CircleFields *fields, int n, float within, int most, global int *foundId,
                         global Place *foundPlace) {

@@ -1,10 +1,8 @@
 // uses: world/shared/Arithmetic.cl world/stages/Scan.cl
-// A tree of boxes over the circles at home, for queries, as the Java class CircleTree has on the host: sixteen circles in a row share
-// a box, four boxes in a row share a box of the next level, up to one. The circles are sorted by cells of a grid over all of them,
-// in the order of a Hilbert curve. Within a cell they lie in the order in which work-items met; no query's answer depends on it.
-// From the host: TREE_MARGIN, CIRCLES_A_BOX, BOXES_A_BOX, MOST_IN_A_CELL, and EXTENT_ITEMS, the work-items that measure the extent.
+// A tree of boxes over the circles at home, as the Java class CircleTree: sixteen circles a box, four boxes a box of the next level.
+// Circles are sorted by cells in the order of a Hilbert curve; no answer depends on the order within a cell.
 
-// In extent: least x, least y, greatest x, greatest y, the last two negated, each as sortable bits; whether a cell is crowded.
+// extent: least x, least y, greatest x, greatest y, the last two negated, as sortable bits; whether a cell is crowded.
 #define LEAST_X 0
 #define LEAST_Y 1
 #define GREATEST_X 2
@@ -19,7 +17,7 @@ int sortable(float f) {
 
 float unsorted(int bits) { return as_float(bits ^ ((bits >> 31) & INT_MAX)); }
 
-// Measures the extent of the centres. Index space: EXTENT_ITEMS work-items.
+// Index space: EXTENT_ITEMS.
 kernel void queries_extent(global const int *homeId, global const float4 *homeCircle, int slots, global int *extent) {
     local int found[4];
     int item = (int) get_local_id(0);
@@ -41,14 +39,13 @@ kernel void queries_extent(global const int *homeId, global const float4 *homeCi
     }
 }
 
-// The cell of a coordinate out of 2^bits cells between two coordinates.
 int cellBetween(float at, float low, float high, int bits) {
     float width = high - low;
     if (!(width > 0.0f)) return 0;
     return clamp((int) ((at - low) / width * (float) (1 << bits)), 0, (1 << bits) - 1);
 }
 
-// The place of a cell on a Hilbert curve through 2^bits columns and rows.
+// Through 2^bits columns and rows.
 int hilbertPlace(int column, int row, int bits) {
     int place = 0;
     for (int bit = bits - 1; bit >= 0; bit--) {
@@ -64,7 +61,7 @@ int hilbertPlace(int column, int row, int bits) {
     return place;
 }
 
-// Counts the circles of each cell. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void queries_tally(global const int *homeId, global const float4 *homeCircle, int slots, int bits,
                           global int *extent, global int *cellOf, global int *rank, global int *tally) {
     int slot = (int) get_global_id(0);
@@ -79,7 +76,7 @@ kernel void queries_tally(global const int *homeId, global const float4 *homeCir
     if (before == MOST_IN_A_CELL) extent[CELL_CROWDED] = 1;
 }
 
-// Sorts the circles: x, y, radius and id. Index space: a slot at home a work-item.
+// x, y, radius, id. Index space: slots at home.
 kernel void queries_place(global const int *homeId, global const float4 *homeCircle, int slots,
                           global const int *cellOf, global const int *rank, global const int *cellStart,
                           global float4 *circle, global int *id) {
@@ -90,12 +87,12 @@ kernel void queries_place(global const int *homeId, global const float4 *homeCir
     id[place] = homeId[slot];
 }
 
-// The box around two boxes: least x, y, greatest x, y. Put together from numbers: Oclgrind 21.10 crashes on a vector of vectors.
+// Least x, y, greatest x, y; from numbers, since Oclgrind 21.10 crashes on a vector of vectors.
 float4 enclosing(float4 a, float4 b) {
-    return (float4)(least(a.x, b.x), least(a.y, b.y), greatest(a.z, b.z), greatest(a.w, b.w));
+    return (float4)(minf(a.x, b.x), minf(a.y, b.y), maxf(a.z, b.z), maxf(a.w, b.w));
 }
 
-// Boxes around circles, larger by what covers the rounding of the exact tests. Index space: a box a work-item.
+// Larger by what covers the rounding of exact tests. Index space: a box.
 kernel void queries_boxCircles(global const float4 *circle, int circles, int boxes, global float4 *box) {
     int b = (int) get_global_id(0);
     if (b >= boxes) return;
@@ -110,7 +107,7 @@ kernel void queries_boxCircles(global const float4 *circle, int circles, int box
     box[b] = around;
 }
 
-// Boxes around boxes. below: where those of the level below begin, and how many there are. Index space: a box a work-item.
+// below: where the level below begins, and how many boxes it has. Index space: a box.
 kernel void queries_boxBoxes(global float4 *box, int below, int boxesBelow, int start, int boxes) {
     int b = (int) get_global_id(0);
     if (b >= boxes) return;

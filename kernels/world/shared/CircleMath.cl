@@ -1,10 +1,5 @@
 // uses: world/shared/Arithmetic.cl
-// Formulas of circles, under the names that they have in the Java class CircleMath, which documents them. Both give the same bits:
-// only + - * / sqrt floor, comparisons and integer operations, in the same bracketing, never contracted. Constant cost a call.
-
-// ---- geometry -------------------------------------------------------------------------------------------------------
-
-float bounded(float a, float low, float high) { return greatest(least(a, high), low); }
+// The Java class CircleMath documents these formulas. Same bits: only + - * / sqrt floor, comparisons and integers, in the same brackets.
 
 float lostByRounding(float base, float displacement, float sum) {
     float part = sum - base;
@@ -20,15 +15,12 @@ float shareOfPeriod(float p, float period) {
 }
 
 float inverseMass(float mass) { return 1.0f / mass; }
-
-float limitSpeed(float v) { return bounded(v, -GREATEST_SPEED, GREATEST_SPEED); }
-
+float limitSpeed(float v) { return clampf(v, -GREATEST_SPEED, GREATEST_SPEED); }
 float afterImpulse(float v, float w, float impulse) { return limitSpeed(v + w * impulse); }
-
 float beforeImpulse(float v, float gain, float dampingFactor) { return (v + gain) * dampingFactor; }
 
 float shareWithin(float x, float y, float most) {
-    float length = norm(x, y);
+    float length = lengthf(x, y);
     return length > most ? most / length : 1.0f;
 }
 
@@ -36,14 +28,9 @@ float gain(float gravityGain, float force, float w, float h) {
     return force == 0.0f ? gravityGain : limitSpeed(gravityGain + force * w * h);
 }
 
-// ---- broad phase ----------------------------------------------------------------------------------------------------
-
 float plan(float v, float dt, float fall) { return v * dt + fall; }
-
 float travelSpeed(float from, float to, float dt, float period) { return limitSpeed(shortWay(to - from, period) / dt); }
-
-float speculativeDistance(float r, float path) { return (r + MARGIN * r) + least(path, CAP * r); }
-
+float speculativeDistance(float r, float path) { return (r + MARGIN * r) + minf(path, CAP * r); }
 bool isFast(float path, float r) { return path > CAP * r; }
 
 float besideWalls(float x, float p, float r, float min, float max) {
@@ -69,18 +56,18 @@ float travelShare(float path, float r) {
 }
 
 float sightMargin(float r, float path, float top) {
-    return 1.125f * ((r + top) + greatest(path, CAP * top));
+    return 1.125f * ((r + top) + maxf(path, CAP * top));
 }
 
-float carriedPath(float path, float longest, float top) { return least(path, longest) + CAP * top; }
+float carriedPath(float path, float longest, float top) { return minf(path, longest) + CAP * top; }
 
-// A share of a path, from 0 to 1. Some compilers bring a number into that range by saturation, which makes 0 of NaN; bounded makes 1.
-float boundedShare(float share) { return isnan(share) ? 1.0f : bounded(share, 0.0f, 1.0f); }
+// Some compilers bring a number into this range by saturation, which makes 0 of NaN; clampf makes 1.
+float boundedShare(float share) { return isnan(share) ? 1.0f : clampf(share, 0.0f, 1.0f); }
 
 float leastBetween(float x, float px, float y, float py, float low, float high) {
     float from = py == 0.0f ? 0.0f : boundedShare((low - y) / py);
     float to = py == 0.0f ? 1.0f : boundedShare((high - y) / py);
-    return x + least(from * px, to * px);
+    return x + minf(from * px, to * px);
 }
 
 float greatestBetween(float x, float px, float y, float py, float low, float high) {
@@ -88,13 +75,12 @@ float greatestBetween(float x, float px, float y, float py, float low, float hig
 }
 
 bool sweeps(float r, float other) { return other * SWEEP_RATIO >= r; }
-
 bool isLonger(float ux, float uy, float length) { return ux * ux + uy * uy > length * length; }
 
 bool differ(float px, float py, float lowX, float highX, float lowY, float highY, float length) {
     if (lowX > highX) return false;
-    float ux = greatest(px - lowX, highX - px);
-    float uy = greatest(py - lowY, highY - py);
+    float ux = maxf(px - lowX, highX - px);
+    float uy = maxf(py - lowY, highY - py);
     return ux * ux + uy * uy > length * length;
 }
 
@@ -104,7 +90,7 @@ float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
     float c = (dx * dx + dy * dy) - sum * sum;
     float disc = b * b - a * c;
     if (!(b > 0.0f) || !(disc >= 0.0f)) return 2.0f;
-    return greatest(c, 0.0f) / (b + sqrt(disc));
+    return maxf(c, 0.0f) / (b + sqrt(disc));
 }
 
 float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
@@ -123,7 +109,7 @@ float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pat
     if (t < share) return t;
     float x = dx + share * pathX;
     float y = dy + share * pathY;
-    t = greatest(timeOfImpact(x, y, px, py, sum), share);
+    t = maxf(timeOfImpact(x, y, px, py, sum), share);
     if (t < 1.0f && isRunOver(x, y, px, py, r, sum)) return t;
     bool meets = timeOfImpact(dx, dy, px, py, sum) < 1.0f;
     return meets && isRunOver(dx, dy, px, py, r, sum) ? 1.0f : 2.0f;
@@ -131,7 +117,7 @@ float timeOfCarry(float dx, float dy, float px, float py, float pathX, float pat
 
 float holdAllowance(float r, float path, float other, bool stands) {
     if (stands) return CLAMP_ALLOWANCE * r;
-    return other < r ? CLAMP_ALLOWANCE * other : bounded(path, CLAMP_ALLOWANCE * r, r);
+    return other < r ? CLAMP_ALLOWANCE * other : clampf(path, CLAMP_ALLOWANCE * r, r);
 }
 
 float nearest(float dx, float dy, float px, float py) {
@@ -155,9 +141,8 @@ int sizeClass(float r, float rmax) {
     return k;
 }
 
-// Java's conversion of a float to an int saturates.
-int cell(float x, float min, float inverseEdge) { return convert_int_sat(greatest((x - min) * inverseEdge, 0.0f)); }
-
+// Saturates, as in Java.
+int cell(float x, float min, float inverseEdge) { return convert_int_sat(maxf((x - min) * inverseEdge, 0.0f)); }
 int ringFirst(int a, int b, int size) { return (b + 1 == size ? 0 : b + 1) == a ? b : a; }
 
 uint mixBits(uint h) {
@@ -173,14 +158,13 @@ bool keeps(int hash, int fewer) {
 }
 
 float partingX(int hash) { return (float) (hash & 1023) - 511.5f; }
-
 float partingY(int hash) { return (float) ((int) ((uint) hash >> 10) & 1023) - 511.5f; }
 
-// The normal of a contact of circles with one centre. ids: the lower above the higher.
+// Of circles with one centre. ids: the lower above the higher.
 float2 partingNormal(ulong ids) {
     int hash = pairHash((int) (ids >> 32), (int) ids);
     float x = partingX(hash);
     float y = partingY(hash);
-    float length = norm(x, y);
+    float length = lengthf(x, y);
     return (float2)(x / length, y / length);
 }

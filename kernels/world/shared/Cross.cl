@@ -1,5 +1,5 @@
 // uses: world/shared/CircleMath.cl
-// Contacts of circles of different levels: the Java class CrossRule has the same formulas, and says why they are so.
+// Contacts of circles of different levels. The Java class CrossRule says why the formulas are so.
 
 #if defined(cl_khr_int64_base_atomics) && !defined(ATOMICS_BY_HALVES)
 #define HAS_LONG_ATOMICS
@@ -18,32 +18,26 @@ int loadOfHeavy(float inverseMassOfLight, float inverseMassOfHeavy) {
     return (int) (inverseMassOfHeavy / (inverseMassOfHeavy + inverseMassOfLight) * LOAD_UNITS) + 1;
 }
 
-float crossShare(int load) { return greatest((float) load * (1.0f / LOAD_UNITS), 1.0f); }
+float crossShare(int load) { return maxf((float) load * (1.0f / LOAD_UNITS), 1.0f); }
 
 float crossMass(float inverseMassOfLight, float inverseMassOfHeavy, float share) {
     return 1.0f / (inverseMassOfLight + share * inverseMassOfHeavy);
 }
 
 bool mayWait(float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
-    float depth = least(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * least(radius, otherRadius));
+    float depth = minf(WAIT_DEPTH * (radius + otherRadius), WAIT_DEPTH_OF_SMALLER * minf(radius, otherRadius));
     return restitution > NEARLY_ELASTIC && inverseMassOfHeavy > 0.0f && separation + depth >= 0.0f;
 }
 
 float velocityRange(float radius, float inverseH) { return radius * inverseH; }
-
 float impulseRange(float radius, float inverseH, float inverseMass) { return radius * inverseH / inverseMass; }
-
 int exponentOf(float range) { return max(as_int(range) & 0x7f800000, 47 << 23); }
-
 float scaleOf(float range) { return as_float(((127 + RANGE_LOG + 127) << 23) - exponentOf(range)); }
-
 float unitOf(float range) { return as_float(exponentOf(range) - (RANGE_LOG << 23)); }
-
-long toFixed(float value, float scale) { return (long) bounded(value * scale, -0x1p56f, 0x1p56f); }
-
+long toFixed(float value, float scale) { return (long) clampf(value * scale, -0x1p56f, 0x1p56f); }
 float fromFixed(long sum, float unit) { return (float) sum * unit; }
 
-// Adds to a sum that other work-items add to at the same time. The sum of whole numbers does not depend on their order.
+// Work-items add in any order: the sum of whole numbers is the same.
 void addFixed(global long *sum, long value) {
 #ifdef HAS_LONG_ATOMICS
     atom_add(sum, value);

@@ -1,133 +1,116 @@
 // uses: world/shared/Wall.cl world/shared/Drive.cl
-// The motion of a circle through a sub-step, walls included: velocities, then, after the biased pass over the contacts,
-// positions; and its state at the end of the step.
+// The motion of a circle through a sub-step, with its walls. m: motion; t: traits.
 
-// The velocity before any impulse. m: motion.
 INLINE float2 beforeImpulses(const World *w, int slot, float invMass, float4 m) {
     if (w->k.driving != 0) return drivenVelocity(w, w->id[slot], invMass, m);
-    return (float2)(m.z + w->k.gravityStepX, m.w + w->k.gravityStepY);
+    return (float2)(m.VX + w->k.gravityStepX, m.VY + w->k.gravityStepY);
 }
 
-// Gravity, the impulses of the sub-step before, and the biased pass over the walls, for one circle: changes motion m and
-// the wall impulses in traits t; l: its sums of impulses, and whether one of its contacts carries. Gives the velocity
-// before any impulse, the target speeds of bounces off walls, and whether the circle is loaded.
+// Gravity, the impulses of the sub-step before, and the biased pass over the walls. l: load.
 void integrateVelocities(const World *w, int slot, float4 c, float4 *m, float4 *t, float4 l, float2 *before, float2 *bounce,
                          bool *loaded) {
     const StepConstants *k = &w->k;
-    if (t->x == 0.0f) {
-        *before = (float2)(m->z, m->w);
+    if (t->INVERSE_MASS == 0.0f) {
+        *before = (float2)(m->VX, m->VY);
         *bounce = (float2)(0.0f);
         *loaded = false;
         return;
     }
-    *before = beforeImpulses(w, slot, t->x, *m);
-    *loaded = l.w > 0.0f || t->z != 0.0f || t->w != 0.0f;
-    // Arrays, and a loop over the axes that stays one: in registers, what a circle at a wall needs would leave a GPU room for
-    // fewer work-groups at once, although few circles are at walls.
+    *before = beforeImpulses(w, slot, t->INVERSE_MASS, *m);
+    *loaded = l.LOADED_NEXT > 0.0f || t->WALL_X != 0.0f || t->WALL_Y != 0.0f;
+    // Arrays, in a loop that stays one: few circles are at walls, and in registers this would leave a GPU room for fewer work-groups.
     float x[2] = {c.x, c.y};
-    float dx[2] = {m->x, m->y};
+    float dx[2] = {m->DX, m->DY};
     float v[2] = {before->x, before->y};
-    float next[2] = {afterImpulse(v[0], t->x, l.x), afterImpulse(v[1], t->x, l.y)};
-    float wall[2] = {t->z, t->w};
+    float next[2] = {afterImpulse(v[0], t->INVERSE_MASS, l.IMPULSES.x), afterImpulse(v[1], t->INVERSE_MASS, l.IMPULSES.y)};
+    float wall[2] = {t->WALL_X, t->WALL_Y};
     float target[2];
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.z, t->y, *loaded, low[axis], high[axis],
+        next[axis] = solveWall(w, axis, x[axis], &dx[axis], v[axis], next[axis], c.RADIUS, t->RESTITUTION, *loaded, low[axis], high[axis],
                                rate[axis], &wall[axis], &target[axis]);
     }
     *bounce = (float2)(target[0], target[1]);
     *m = (float4)(dx[0], dx[1], next[0], next[1]);
-    t->z = wall[0];
-    t->w = wall[1];
+    t->WALL_X = wall[0];
+    t->WALL_Y = wall[1];
 }
 
-// integrateVelocities for a circle that no wall pushes, as long as none begins to: gives the velocities, and returns false if a
-// wall may have to be visited. m: its motion; impulses: their sum.
+// The same if no wall pushes the circle; false if a wall may begin to.
 INLINE bool integrateOffWalls(const World *w, int slot, float4 c, float4 m, float invMass, float2 impulses, float2 *before,
                               float2 *v) {
     const StepConstants *k = &w->k;
     *before = beforeImpulses(w, slot, invMass, m);
     float2 next = (float2)(afterImpulse(before->x, invMass, impulses.x), afterImpulse(before->y, invMass, impulses.y));
-    // Adding zeros, as the visits would: the signs of zeros are part of the state.
+    // Zeros, as the visits would add: the signs of zeros are state.
     *v = next + noWalls(k, c);
-    bool farX = wallIsFar(k, c.x, m.x, before->x, next.x, c.z, k->minX, k->maxX);
-    bool farY = wallIsFar(k, c.y, m.y, before->y, next.y, c.z, k->minY, k->maxY);
+    bool farX = wallIsFar(k, c.x, m.DX, before->x, next.x, c.RADIUS, k->minX, k->maxX);
+    bool farY = wallIsFar(k, c.y, m.DY, before->y, next.y, c.RADIUS, k->minY, k->maxY);
     return (invMass != 0.0f) & farX & farY;
 }
 
-// How far a circle may leave the free part of its path.
 INLINE float allowanceOf(const World *w, int slot, float r) {
-    return w->k.sweeping ? w->motionClamp[slot].z : CLAMP_ALLOWANCE * r;
+    return w->k.sweeping ? w->motionClamp[slot].ALLOWANCE : CLAMP_ALLOWANCE * r;
 }
 
-// A displacement as it is, or brought as near to a place as is allowed. on: the place.
+// A displacement, brought as near to a place as is allowed.
 INLINE float2 withinAllowance(float2 on, float2 d, float allowance) {
     float offX = d.x - on.x;
     float offY = d.y - on.y;
-    float off = norm(offX, offY);
+    float off = lengthf(offX, offY);
     if (!(off > allowance)) return d;
     float keep = allowance / off;
     return (float2)(on.x + keep * offX, on.y + keep * offY);
 }
 
-// Keeps a circle at a static one behind where they touch, or takes it along with one that moves. Not inlined: few circles come
-// here, and all others would pay for its registers.
+// Keeps a circle behind the place where it touches a static one, or takes it along. Not inlined: few circles come here, and all others
+// would pay for its registers.
 float2 clampAtStatic(float4 clamp_, float2 d) {
-    if (clamp_.z == CARRIED) return clamp_.xy;
-    float along = alongPath(d.x, d.y, clamp_.x, clamp_.y);
-    if (along > clamp_.w) {
-        d.x -= (along - clamp_.w) * clamp_.x;
-        d.y -= (along - clamp_.w) * clamp_.y;
+    if (clamp_.ALLOWANCE == CARRIED) return clamp_.PATH;
+    float along = alongPath(d.x, d.y, clamp_.PATH_X, clamp_.PATH_Y);
+    if (along > clamp_.FREE_SHARE) {
+        d.x -= (along - clamp_.FREE_SHARE) * clamp_.PATH_X;
+        d.y -= (along - clamp_.FREE_SHARE) * clamp_.PATH_Y;
     }
-    float share = least(nearest(d.x, d.y, clamp_.x, clamp_.y), clamp_.w);
-    float allowance = along > 0.0f ? -ASIDE * clamp_.z : -clamp_.z;
-    return withinAllowance((float2)(share * clamp_.x, share * clamp_.y), d, allowance);
+    float share = minf(nearest(d.x, d.y, clamp_.PATH_X, clamp_.PATH_Y), clamp_.FREE_SHARE);
+    float allowance = along > 0.0f ? -ASIDE * clamp_.ALLOWANCE : -clamp_.ALLOWANCE;
+    return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), d, allowance);
 }
 
-// Keeps a circle's displacement within its motion clamp: no farther from the free part of its path than it is allowed.
 INLINE float2 clampMotion(const World *w, int slot, float r, float dx, float dy) {
     float allowance = allowanceOf(w, slot, r);
     if (dx * dx + dy * dy <= allowance * fabs(allowance)) return (float2)(dx, dy);
     float4 clamp_ = w->motionClamp[slot];
     if (allowance < 0.0f) return clampAtStatic(clamp_, (float2)(dx, dy));
-    float share = nearest(dx, dy, clamp_.x, clamp_.y);
-    return withinAllowance((float2)(share * clamp_.x, share * clamp_.y), (float2)(dx, dy), allowance);
+    float share = nearest(dx, dy, clamp_.PATH_X, clamp_.PATH_Y);
+    return withinAllowance((float2)(share * clamp_.PATH_X, share * clamp_.PATH_Y), (float2)(dx, dy), allowance);
 }
 
-// Moves a circle that nothing is in the way of. m: its motion; returns what that becomes.
-INLINE float4 movedFreely(const StepConstants *k, float4 m) {
-    float vx = limitSpeed(m.z);
-    float vy = limitSpeed(m.w);
-    return (float4)(m.x + vx * k->h, m.y + vy * k->h, vx, vy);
-}
-
-// A displacement, cut by walls that move, where they are at the end of the sub-step.
+// Cut by walls that move, where they are at the end of the sub-step.
 float keepInside(const World *w, float x, float d, float r, int axis, float min, float max) {
     return within(x, d, (min - behindOf(w, 2 * axis)) + r, (max + behindOf(w, 2 * axis + 1)) - r);
 }
 
-// Moves a circle, and keeps it within the walls. m: its motion; returns what that becomes.
 INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, bool isStatic) {
     const StepConstants *k = &w->k;
-    float4 free = movedFreely(k, m);
-    float2 d = free.xy;
-    float vx = free.z;
-    float vy = free.w;
-    if (!isStatic) d = clampMotion(w, slot, c.z, d.x, d.y);
-    float edge = isStatic ? 0.0f : c.z;
+    float vx = limitSpeed(m.VX);
+    float vy = limitSpeed(m.VY);
+    float2 d = (float2)(m.DX + vx * k->h, m.DY + vy * k->h);
+    if (!isStatic) d = clampMotion(w, slot, c.RADIUS, d.x, d.y);
+    float edge = isStatic ? 0.0f : c.RADIUS;
     float dx = within(c.x, d.x, k->minX + edge, k->maxX - edge);
     float dy = within(c.y, d.y, k->minY + edge, k->maxY - edge);
     if (isStatic) {
-        // Circles that lie on a static one must not see it move on when the bounds have stopped it.
+        // What lies on a static circle must not see it move on when the bounds have stopped it.
         vx = dx == d.x ? vx : 0.0f;
         vy = dy == d.y ? vy : 0.0f;
     } else {
         if (((dx != d.x) | (dy != d.y)) && w->walls->any) {
-            dx = keepInside(w, c.x, d.x, c.z, 0, k->minX, k->maxX);
-            dy = keepInside(w, c.y, d.y, c.z, 1, k->minY, k->maxY);
+            dx = keepInside(w, c.x, d.x, c.RADIUS, 0, k->minX, k->maxX);
+            dy = keepInside(w, c.y, d.y, c.RADIUS, 1, k->minY, k->maxY);
         }
         vx = stopAtFarWall(vx, d.x, dx, wallSide(c.x, k->minX, k->maxX));
         vy = stopAtFarWall(vy, d.y, dy, wallSide(c.y, k->minY, k->maxY));
@@ -135,39 +118,29 @@ INLINE float4 integratePositions(const World *w, int slot, float4 c, float4 m, b
     return (float4)(dx, dy, vx, vy);
 }
 
-// The relaxing pass over the walls for a circle that has moved: changes the velocity in motion m and the wall impulses in
-// traits t.
 void relaxAtWalls(const World *w, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
     const StepConstants *k = &w->k;
     float x[2] = {c.x, c.y};
-    float dx[2] = {m->x, m->y};
-    float v[2] = {m->z, m->w};
-    float wall[2] = {t->z, t->w};
+    float dx[2] = {m->DX, m->DY};
+    float v[2] = {m->VX, m->VY};
+    float wall[2] = {t->WALL_X, t->WALL_Y};
     float target[2] = {bounce.x, bounce.y};
     float low[2] = {k->minX, k->minY};
     float high[2] = {k->maxX, k->maxY};
     float rate[2] = {k->thresholdRateX, k->thresholdRateY};
 #pragma unroll 1
     for (int axis = 0; axis < 2; axis++) {
-        v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.z, t->y, loaded, target[axis], low[axis], high[axis],
+        v[axis] = relaxWall(w, axis, x[axis], dx[axis], v[axis], c.RADIUS, t->RESTITUTION, loaded, target[axis], low[axis], high[axis],
                             rate[axis], &wall[axis]);
     }
-    m->z = v[0];
-    m->w = v[1];
-    t->z = wall[0];
-    t->w = wall[1];
-}
-
-// Moves a circle, keeps it within the walls, and makes the relaxing pass over the walls: changes motion m and the wall
-// impulses in traits t.
-void moveCircle(const World *w, int slot, float4 c, float4 *m, float4 *t, float2 bounce, bool loaded) {
-    bool isStatic = t->x == 0.0f;
-    *m = integratePositions(w, slot, c, *m, isStatic);
-    if (!isStatic) relaxAtWalls(w, c, m, t, bounce, loaded);
+    m->VX = v[0];
+    m->VY = v[1];
+    t->WALL_X = wall[0];
+    t->WALL_Y = wall[1];
 }
 
 #ifdef EDGES
-// Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: its displacement.
+// Brings a coordinate that has crossed the edge of an axis that wraps to the other side. d: displacement.
 void bringInside(float *x, float *d, float min_, float last, float period) {
     float lapsOfX = laps(*x, min_, period);
     if (lapsOfX == 0.0f) return;
@@ -175,28 +148,28 @@ void bringInside(float *x, float *d, float min_, float last, float period) {
     float near = *x + away;
     float rest = *d + lostByRounding(*x, away, near);
     float sum = near + rest;
-    *x = bounded(sum, min_, last);
+    *x = clampf(sum, min_, last);
     *d = *x == sum ? lostByRounding(near, rest, sum) : 0.0f;
 }
 #endif
 
-// Ends the step for one circle: the base takes the displacement, the displacement what that lost, and all of it goes home.
+// The base takes the displacement, the displacement what that lost; all goes home.
 INLINE void finalizePositions(const World *w, int slot, float4 c, float4 m, float4 t) {
     const StepConstants *k = &w->k;
-    float edge = t.x == 0.0f ? 0.0f : c.z;
-    float x = c.x + m.x;
-    float y = c.y + m.y;
-    float keptX = bounded(x, k->minX + edge, k->maxX - edge);
-    float keptY = bounded(y, k->minY + edge, k->maxY - edge);
+    float edge = t.INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
+    float x = c.x + m.DX;
+    float y = c.y + m.DY;
+    float keptX = clampf(x, k->minX + edge, k->maxX - edge);
+    float keptY = clampf(y, k->minY + edge, k->maxY - edge);
     int id = w->id[slot];
-    float dx = keptX == x ? lostByRounding(c.x, m.x, x) : 0.0f;
-    float dy = keptY == y ? lostByRounding(c.y, m.y, y) : 0.0f;
+    float dx = keptX == x ? lostByRounding(c.x, m.DX, x) : 0.0f;
+    float dy = keptY == y ? lostByRounding(c.y, m.DY, y) : 0.0f;
 #ifdef EDGES
     bringInside(&keptX, &dx, w->levels->minX, w->levels->lastX, w->levels->periodX);
     bringInside(&keptY, &dy, w->levels->minY, w->levels->lastY, w->levels->periodY);
 #endif
-    w->homeMotion[slot] = (float4)(dx, dy, limitSpeed(m.z), limitSpeed(m.w));
-    w->homeCircle[slot] = (float4)(keptX, keptY, c.z, c.w);
+    w->homeMotion[slot] = (float4)(dx, dy, limitSpeed(m.VX), limitSpeed(m.VY));
+    w->homeCircle[slot] = (float4)(keptX, keptY, c.RADIUS, c.MASS);
     w->homeTraits[slot] = t;
     w->homeId[slot] = id;
     w->slotOf[id] = slot;

@@ -1,17 +1,11 @@
 // uses: world/shared/CircleMath.cl
-// How far circles get in a step, and the grid in which continuous collision finds them. The Java class world.model.Reach explains it; it
-// is the same, function by function. From the host: REACH_SLACK, REACH_STATIC_SLACK, GREATEST_REACH, REACH_EDGE_LOG.
+// How far circles get in a step. The Java class world.model.Reach explains it, function by function.
 
 float reachOf(float r, float path, bool isStatic) { return isStatic ? REACH_STATIC_SLACK * r : REACH_SLACK * (r + path); }
-
 int wholeLog2(float x) { return (as_int(x) >> 23) - 127; }
-
 float powerOfTwo(int exponent) { return as_float((127 + exponent) << 23); }
-
 int topExponent(float greatestRadius) { return wholeLog2(GREATEST_REACH * greatestRadius); }
-
 int reachClassOf(float reach, int topExponent_) { return min(topExponent_ - wholeLog2(reach), 31); }
-
 float topReach(int reachClass, int topExponent_) { return powerOfTwo(topExponent_ - reachClass + 1); }
 
 float inverseReachEdge(int reachClass, int topExponent_) {
@@ -19,7 +13,7 @@ float inverseReachEdge(int reachClass, int topExponent_) {
 }
 
 int reachCell(float x, float min_, float inverseEdge) {
-    return (int) bounded((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
+    return (int) clampf((x - min_) * inverseEdge, -0x1p22f, 0x1p22f);
 }
 
 int reachBuckets(int circles) { return 2 << (31 - clz(max(circles, 1))); }

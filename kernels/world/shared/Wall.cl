@@ -1,6 +1,5 @@
-// uses: world/shared/CircleMath.cl world/shared/Contact.cl world/stages/World.cl
-// The walls: a circle and the nearer wall of an axis are a contact with an effective mass of 1, so its impulses are speeds. A
-// circle keeps the impulses of its walls, positive for a lower wall, negative for an upper one.
+// uses: world/shared/CircleMath.cl world/shared/OneBody.cl
+// Walls: one-body constraints, of a circle and the nearer wall of each axis. A circle keeps their impulses, positive for a lower wall.
 
 float wallSide(float x, float min, float max) { return x - min <= max - x ? 1.0f : -1.0f; }
 
@@ -8,49 +7,28 @@ float wallGap(float base, float displacement, float r, float side, float min, fl
     return side > 0.0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
 }
 
-float leftBehind(float gap, float vn, float gain, float dt, float r) {
-    return gap > 0.0f && vn < 0.0f && -vn * dt <= r ? gain * (gap / -vn) : 0.0f;
-}
-
 float stopAtFarWall(float v, float displacement, float kept, float side) {
     return (side > 0.0f ? kept < displacement : kept > displacement) ? 0.0f : v;
 }
 
-// Whether a gap closes neither at a normal speed nor at the one before any impulse.
-INLINE bool staysClear(const StepConstants *k, float gap, float vn, float before) {
-    return (gap > 0.0f) & (gap * k->inverseH + vn >= 0.0f) & (gap + before * k->h >= 0.0f);
-}
-
-float wallImpulse(float sign, float side) { return greatest(side * sign, 0.0f); }
+float wallImpulse(float sign, float side) { return maxf(side * sign, 0.0f); }
 
 float within(float base, float displacement, float low, float high) {
     float x = base + displacement;
     return x < low ? low - base : x > high ? high - base : displacement;
 }
 
-// A circle and the nearer wall of an axis, as a pass finds them. A wall that moves is where it will be at the end of the sub-step.
+// If it moves, where it will be at the end of the sub-step.
 Found foundWall(const World *w, int axis, float x, float dx, float r, float e, bool loaded, float min, float max,
                 float thresholdRate, float stored, float *side, int *wall) {
-    const StepConstants *k = &w->k;
     *side = wallSide(x, min, max);
     *wall = 2 * axis + (*side > 0.0f ? 0 : 1);
-    Found f;
-    f.separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
-    f.restitution = e;
-    f.threshold = bounceThreshold(k, 2.0f * r, e, thresholdRate);
-    f.flight = f.threshold; // walls have one threshold
-    f.mass = 1.0f;
-    f.normalImpulse = wallImpulse(stored, *side);
-    f.loaded = loaded;
-    f.pushSpeed = pushSpeed(k, 2.0f * r);
-    f.squaredSpeed = INFINITY; // never lingers
-    f.halfFall = 0.0f;         // leftBehind takes its place
-    return f;
+    float separation = wallGap(x, dx, r, *side, min, max) + behindOf(w, *wall);
+    return foundOneBody(&w->k, separation, r, e, thresholdRate, wallImpulse(stored, *side), loaded);
 }
 
-// The biased pass over the nearer wall of an axis. before: velocity along the axis before any impulse; v: after those of the
-// contacts; stored: the wall's impulse. Returns the new velocity along the axis. A wall that moves is visited in its frame, by where
-// it is now, unless it stays clear of the circle in the sub-step.
+// before: velocity along the axis before any impulse; v: after those of the contacts; returns the new one. A wall that moves is visited in
+// its frame, by where it is now, unless it stays clear.
 float solveWall(const World *w, int axis, float x, float *dx, float before, float v, float r, float e, bool loaded, float min,
                 float max, float thresholdRate, float *stored, float *bounce) {
     const StepConstants *k = &w->k;
@@ -62,47 +40,42 @@ float solveWall(const World *w, int axis, float x, float *dx, float before, floa
     float speed = clear ? 0.0f : speedFor(w, wall, r);
     f.separation += clear ? 0.0f : sweepFor(w, wall, r);
     f.before = side * before - speed;
-    Ready c;
-    makeReadyToSolve(k, wallSoftness(k), &f, &c);
     float vn = side * v - speed;
     Visited visited;
-    visit(&c, vn, false, &visited);
+    *bounce = solveOneBody(k, &f, vn, &visited);
     if (!visited.solved) *dx -= leftBehind(f.separation, vn, side * visited.impulse, k->dt, r);
     *stored = side * visited.normalImpulse;
-    *bounce = c.bounce;
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
-// The relaxing pass over the nearer wall of an axis. Returns the new velocity along the axis.
+// Returns the new velocity along the axis.
 float relaxWall(const World *w, int axis, float x, float dx, float v, float r, float e, bool loaded, float bounce, float min,
                 float max, float thresholdRate, float *stored) {
     float side;
     int wall;
     Found f = foundWall(w, axis, x, dx, r, e, loaded, min, max, thresholdRate, *stored, &side, &wall);
-    Ready c;
-    makeReadyToRelax(&w->k, &f, bounce, &c);
     Visited visited;
-    visit(&c, side * v - speedFor(w, wall, r), true, &visited);
-    // After a bounce +0 at either wall: the signs of zeros are part of the state.
+    relaxOneBody(&w->k, &f, bounce, side * v - speedFor(w, wall, r), &visited);
+    // +0 at either wall after a bounce: the signs of zeros are state.
     if (visited.solved) *stored = bounce > 0.0f ? 0.0f : side * visited.normalImpulse;
     return visited.leaves ? v : v + side * visited.impulse;
 }
 
-// The wall impulses of a circle that no wall pushes, down to the signs of zeros. They are the same for the whole step.
+// The wall impulses of a circle that no wall pushes, with the signs of zeros.
 float2 noWalls(const StepConstants *k, float4 c) {
     return (float2)(wallSide(c.x, k->minX, k->maxX) * 0.0f, wallSide(c.y, k->minY, k->maxY) * 0.0f);
 }
 
-// Whether solveWall changes no more than the sign of a zero of a circle that has no impulse of walls. A wall that moves counts as
-// where it will be at the end of the step: it is no nearer before.
+// Whether solveWall changes no more than the sign of a zero, without an impulse of walls. A wall that moves is no nearer before the end of
+// the step.
 INLINE bool wallIsFar(const StepConstants *k, float x, float dx, float before, float v, float r, float min, float max) {
     float side = wallSide(x, min, max);
     return staysClear(k, wallGap(x, dx, r, side, min, max), side * v, side * before);
 }
 
-// Whether relaxWall, at both walls, changes nothing of a circle that has no impulse of walls and bounces off none. m: its motion.
+// Whether relaxWall changes nothing, without an impulse of walls and a bounce. m: motion.
 INLINE bool wallsAreApart(const StepConstants *k, float4 c, float4 m) {
-    float gapX = wallGap(c.x, m.x, c.z, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
-    float gapY = wallGap(c.y, m.y, c.z, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);
+    float gapX = wallGap(c.x, m.DX, c.RADIUS, wallSide(c.x, k->minX, k->maxX), k->minX, k->maxX);
+    float gapY = wallGap(c.y, m.DY, c.RADIUS, wallSide(c.y, k->minY, k->maxY), k->minY, k->maxY);
     return (gapX > 0.0f) & (gapY > 0.0f);
 }

@@ -1,28 +1,28 @@
 // uses: world/shared/PairRule.cl world/stages/World.cl
-// Static circles that move take along what they come upon. The Java class of this name explains it; it is the same, function by
-// function.
+// Static circles that move take along what they come upon. The Java class Carrying explains it, function by function.
 
-// The share of its path that a circle goes if no static one takes it along.
-float freeShare(const World *w, int slot) { return least(as_float(w->timeOfImpact[slot]), least(w->near[slot].x, 1.0f)); }
+// If no static circle takes it along.
+float freeShare(const World *w, int slot) { return minf(as_float(w->timeOfImpact[slot]), minf(w->near[slot].CONTACT_SHARE, 1.0f)); }
 
-// The share of the step after which a circle is carried; more than 1 if it is not.
+// A share of the step; more than 1: never.
 float carryTime(const World *w, int slot) { return as_float(w->carryTime[slot]); }
 
-// Whether two circles are so close, or move so little against each other, that their contact in this step suffices.
+// Whether the contact of this step suffices, since they are close or hardly move against each other.
 bool contactHas(const World *w, int slot, int other, float r, float ro, float4 d) {
     if (isNear(d.x, d.y, (r + MARGIN * r) + (ro + MARGIN * ro))) return true;
-    return isNear(d.x, d.y, w->sight[slot].z + w->sight[other].z) && !isLonger(d.z, d.w, (0.5f * CAP) * (r + ro));
+    return isNear(d.x, d.y, w->sight[slot].SIGHT_DISTANCE + w->sight[other].SIGHT_DISTANCE) && !isLonger(d.z, d.w, (0.5f * CAP) * (r + ro));
 }
 
-// Finds out when a static circle that moves takes another along; with note, the second time, which one is first.
+// When a static circle takes another along; with note, the second time, which one is first.
 void meetCarried(const World *w, int slot, int other, bool note) {
     float4 c = w->circle[slot];
     float4 o = w->circle[other];
     float4 path = w->motionClamp[slot];
     float4 pathOfOther = w->motionClamp[other];
-    float4 d = (float4)(ACROSS_X(w, o.x - c.x), ACROSS_Y(w, o.y - c.y), path.x - pathOfOther.x, path.y - pathOfOther.y);
-    float t = timeOfCarry(d.x, d.y, path.x, path.y, pathOfOther.x, pathOfOther.y, freeShare(w, other), o.z, c.z + o.z);
-    bool carries = isFast(path.w, o.z) ? t <= 1.0f : t < 1.0f && !contactHas(w, slot, other, c.z, o.z, d);
+    float4 d = (float4)(ACROSS_X(w, o.x - c.x), ACROSS_Y(w, o.y - c.y), path.PATH_X - pathOfOther.PATH_X, path.PATH_Y - pathOfOther.PATH_Y);
+    float t = timeOfCarry(d.x, d.y, path.PATH_X, path.PATH_Y, pathOfOther.PATH_X, pathOfOther.PATH_Y,
+                          freeShare(w, other), o.RADIUS, c.RADIUS + o.RADIUS);
+    bool carries = isFast(path.PATH_LENGTH, o.RADIUS) ? t <= 1.0f : t < 1.0f && !contactHas(w, slot, other, c.RADIUS, o.RADIUS, d);
     if (!carries) return;
     if (!note) {
         atomic_min(&w->carryTime[other], as_int(t));

@@ -1,10 +1,8 @@
 // uses: world/stages/World.cl
-// Applies what the caller asked for since the last step: records of the Java class Commands. The host links the records
-// of one circle in call order (next) and marks the first of each; circles are independent of each other.
+// Applies the records of the Java class Commands. The host links those of one circle in call order; circles are independent.
 
-// Index space: a record a work-item. Cost: the records of one circle.
-// links: for each record, the next of the same circle or -1, and (slot of a new circle) * 2, plus 1 where it is its
-// circle's first.
+// Index space: a record. Cost: the records of its circle. links: the next record of the circle or -1; twice the slot of a new circle, plus
+// 1 for its first.
 kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global const int2 *links, int count) {
     World w = WORLD;
     int r = (int) get_global_id(0);
@@ -34,52 +32,44 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
             w.slotOf[circleId] = NONE;
             break;
         case COMMAND_POSITION:
-            w.homeCircle[slot].x = a;
-            w.homeCircle[slot].y = b;
-            w.homeMotion[slot].x = 0.0f;
-            w.homeMotion[slot].y = 0.0f;
+            w.homeCircle[slot].xy = (float2)(a, b);
+            w.homeMotion[slot].DISPLACEMENT = (float2)(0.0f);
             break;
         case COMMAND_VELOCITY:
-            w.homeMotion[slot].z = a;
-            w.homeMotion[slot].w = b;
+            w.homeMotion[slot].VELOCITY = (float2)(a, b);
             break;
         case COMMAND_RADIUS:
-            w.homeCircle[slot].z = a;
+            w.homeCircle[slot].RADIUS = a;
             w.homeFirstCached[slot] = FRESH;
-            w.homeTraits[slot].z = 0.0f;
-            w.homeTraits[slot].w = 0.0f;
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_GROW:
-            w.homeCircle[slot].z = a;
+            w.homeCircle[slot].RADIUS = a;
             break;
         case COMMAND_MASS:
-            w.homeCircle[slot].w = a;
-            w.homeTraits[slot].x = inverseMass(a);
+            w.homeCircle[slot].MASS = a;
+            w.homeTraits[slot].INVERSE_MASS = inverseMass(a);
             w.homeFirstCached[slot] = FRESH;
-            w.homeTraits[slot].z = 0.0f;
-            w.homeTraits[slot].w = 0.0f;
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_RESTITUTION:
-            w.homeTraits[slot].y = a;
+            w.homeTraits[slot].RESTITUTION = a;
             break;
         case COMMAND_IMPULSE:
-            w.homeMotion[slot].z = afterImpulse(w.homeMotion[slot].z, w.homeTraits[slot].x, a);
-            w.homeMotion[slot].w = afterImpulse(w.homeMotion[slot].w, w.homeTraits[slot].x, b);
+            w.homeMotion[slot].VX = afterImpulse(w.homeMotion[slot].VX, w.homeTraits[slot].INVERSE_MASS, a);
+            w.homeMotion[slot].VY = afterImpulse(w.homeMotion[slot].VY, w.homeTraits[slot].INVERSE_MASS, b);
             break;
         case COMMAND_DEPART:
-            // A static circle has no impulses of walls: their place keeps its velocity meanwhile.
-            w.homeTraits[slot].zw = w.homeMotion[slot].zw;
-            w.homeMotion[slot].z = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
+            w.homeTraits[slot].KEPT_VELOCITY = w.homeMotion[slot].VELOCITY;
+            w.homeMotion[slot].VX = travelSpeed(w.homeCircle[slot].x, a, as_float(record[COMMAND_THIRD]),
                                              as_float(record[COMMAND_FOURTH]));
-            w.homeMotion[slot].w = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
+            w.homeMotion[slot].VY = travelSpeed(w.homeCircle[slot].y, b, as_float(record[COMMAND_THIRD]),
                                              as_float(record[COMMAND_FIFTH]));
             break;
         case COMMAND_ARRIVE:
-            w.homeCircle[slot].x = a;
-            w.homeCircle[slot].y = b;
-            w.homeMotion[slot] = (float4)(0.0f, 0.0f, w.homeTraits[slot].z, w.homeTraits[slot].w);
-            w.homeTraits[slot].z = 0.0f;
-            w.homeTraits[slot].w = 0.0f;
+            w.homeCircle[slot].xy = (float2)(a, b);
+            w.homeMotion[slot] = (float4)((float2)(0.0f), w.homeTraits[slot].KEPT_VELOCITY);
+            w.homeTraits[slot].WALLS = (float2)(0.0f);
             break;
         case COMMAND_FIELD:
             ((global int *) (w.fields + circleId))[record[COMMAND_FIRST]] = record[COMMAND_SECOND];
@@ -88,23 +78,22 @@ kernel void commands_apply(WORLD_PARAMETERS, global const int *records, global c
     }
 }
 
-// Brings circles that changed bounds have left outside to the nearest place inside, unless the next step pushes them there. Index space: a slot at home a
-// work-item.
+// Brings circles outside of new bounds to the nearest place inside, unless the next step pushes them there. Index space: slots at home.
 kernel void commands_confine(global const int *homeId, global float4 *homeCircle, global float4 *homeMotion,
                              global const float4 *homeTraits, int slots, float minX, float minY, float maxX,
                              float maxY, float fromMinX, float fromMinY, float fromMaxX, float fromMaxY) {
     int slot = (int) get_global_id(0);
     if (slot >= slots || homeId[slot] < 0) return;
     float4 c = homeCircle[slot];
-    float edge = homeTraits[slot].x == 0.0f ? 0.0f : c.z;
-    float x = bounded(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
-    float y = bounded(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
+    float edge = homeTraits[slot].INVERSE_MASS == 0.0f ? 0.0f : c.RADIUS;
+    float x = clampf(c.x, minX + marginAtWall(fromMinX, minX, edge), maxX - marginAtWall(fromMaxX, maxX, edge));
+    float y = clampf(c.y, minY + marginAtWall(fromMinY, minY, edge), maxY - marginAtWall(fromMaxY, maxY, edge));
     if (x != c.x) {
         homeCircle[slot].x = x;
-        homeMotion[slot].x = 0.0f;
+        homeMotion[slot].DX = 0.0f;
     }
     if (y != c.y) {
         homeCircle[slot].y = y;
-        homeMotion[slot].y = 0.0f;
+        homeMotion[slot].DY = 0.0f;
     }
 }

@@ -1,16 +1,14 @@
 // uses: world/shared/PairRule.cl world/shared/Drive.cl world/stages/Carrying.cl world/stages/Grid.cl
-// uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl
-// Stage ContinuousCollision: keeps fast circles from passing through others. The Java class of this name explains what is
-// looked for; it is the same, function by function. Made only in steps where some circle is fast: in others every motion clamp
-// is as stage Grid has set it.
+// uses: world/stages/PairFilter.cl world/stages/ReachGrid.cl world/stages/CellScan.cl
+// Stage ContinuousCollision keeps fast circles from passing through others. The Java class of this name explains it, function by function.
+// Steps without fast circles leave it out: Grid has set their motion clamps.
 
-// From the host: BLOCK_LOG, which is 2: blocks are 4 x 4 cells, as many rows as a piece has ranges.
+// BLOCK_LOG is 2: blocks have 4 x 4 cells, as many rows as a piece has ranges.
 
-// What a fast circle looks for on its path: circles at which it stops, or that stop at it; when a static circle that moves takes
-// a circle along; which static circle that is.
+// Circles at which a fast one stops; when a static one takes it along; which one.
 typedef enum { STOPS, CARRY_TIMES, CARRIERS } Look;
 
-// What a circle looks ahead with. least: by how much it must move against another to matter.
+// least: by how much it must move against another to matter.
 typedef struct {
     float x, y, r, px, py, path, speculativeDistance, least;
     int slot;
@@ -21,22 +19,23 @@ Runner runnerOf(const World *w, int slot) {
     float4 c = w->circle[slot];
     float4 plan = w->motionClamp[slot];
     float4 sight = w->sight[slot];
-    bool isStatic = sight.w == 0.0f;
-    Runner s = {c.x, c.y, c.z, plan.x, plan.y, plan.w, sight.z, CAP * (isStatic ? leastRadius(w) : c.z), slot, isStatic};
+    bool isStatic = sight.SIGHT_INVERSE_MASS == 0.0f;
+    Runner s = {c.x, c.y, c.RADIUS, plan.PATH_X, plan.PATH_Y, plan.PATH_LENGTH, sight.SIGHT_DISTANCE,
+                CAP * (isStatic ? leastRadius(w) : c.RADIUS), slot, isStatic};
     return s;
 }
 
-// Finds the longest path of the circles that are not static. Floats from 0 on sort like their bits.
+// Of circles that are not static. Floats from 0 on sort like their bits.
 void noteLongestPath(const World *w, const Piece *piece) {
     float longest = 0.0f;
     for (int i = 0; i < piece->end.w; i++) {
         int slot = slotInPiece(piece, i);
-        if (w->sight[slot].w != 0.0f) longest = greatest(w->motionClamp[slot].w, longest);
+        if (w->sight[slot].SIGHT_INVERSE_MASS != 0.0f) longest = maxf(w->motionClamp[slot].PATH_LENGTH, longest);
     }
     if (longest > 0.0f) atomic_max(&w->status[LONGEST_PATH], as_int(longest));
 }
 
-// The range of the paths of the circles in a block of cells.
+// The range of the paths in a block of cells.
 void summarize(const World *w, int block) {
     constant Levels *levels = w->levels;
     int l = 0;
@@ -52,25 +51,24 @@ void summarize(const World *w, int block) {
     Piece piece = pieceOfRanges((int4)(from[0], from[1 << cl], from[2 << cl], from[3 << cl]),
                                 (int4)(to[0], to[1 << cl], to[2 << cl], to[3 << cl]));
     for (int i = 0; i < piece.end.w; i++) {
-        float2 path = w->motionClamp[slotInPiece(&piece, i)].xy;
-        range.x = least(path.x, range.x);
-        range.y = greatest(path.x, range.y);
-        range.z = least(path.y, range.z);
-        range.w = greatest(path.y, range.w);
+        float2 path = w->motionClamp[slotInPiece(&piece, i)].PATH;
+        range.MIN_PATH_X = minf(path.x, range.MIN_PATH_X);
+        range.MAX_PATH_X = maxf(path.x, range.MAX_PATH_X);
+        range.MIN_PATH_Y = minf(path.y, range.MIN_PATH_Y);
+        range.MAX_PATH_Y = maxf(path.y, range.MAX_PATH_Y);
     }
     w->blockRange[block] = range;
     if (w->status[CARRYING]) noteLongestPath(w, &piece);
 }
 
-// There are fewer blocks than circles.
+// Fewer than circles.
 int blocksOfCells(const World *w) { return w->levels->first[LEVELS] >> (2 * BLOCK_LOG); }
 
-// Whether a circle looks ahead: whether it is fast.
-bool looksAhead(const World *w, int slot) { return w->near[slot].x < NOT_FAST; }
+// Whether it is fast.
+bool looksAhead(const World *w, int slot) { return w->near[slot].CONTACT_SHARE < NOT_FAST; }
+bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].SIGHT_INVERSE_MASS != 0.0f; }
 
-bool looksForStops(const World *w, int slot) { return looksAhead(w, slot) && w->sight[slot].w != 0.0f; }
-
-// Notes how far the circles reach, and summarizes the blocks. Index space: a working slot a work-item.
+// Index space: slots.
 kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
     World w = WORLD;
     local int classes;
@@ -86,9 +84,8 @@ kernel void continuousCollision_prepare(WORLD_PARAMETERS) {
     if (get_local_id(0) == 0) noteClasses(&w, classes);
 }
 
-// What several work-items change of a circle at once, as bits.
+// Work-items change these at once, as bits.
 volatile global int *contactTimeOf(const World *w, int slot) { return (volatile global int *) (w->near + slot); }
-
 volatile global int *restraintOf(const World *w, int slot) { return contactTimeOf(w, slot) + 1; }
 
 void restrain(const World *w, int slot, float most, bool stands) {
@@ -96,7 +93,7 @@ void restrain(const World *w, int slot, float most, bool stands) {
     int seen = atomic_or(allowance, 0);
     for (;;) {
         float before = as_float(seen);
-        float least_ = least(most, fabs(before));
+        float least_ = minf(most, fabs(before));
         int next = as_int(stands || before < 0.0f ? -least_ : least_);
         if (next == seen) return;
         int found = atomic_cmpxchg(allowance, seen, next);
@@ -105,80 +102,78 @@ void restrain(const World *w, int slot, float most, bool stands) {
     }
 }
 
-// Floats from 0 on sort like their bits.
 void shorten(const World *w, int slot, float t) { atomic_min(&w->timeOfImpact[slot], as_int(t)); }
 
 void meet(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    float ux = s->px - plan.x;
-    float uy = s->py - plan.y;
+    float ux = s->px - plan.PATH_X;
+    float uy = s->py - plan.PATH_Y;
     if (!isLonger(ux, uy, s->least)) return;
-    bool stands = inverseMass(c.w) == 0.0f; // spares a read
+    bool stands = inverseMass(c.MASS) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, 1.0f, other, stands ? 0.0f : 1.0f)) return;
-    if (!stands && !sweeps(s->r, c.z)) return;
+    if (!stands && !sweeps(s->r, c.RADIUS)) return;
     float dx = ACROSS_X(w, c.x - s->x);
     float dy = ACROSS_Y(w, c.y - s->y);
-    if (stands && isNear(dx, dy, (s->r + s->path) + c.z)) {
+    if (stands && isNear(dx, dy, (s->r + s->path) + c.RADIUS)) {
         restrain(w, s->slot, CLAMP_ALLOWANCE * s->r, false);
     }
     // First what most pairs fail.
-    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.z);
-    if (!(t < 1.0f) || (stands && isFast(plan.w, s->r))) return;
-    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].z) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.z))) {
+    float t = timeOfImpact(dx, dy, ux, uy, s->r + c.RADIUS);
+    if (!(t < 1.0f) || (stands && isFast(plan.PATH_LENGTH, s->r))) return;
+    if (isNear(dx, dy, s->speculativeDistance + w->sight[other].SIGHT_DISTANCE) && !isLonger(ux, uy, (0.5f * CAP) * (s->r + c.RADIUS))) {
         return;
     }
     float slack = stands ? MARGIN : HOLD;
-    if (isNear(dx, dy, (s->r + slack * s->r) + (c.z + slack * c.z))) {
+    if (isNear(dx, dy, (s->r + slack * s->r) + (c.RADIUS + slack * c.RADIUS))) {
         atomic_min(contactTimeOf(w, s->slot), as_int(t));
-        restrain(w, s->slot, holdAllowance(s->r, s->path, c.z, stands), stands);
+        restrain(w, s->slot, holdAllowance(s->r, s->path, c.RADIUS, stands), stands);
     } else if (stands) {
-        if (plan.w == 0.0f) shorten(w, s->slot, t);
-    } else if (plan.w <= s->path || !isFast(plan.w, c.z)) {
+        if (plan.PATH_LENGTH == 0.0f) shorten(w, s->slot, t);
+    } else if (plan.PATH_LENGTH <= s->path || !isFast(plan.PATH_LENGTH, c.RADIUS)) {
         shorten(w, s->slot, t);
-        if (isFast(plan.w, c.z)) shorten(w, other, t);
+        if (isFast(plan.PATH_LENGTH, c.RADIUS)) shorten(w, other, t);
     }
 }
 
 bool mayTouchBy(const World *w, const Runner *s, float4 other, float4 plan) {
-    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.x, s->py - plan.y, s->r + other.z);
+    return mayTouch(ACROSS_X(w, other.x - s->x), ACROSS_Y(w, other.y - s->y), s->px - plan.PATH_X, s->py - plan.PATH_Y,
+                    s->r + other.RADIUS);
 }
 
-// A fast circle and another whose reaches meet: most do not touch by their paths.
+// Most do not touch by their paths.
 void meetIfNear(const World *w, const Runner *s, int other) {
     float4 c = w->circle[other];
-    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.w == INFINITY) meet(w, s, other);
+    if (mayTouchBy(w, s, c, w->motionClamp[other]) || c.MASS == INFINITY) meet(w, s, other);
 }
 
-// The same of two of which the other one reaches far, either way round.
+// If the other one reaches far: either way round.
 void meetBoth(const World *w, const Runner *s, bool looks, int other) {
     float4 c = w->circle[other];
     bool touches = mayTouchBy(w, s, c, w->motionClamp[other]);
-    if (looks && (touches || c.w == INFINITY)) meet(w, s, other);
+    if (looks && (touches || c.MASS == INFINITY)) meet(w, s, other);
     if (touches || s->isStatic) {
         Runner o = runnerOf(w, other);
         meet(w, &o, s->slot);
     }
 }
 
-// Meets those of the slots [from, to) that a fast circle may touch in the step.
 void meetNear(const World *w, const Runner *s, float reach, int from, int to) {
     for (int other = from; other < to; other++) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetIfNear(w, s, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetIfNear(w, s, other);
     }
 }
 
-// As meet, for a pair of which one is static and moves, for the first time to find out when it takes the other along, and for the
-// second to note which one is first. Its faster circle finds it, or both do.
+// Its faster circle finds a pair, or both do.
 void meetCarrier(const World *w, const Runner *s, int other, bool note) {
     float4 c = w->circle[other];
     float4 plan = w->motionClamp[other];
-    bool isStatic = inverseMass(c.w) == 0.0f; // spares a read
+    bool isStatic = inverseMass(c.MASS) == 0.0f; // spares a read
     if (!mayMeet(w, s->slot, s->isStatic ? 0.0f : 1.0f, other, isStatic ? 0.0f : 1.0f)) return;
     if (s->isStatic) {
-        if (plan.w <= s->path + CAP * c.z) meetCarried(w, s->slot, other, note);
-    } else if (isStatic && plan.w > 0.0f && isLonger(s->px - plan.x, s->py - plan.y, s->least)) {
+        if (plan.PATH_LENGTH <= s->path + CAP * c.RADIUS) meetCarried(w, s->slot, other, note);
+    } else if (isStatic && plan.PATH_LENGTH > 0.0f && isLonger(s->px - plan.PATH_X, s->py - plan.PATH_Y, s->least)) {
         meetCarried(w, other, s->slot, note);
     }
 }
@@ -189,21 +184,18 @@ void meetCarriers(const World *w, const Runner *s, int from, int to, bool note) 
     }
 }
 
-// How many columns (or rows) from one on lie in its block, of those on the ring and no more than so many behind it.
+// From one on, in its block and on the ring.
 int inBlock(int column, int side, int most) {
     int blockEnd = (column | ((1 << BLOCK_LOG) - 1)) + 1;
-    return min(min(blockEnd, side) - column, most + 1);
+    return min(min(blockEnd, side) - column, most);
 }
 
-// Looks at so many columns of a row of cells, in one block or up to the seam, which are of one sheet.
-void lookAtCells(const World *w, const Runner *s, float reach, int level, int row, int column, int columns, const Sheets *sheets,
-                 int overX, int overY, Look look) {
-    global const int *start = w->bucketStart + w->levels->first[level] + (row << w->levels->columnsLog[level]) + column;
-    int width = sheets->known ? 1 : columns;
-    int key = sheets->known ? sheetKeyBeside(w, level, sheets, overX, overY) : 0;
+// In one block, or up to the seam.
+void lookAtCells(const World *w, const Runner *s, float reach, const CellRange *r, int row, int column, int columns, int overX, int overY,
+                 Look look) {
+    int width = r->sheets.known ? 1 : columns;
     for (int u = 0; u < columns; u += width) {
-        int2 slots = (int2)(start[u], start[u + width]);
-        if (sheets->known) slots = slotsOfSheet(w, slots.x, slots.y, key, true);
+        int2 slots = slotsInCells(w, r, row, column + u, width, overX, overY, true);
         if (look == STOPS) {
             meetNear(w, s, reach, slots.x, slots.y);
         } else {
@@ -212,26 +204,26 @@ void lookAtCells(const World *w, const Runner *s, float reach, int level, int ro
     }
 }
 
-// Looks at the columns [c0, c1] and rows [r0, r1] of a level, block by block. sheets: of the first of them.
-void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets,
-            Look look) {
+// Block by block.
+void lookAt(const World *w, const Runner *s, float reach, const CellRange *range, Look look) {
+    int level = range->level;
     int cl = w->levels->columnsLog[level];
     int columns = w->levels->columnCount[level];
     int rows = w->levels->rowCount[level];
     int first = w->levels->first[level];
-    for (int v = r0; v <= r1;) {
+    for (int v = range->row; v < range->endRow;) {
         int row = onRing(v, rows);
-        int rowsOfBlock = inBlock(row, rows, r1 - v);
-        for (int u = c0; u <= c1;) {
+        int rowsOfBlock = inBlock(row, rows, range->endRow - v);
+        for (int u = range->column; u < range->endColumn;) {
             int column = onRing(u, columns);
-            int columnsOfBlock = inBlock(column, columns, c1 - u);
-            float4 range = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
+            int columnsOfBlock = inBlock(column, columns, range->endColumn - u);
+            float4 paths = w->blockRange[(first >> (2 * BLOCK_LOG)) + (row >> BLOCK_LOG << (cl - BLOCK_LOG)) +
                                          (column >> BLOCK_LOG)];
-            if (s->isStatic || differ(s->px, s->py, range.x, range.y, range.z, range.w, s->least)) {
-                int overX = onRing(c0, columns) + (u - c0) >= columns ? 1 : 0;
-                int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
+            if (s->isStatic || differ(s->px, s->py, paths.MIN_PATH_X, paths.MAX_PATH_X, paths.MIN_PATH_Y, paths.MAX_PATH_Y, s->least)) {
+                int overX = onRing(range->column, columns) + (u - range->column) >= columns ? 1 : 0;
+                int overY = onRing(range->row, rows) + (v - range->row) >= rows ? 1 : 0;
                 for (int r = row; r < row + rowsOfBlock; r++) {
-                    lookAtCells(w, s, reach, level, r, column, columnsOfBlock, sheets, overX, overY, look);
+                    lookAtCells(w, s, reach, range, r, column, columnsOfBlock, overX, overY, look);
                 }
             }
             u += columnsOfBlock;
@@ -240,49 +232,28 @@ void lookAt(const World *w, const Runner *s, float reach, int level, int c0, int
     }
 }
 
-// The same for stops, row by row: where there are several levels, few circles of a block move alike.
-void lookAtRows(const World *w, const Runner *s, float reach, int level, int c0, int c1, int r0, int r1, const Sheets *sheets) {
-    int columns = w->levels->columnCount[level];
-    int rows = w->levels->rowCount[level];
-    int column = onRing(c0, columns);
-    int beyond = column + (c1 - c0 + 1) - columns; // columns on the other side of the edge of the torus
-    for (int v = r0; v <= r1; v++) {
-        int row = onRing(v, rows);
-        int overY = onRing(r0, rows) + (v - r0) >= rows ? 1 : 0;
-        lookAtCells(w, s, reach, level, row, column, (beyond > 0 ? columns : columns + beyond) - column, sheets, 0, overY, STOPS);
-        if (beyond > 0) lookAtCells(w, s, reach, level, row, 0, beyond, sheets, 1, overY, STOPS);
-    }
-}
-
-// Looks at the circles of a level around the path of a fast one.
+// Row by row if there are several levels: few circles of a block move alike there.
 INLINE void lookInLevel(const World *w, const Runner *s, float reach, int level) {
     float margin = sightMargin(s->r, s->path, w->levels->top[level]);
-    float left = least(s->x, s->x + s->px) - margin;
-    float below = least(s->y, s->y + s->py) - margin;
-    int c0 = columnFrom(w, level, left);
-    int c1 = columnTo(w, level, left, greatest(s->x, s->x + s->px) + margin);
-    int r0 = rowFrom(w, level, below);
-    int r1 = rowTo(w, level, below, greatest(s->y, s->y + s->py) + margin);
-    Sheets sheets = sheetsAt(w, level, left, below);
-    sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
-    c1 = min(c1, c0 + w->levels->columnCount[level] - 1);
-    r1 = min(r1, r0 + w->levels->rowCount[level] - 1);
+    CellRange range = cellsAround(w, level, minf(s->x, s->x + s->px) - margin, maxf(s->x, s->x + s->px) + margin,
+                                  minf(s->y, s->y + s->py) - margin, maxf(s->y, s->y + s->py) + margin);
     if (hasOneLevel(w)) {
-        lookAt(w, s, reach, level, c0, c1, r0, r1, &sheets, STOPS);
-    } else {
-        lookAtRows(w, s, reach, level, c0, c1, r0, r1, &sheets);
+        lookAt(w, s, reach, &range, STOPS);
+        return;
     }
+    CellCursor at = firstCells(&range);
+    int2 slots;
+    while (nextCells(w, &range, &at, true, &slots)) meetNear(w, s, reach, slots.x, slots.y);
 }
 
-// Meets those circles in a bucket of reaches whose reaches meet that of one.
 void meetInBucket(const World *w, const Runner *s, float reach, bool looks, int bucket) {
     for (int other = lastReached(w)[bucket]; other != NONE; other = w->reachedBefore[other]) {
         float4 o = w->reach[other];
-        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.z) && other != s->slot) meetBoth(w, s, looks, other);
+        if (isNear(ACROSS_X(w, o.x - s->x), ACROSS_Y(w, o.y - s->y), reach + o.REACH) && other != s->slot) meetBoth(w, s, looks, other);
     }
 }
 
-// Looks for those that reach far in a circle's level, and no less far than it.
+// Those that reach far in a circle's level, and no less far than it.
 void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     int top = topExponent(w->levels->rmax);
     int buckets = reachBuckets(w->circles);
@@ -305,27 +276,25 @@ void lookForReaching(const World *w, const Runner *s, float reach, bool looks) {
     }
 }
 
-// To find the pairs in which fast circles stop, a fast circle looks for others itself in each level in which it does not reach far, and
-// every circle looks for those that reach far. These are the parts of its look.
+// A fast circle looks for others in levels in which it does not reach far, and every circle for those that reach far.
 int partsOfLook(const World *w) { return w->levels->usedCount + 1; }
 
-// Whether a circle has a part of a look to make.
 bool hasPartOfLook(const World *w, int slot, int part) {
     if (part == w->levels->usedCount) return w->status[REACHES] != 0;
     float4 own = w->reach[slot]; // others may be changing what looksForStops reads
-    return own.w != 0.0f && !(own.z > farIn(w, w->levels->used[part]));
+    return own.LOOKS != 0.0f && !(own.REACH > farIn(w, w->levels->used[part]));
 }
 
 INLINE void lookForStops(const World *w, const Runner *s, int part) {
-    float reach = w->reach[s->slot].z;
+    float reach = w->reach[s->slot].REACH;
     if (part == w->levels->usedCount) {
-        lookForReaching(w, s, reach, w->reach[s->slot].w != 0.0f);
+        lookForReaching(w, s, reach, w->reach[s->slot].LOOKS != 0.0f);
     } else {
         lookInLevel(w, s, reach, w->levels->used[part]);
     }
 }
 
-// How many parts all looks have. They are numbered part after part.
+// Numbered part after part.
 int partsOfAllLooks(const World *w) { return partsOfLook(w) * w->circles; }
 
 void makePartOfLook(const World *w, int number) {
@@ -336,7 +305,6 @@ void makePartOfLook(const World *w, int number) {
     lookForStops(w, &s, part);
 }
 
-// A fast circle looks for those that it may take along, or that may take it along.
 void lookForCarriers(const World *w, int slot, Look look) {
     Runner s = runnerOf(w, slot);
     for (int l = 0; l < w->levels->usedCount; l++) {
@@ -346,76 +314,61 @@ void lookForCarriers(const World *w, int slot, Look look) {
         float margin = sightMargin(s.r, path, top);
         float minY = w->levels->minY;
         float edge = w->levels->inverseEdge[level];
-        int columns = w->levels->columnCount[level];
         int rows = w->levels->rowCount[level];
-        float below = least(s.y, s.y + s.py) - margin;
-        int r0 = rowFrom(w, level, below);
-        int r1 = rowTo(w, level, below, greatest(s.y, s.y + s.py) + margin);
-        // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on the ring.
-        bool byPieces = s.isStatic && rowsHaveWalls(w) && r1 - r0 < rows;
+        float below = minf(s.y, s.y + s.py) - margin;
+        int r0 = firstOf(axisY(w, level), below);
+        int r1 = lastOf(axisY(w, level), below, maxf(s.y, s.y + s.py) + margin);
+        // A static circle may cross the arena: piece by piece, unless its rows meet again on the ring.
+        bool byPieces = s.isStatic && isWalled(axisY(w, level)) && r1 - r0 < rows;
         int rowsAtOnce = byPieces ? 1 << BLOCK_LOG : rows;
         for (int v = r0; v <= min(r1, r0 + rows - 1); v += rowsAtOnce) {
             int end = min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
             float low = byPieces ? minY + (float) v / edge - margin : -INFINITY;
             float high = byPieces ? minY + (float) end / edge + margin : INFINITY;
             float left = leastBetween(s.x, s.px, s.y, s.py, low, high) - margin;
-            int c0 = columnFrom(w, level, left);
-            int c1 = columnTo(w, level, left, greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin);
-            Sheets sheets = sheetsAt(w, level, left, below);
-            if (byPieces) sheets.y = v / rows;
-            sheets.known = areSheetsKnown(w, level, c1 - c0, r1 - r0);
-            c1 = min(c1, c0 + columns - 1);
-            lookAt(w, &s, 0.0f, level, c0, c1, v, min(end - 1, r1), &sheets, look);
+            float right = greatestBetween(s.x, s.px, s.y, s.py, low, high) + margin;
+            CellRange range = cellsAround(w, level, left, right, below, maxf(s.y, s.y + s.py) + margin);
+            range.row = v;
+            range.endRow = min(end, r1 + 1);
+            if (byPieces) range.sheets.y = v / rows;
+            lookAt(w, &s, 0.0f, &range, look);
         }
     }
 }
 
-// Index space: a working slot and a part of its look a work-item, part after part: it takes longer if a circle looks in all levels by
-// itself. Cost: the cells around it.
+// Index space: a slot and a part of its look, part after part, faster than all levels by one. Cost: the cells around it.
 kernel void continuousCollision_look(WORLD_PARAMETERS) {
     World w = WORLD;
     int number = (int) get_global_id(0);
     if (number < partsOfAllLooks(&w) && !refused(&w)) makePartOfLook(&w, number);
 }
 
-// Few steps have static circles that move, so few work-items, which take the circles in turn, are quick to say that there are none.
-void lookForAllCarriers(const World *w, Look look) {
-    if (!w->status[CARRYING] || refused(w)) return;
-    for (int slot = (int) get_global_id(0); slot < w->circles; slot += (int) get_global_size(0)) {
-        if (looksAhead(w, slot)) lookForCarriers(w, slot, look);
+// note: see meetCarried. Index space: any; few work-items take slots in turn, since they are quick to say that no static circle moves. Cost:
+// the cells around a path.
+kernel void continuousCollision_carry(WORLD_PARAMETERS, int note) {
+    World w = WORLD;
+    if (!status[CARRYING] || refused(&w)) return;
+    for (int slot = (int) get_global_id(0); slot < circles; slot += (int) get_global_size(0)) {
+        if (looksAhead(&w, slot)) lookForCarriers(&w, slot, note ? CARRIERS : CARRY_TIMES);
     }
 }
 
-// Where static circles move, finds out when they take others along. Index space: any number of work-items. Cost: the same.
-kernel void continuousCollision_carryTimes(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRY_TIMES);
-}
-
-// Then finds out which of them takes whom along. Index space and cost: as before it.
-kernel void continuousCollision_carriers(WORLD_PARAMETERS) {
-    World w = WORLD;
-    lookForAllCarriers(&w, CARRIERS);
-}
-
-// Sets a motion clamp: the free part of the path, and how far the circle may leave it; or, at a static circle, the path, how far
-// it may leave that, negative, and the share of it that is free. A circle that stops loses time, and so what gravity would give it
-// in that time. After all have looked ahead.
+// A circle that stops loses time, and so what gravity would give it then. After all have looked.
 void setMotionClamp(const World *w, int slot) {
-    // Nothing is in the way of most circles, and stage Grid has set their clamps.
+    // Grid has set the clamps of most.
     if (freeShare(w, slot) >= 1.0f && carryTime(w, slot) > 1.0f) return;
     float4 sight = w->sight[slot];
-    if (sight.w == 0.0f) return;
+    if (sight.SIGHT_INVERSE_MASS == 0.0f) return;
     const StepConstants *k = &w->k;
     float4 plan = w->motionClamp[slot];
-    float r = w->circle[slot].z;
+    float r = w->circle[slot].RADIUS;
     float free = as_float(w->timeOfImpact[slot]);
     float2 near = w->near[slot];
-    float limit = least(near.x, 1.0f);
-    float allowance = limit < 1.0f ? near.y : CLAMP_ALLOWANCE * r;
-    float2 path = plan.xy;
+    float limit = minf(near.CONTACT_SHARE, 1.0f);
+    float allowance = limit < 1.0f ? near.CONTACT_ALLOWANCE : CLAMP_ALLOWANCE * r;
+    float2 path = plan.PATH;
     int carrier = w->carrier[slot];
-    float own = least(freeShare(w, slot), carryTime(w, slot));
+    float own = minf(freeShare(w, slot), carryTime(w, slot));
     bool stops = free < limit || carryTime(w, slot) < 1.0f;
     if (carrier != NOBODY || stops) {
         path = (float2)(own * path.x, own * path.y);
@@ -423,22 +376,22 @@ void setMotionClamp(const World *w, int slot) {
         if (carrier != NOBODY) {
             float4 carried = w->motionClamp[carrier];
             float rest = 1.0f - carryTime(w, slot);
-            path = (float2)(path.x + rest * carried.x, path.y + rest * carried.y);
-            allowance = isFast(carried.w, r) ? CARRIED : 0.0f;
+            path = (float2)(path.x + rest * carried.PATH_X, path.y + rest * carried.PATH_Y);
+            allowance = isFast(carried.PATH_LENGTH, r) ? CARRIED : 0.0f;
         }
     } else if (allowance >= 0.0f) {
         path = (float2)(limit * path.x, limit * path.y);
     }
     if (stops) {
-        w->sight[slot].z = speculativeDistance(r, 0.0f);
-        float2 gain = gainOf(w, w->id[slot], sight.w);
-        w->motion[slot].z -= (1.0f - own) * (gain.x * k->subSteps);
-        w->motion[slot].w -= (1.0f - own) * (gain.y * k->subSteps);
+        w->sight[slot].SIGHT_DISTANCE = speculativeDistance(r, 0.0f);
+        float2 gain = gainOf(w, w->id[slot], sight.SIGHT_INVERSE_MASS);
+        w->motion[slot].VX -= (1.0f - own) * (gain.x * k->subSteps);
+        w->motion[slot].VY -= (1.0f - own) * (gain.y * k->subSteps);
     }
     w->motionClamp[slot] = (float4)(path.x, path.y, allowance, limit);
 }
 
-// Index space: a working slot a work-item. Constant cost.
+// Index space: slots.
 kernel void continuousCollision_clamp(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);

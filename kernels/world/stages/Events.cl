@@ -60,9 +60,10 @@ int typesOf(const World *w, int lower, int higher) {
 int findTouching(const World *w, int lower, int higher) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(lower, higher) & r->mask;; place = (place + 1) & r->mask) {
-        int4 pair = r->touching[place];
-        if (pair.z == NEVER_USED) return NONE;
-        if (pair.x == lower && pair.y == higher && pair.z >= r->step - 1) return place;
+        // The ids alone: others tell of their pairs at the same time, and write the rest of these.
+        int2 ids = *(global const int2 *) (r->touching + place);
+        if (ids.x == NONE) return NONE; // never used
+        if (ids.x == lower && ids.y == higher && r->touching[place].z >= r->step - 1) return place;
     }
 }
 
@@ -196,8 +197,8 @@ void addTouching(const World *w, int4 pair) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(pair.x, pair.y) & r->mask;; place = (place + 1) & r->mask) {
         volatile global int *step = (volatile global int *) (r->touching + place) + 2;
-        int last = *step;
-        if (last == pair.z || atomic_cmpxchg(step, last, pair.z) != last) continue;
+        int last = atomic_cmpxchg(step, NEVER_USED, pair.z);
+        if (last == pair.z || (last != NEVER_USED && atomic_cmpxchg(step, last, pair.z) != last)) continue;
         if (last == NEVER_USED) atomic_inc(&w->status[PLACES_USED]);
         global int *words = (global int *) (r->touching + place);
         words[0] = pair.x;

@@ -1,10 +1,8 @@
 // uses: world/stages/World.cl world/shared/Wall.cl world/shared/Drive.cl
-// Stage Grid: copies the circles into the working arrays, sorted by (level, bucket), and within a bucket by sheet, if there are sheets, and
-// by id. A counting sort: count, sum up (Scan.cl), scatter, then each circle finds its place among those of its bucket, which undoes
-// whatever order the work-items met in. Describes each circle for the stages that follow, and refuses the step where one is too fast for
-// it.
+// Stage Grid sorts circles by (level, bucket, sheet if there are any, id), and describes them. A counting sort; then each circle finds its
+// place in its bucket, which undoes the order of work-items. Refuses a step with a circle that is too fast for it.
 
-// What a step that takes fast circles, or crowds, or tiles, tells the host is about the last one alone.
+// Steps that take fast circles, crowds or tiles tell the host about the last one alone.
 void startStep(const World *w) {
     if (refused(w)) return;
     if (w->k.sweeping) w->status[FAST] = 0;
@@ -18,9 +16,8 @@ void startStep(const World *w) {
     w->status[FOUND] = 0;
 }
 
-// The bucket of a circle of a level.
 int bucketIn(const World *w, int l, float4 c) {
-    return w->levels->first[l] + columnOf(w, l, c.x) + (rowOf(w, l, c.y) << w->levels->columnsLog[l]);
+    return w->levels->first[l] + ringOf(axisX(w, l), c.x) + (ringOf(axisY(w, l), c.y) << w->levels->columnsLog[l]);
 }
 
 void countSlot(const World *w, int slot) {
@@ -29,12 +26,12 @@ void countSlot(const World *w, int slot) {
         return;
     }
     float4 c = w->homeCircle[slot];
-    int bucket = bucketIn(w, levelOf(w, c.z), c);
+    int bucket = bucketIn(w, levelOf(w, c.RADIUS), c);
     w->bucketBefore[slot] = bucket;
     w->rank[slot] = atomic_inc(&w->tally[bucket]);
 }
 
-// Counts the circles of each bucket. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void grid_count(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
@@ -42,12 +39,11 @@ kernel void grid_count(WORLD_PARAMETERS) {
     if (slot < slots && !refused(&w)) countSlot(&w, slot);
 }
 
-// The key of a circle in a slot at home.
 int sheetKeyOfSlot(const World *w, int slot) {
     float4 c = w->homeCircle[slot];
-    int level = levelOf(w, c.z);
-    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetXOf(w, level, c.x), sheetYOf(w, level, c.y)) : 0;
-    return key + (w->homeTraits[slot].x == 0.0f ? 1 : 0);
+    int level = levelOf(w, c.RADIUS);
+    int key = w->levels->folded[level] ? sheetKeyOf(w, level, sheetOf(axisX(w, level), c.x), sheetOf(axisY(w, level), c.y)) : 0;
+    return key + (w->homeTraits[slot].INVERSE_MASS == 0.0f ? 1 : 0);
 }
 
 void scatterSlot(const World *w, int slot) {
@@ -58,52 +54,52 @@ void scatterSlot(const World *w, int slot) {
     if (w->levels->haveSheets) w->listedSheet[place] = sheetKeyOfSlot(w, slot);
 }
 
-// Lists the circles of each bucket. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void grid_scatter(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);
     if (slot < slots && !refused(&w)) scatterSlot(&w, slot);
 }
 
-// How many of the circles [from, to) of a bucket have a lower id. Several at a time: a read takes long, and most have few.
+// Several at a time: a read takes long, and most buckets have few.
 int countLower(const World *w, int from, int to, int id) {
     int sum = 0;
     for (int i = from; i < to; i += 4) {
-        int a = w->order[i].x;
-        int b = w->order[min(i + 1, to - 1)].x;
-        int c = w->order[min(i + 2, to - 1)].x;
-        int d = w->order[min(i + 3, to - 1)].x;
+        int a = w->order[i].LISTED_ID;
+        int b = w->order[min(i + 1, to - 1)].LISTED_ID;
+        int c = w->order[min(i + 2, to - 1)].LISTED_ID;
+        int d = w->order[min(i + 3, to - 1)].LISTED_ID;
         sum += (a < id) + (i + 1 < to && b < id) + (i + 2 < to && c < id) + (i + 3 < to && d < id);
     }
     return sum;
 }
 
-// How many of the circles [from, to) of a bucket come before one: of a lower key, or of its own and with a lower id.
+// Of a lower key, or of its own and with a lower id.
 int countBefore(const World *w, int from, int to, int key, int id) {
     int sum = 0;
     for (int i = from; i < to; i++) {
         int other = w->listedSheet[i];
-        sum += other < key || (other == key && w->order[i].x < id);
+        sum += other < key || (other == key && w->order[i].LISTED_ID < id);
     }
     return sum;
 }
 
-// About the least radius: a static circle that moves is fast if it is so for circles of this radius.
+// About: a static circle is fast if it is for circles of this radius.
 float leastRadius(const World *w) { return 0.5f * w->levels->top[w->levels->used[0]]; }
 
-// The share of its path after which a circle touches a wall; 1 if it does not fly far.
+// 1 if the circle does not fly far.
 float timeOfWalls(const World *w, float4 c, float px, float py, bool far) {
     if (!far) return 1.0f;
     const StepConstants *k = &w->k;
-    float tx = timeOfWall(c.x, px, c.z, k->minX, k->maxX, travelFor(w, 0, c.z), travelFor(w, 1, c.z));
-    float ty = timeOfWall(c.y, py, c.z, k->minY, k->maxY, travelFor(w, 2, c.z), travelFor(w, 3, c.z));
-    return greatest(least(tx, ty), 0.0f);
+    float tx = timeOfWall(c.x, px, c.RADIUS, k->minX, k->maxX, travelFor(w, 0, c.RADIUS), travelFor(w, 1, c.RADIUS));
+    float ty = timeOfWall(c.y, py, c.RADIUS, k->minY, k->maxY, travelFor(w, 2, c.RADIUS), travelFor(w, 3, c.RADIUS));
+    return maxf(minf(tx, ty), 0.0f);
 }
 
-// Copies the circle that is number i of those listed to its place, and describes it; returns whether it is fast.
+// Returns whether it is fast.
 bool gatherCircle(const World *w, int i) {
     int2 listed = w->order[i];
-    int from = listed.y;
+    int from = listed.LISTED_SLOT;
     int bucket = w->bucketBefore[from];
     float4 c = w->homeCircle[from];
     float4 m = w->homeMotion[from];
@@ -114,44 +110,44 @@ bool gatherCircle(const World *w, int i) {
     int slot;
     if (w->levels->haveSheets) {
         int key = w->listedSheet[i];
-        slot = start + countBefore(w, start, end, key, listed.x);
+        slot = start + countBefore(w, start, end, key, listed.LISTED_ID);
         w->sheetKey[slot] = key;
     } else {
-        slot = start + countLower(w, start, end, listed.x);
+        slot = start + countLower(w, start, end, listed.LISTED_ID);
     }
-    bool isStatic = t.x == 0.0f;
-    float px = plan(m.z, w->k.dt, isStatic ? 0.0f : w->k.fallX);
-    float py = plan(m.w, w->k.dt, isStatic ? 0.0f : w->k.fallY);
+    bool isStatic = t.INVERSE_MASS == 0.0f;
+    float px = plan(m.VX, w->k.dt, isStatic ? 0.0f : w->k.fallX);
+    float py = plan(m.VY, w->k.dt, isStatic ? 0.0f : w->k.fallY);
     if (w->k.driving && !isStatic) {
-        float2 driven = drivenPath(w, listed.x, t.x, m);
+        float2 driven = drivenPath(w, listed.LISTED_ID, t.INVERSE_MASS, m);
         px = driven.x;
         py = driven.y;
     }
 #ifdef EDGES
-    float within_ = least(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
+    float within_ = minf(shareOfPeriod(px, w->levels->periodX), shareOfPeriod(py, w->levels->periodY));
     px = within_ * px;
     py = within_ * py;
 #endif
-    float path = norm(px, py);
+    float path = lengthf(px, py);
     if (isStatic) {
         // It stops at the bounds.
         px = within(c.x, px, w->k.minX, w->k.maxX);
         py = within(c.y, py, w->k.minY, w->k.maxY);
-        path = norm(px, py);
-    } else if (path > c.z) {
-        px = besideWalls(c.x, px, c.z, w->k.minX, w->k.maxX);
-        py = besideWalls(c.y, py, c.z, w->k.minY, w->k.maxY);
-        path = norm(px, py);
+        path = lengthf(px, py);
+    } else if (path > c.RADIUS) {
+        px = besideWalls(c.x, px, c.RADIUS, w->k.minX, w->k.maxX);
+        py = besideWalls(c.y, py, c.RADIUS, w->k.minY, w->k.maxY);
+        path = lengthf(px, py);
     }
-    float share = isStatic ? 1.0f : travelShare(path, c.z);
+    float share = isStatic ? 1.0f : travelShare(path, c.RADIUS);
     px = share * px;
     py = share * py;
     path = share * path;
-    bool fast = isFast(path, isStatic ? leastRadius(w) : c.z);
+    bool fast = isFast(path, isStatic ? leastRadius(w) : c.RADIUS);
     w->circle[slot] = c;
     w->motion[slot] = m;
     w->traits[slot] = t;
-    w->id[slot] = listed.x;
+    w->id[slot] = listed.LISTED_ID;
     w->firstCached[slot] = firstCached;
     w->bucketOf[slot] = bucket;
     if (!w->k.tiled) w->load[slot] = (float4)(0.0f);
@@ -161,10 +157,10 @@ bool gatherCircle(const World *w, int i) {
         w->coarser[slot] = 0;
         w->heavySum[slot] = (long4)(0);
     }
-    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.z, path);
-    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.z, path), t.x);
+    w->motionClamp[slot] = (float4)(px, py, CLAMP_ALLOWANCE * c.RADIUS, path);
+    w->sight[slot] = (float4)(c.x, c.y, speculativeDistance(c.RADIUS, path), t.INVERSE_MASS);
     if (w->k.sweeping) {
-        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.z));
+        w->timeOfImpact[slot] = as_int(timeOfWalls(w, c, px, py, !isStatic && path > c.RADIUS));
         w->near[slot] = (float2)(fast ? 1.0f : NOT_FAST, INFINITY);
         w->carryTime[slot] = as_int(NOT_CARRIED);
         w->carrier[slot] = NOBODY;
@@ -174,15 +170,15 @@ bool gatherCircle(const World *w, int i) {
     return fast;
 }
 
-// Whether nothing has been counted: the step was refused before.
+// The step was refused before.
 bool gridIsEmpty(const World *w) {
     return w->bucketStart[w->levels->first[LEVELS]] == 0 || w->status[EVENTS_LACK] != 0;
 }
 
-// Index space: a circle a work-item. Cost: the circles of its bucket.
+// Index space: slots. Cost: the circles of its bucket.
 kernel void grid_gather(WORLD_PARAMETERS) {
     World w = WORLD;
-    // One of a work-group speaks for all: a store of every fast circle to one place takes longer than all the rest.
+    // For all of the work-group: a store of every fast circle to one place takes longer than all the rest.
     local int fast;
     int i = (int) get_global_id(0);
     if (get_local_id(0) == 0) fast = 0;

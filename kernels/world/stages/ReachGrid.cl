@@ -1,16 +1,16 @@
 // uses: world/shared/Reach.cl world/shared/PairRule.cl world/stages/World.cl
-// The fast circles that reach far, by their reach. The Java class world.jvm.ReachGrid explains it. Stage Grid empties the buckets.
+// Fast circles that reach far, by their reach. The Java class world.jvm.ReachGrid explains it. Grid empties the buckets.
 
-// A circle reaches far in a level if it does so over more than so many of its cells. It changes the time alone.
+// More of a level's cells are far. It changes the time alone.
 #define FAR_CELLS 3.0f
 
-// By bucket, the slot that came last, or NONE.
+// By bucket: the slot that came last, or NONE.
 volatile global int *lastReached(const World *w) { return (volatile global int *) w->lastReached; }
 
-// The reach from which on circles of a level look for a circle, and it does not look for them.
+// From there on circles of a level look for it, and it does not look for them.
 float farIn(const World *w, int level) { return FAR_CELLS / w->levels->inverseEdge[level]; }
 
-// Puts a circle into its bucket. Returns the bit of its class.
+// Returns the bit of its class.
 int addReach(const World *w, int slot, float4 c, float reach) {
     int top = topExponent(w->levels->rmax);
     int k = reachClassOf(reach, top);
@@ -21,21 +21,18 @@ int addReach(const World *w, int slot, float4 c, float reach) {
     return 1 << k;
 }
 
-// Notes how far a circle reaches, and puts it into its bucket if it is fast and reaches far. looks: whether it is fast, and not static.
-// Returns the bit of its class then, else 0: for noteClasses, which takes those of many circles together.
+// looks: is fast and not static. Returns the bit of its class if it is in the grid, else 0.
 int noteReach(const World *w, int slot, bool looks) {
     float4 c = w->circle[slot];
-    float reach = reachOf(c.z, w->motionClamp[slot].w, w->sight[slot].w == 0.0f);
+    float reach = reachOf(c.RADIUS, w->motionClamp[slot].PATH_LENGTH, w->sight[slot].SIGHT_INVERSE_MASS == 0.0f);
     w->reach[slot] = (float4)(c.x, c.y, reach, looks ? 1.0f : 0.0f);
     return looks && reach > farIn(w, w->levels->used[0]) ? addReach(w, slot, c, reach) : 0;
 }
 
-// Notes the classes that have circles.
 void noteClasses(const World *w, int classes) {
     if (classes != 0) atomic_or(&w->status[REACHES], classes);
 }
 
-// Cells of a class.
 typedef struct {
     int column, row, endColumn, endRow;
 } ReachCells;
@@ -52,10 +49,10 @@ ReachCells reachCellsIn(const World *w, float left, float right, float low, floa
 #ifdef EDGES
 #define IMAGES 9
 
-// What coordinates may be off by, along an axis that wraps.
+// How much coordinates may be off along an axis that wraps.
 float roundingAlong(float min_, float period) { return period < INFINITY ? 0x1p-20f * (fabs(min_) + period) : 0.0f; }
 
-// The cells that a circle looks at, around each image of its place: along an axis that wraps there is one on each side.
+// Around each image: one on each side along an axis that wraps.
 ReachCells reachCellsAround(const World *w, int image, float x, float y, float far, float inverseEdge) {
     constant Levels *l = w->levels;
     const StepConstants *k = &w->k;

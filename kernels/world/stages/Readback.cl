@@ -1,5 +1,5 @@
 // uses: world/stages/World.cl
-// Lays the state out by id, for one bulk copy to the host. Index space: a slot at home a work-item.
+// The state by id, for one copy to the host. Index space: slots at home.
 
 kernel void readback_circles(global const int *homeId, global const float4 *homeCircle, int slots,
                              global float4 *byId) {
@@ -13,7 +13,7 @@ kernel void readback_positions(global const int *homeId, global const float4 *ho
     if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeCircle[slot].xy;
 }
 
-// Positions behind the number of steps that led to them, by which the host knows whether they are those that it asked for.
+// In front the number of steps, by which the host knows whether they are those that it asked for.
 kernel void readback_request(global const int *homeId, global const float4 *homeCircle, int slots,
                              global const int *status, global float2 *byId) {
     int slot = (int) get_global_id(0);
@@ -24,5 +24,5 @@ kernel void readback_request(global const int *homeId, global const float4 *home
 kernel void readback_velocities(global const int *homeId, global const float4 *homeMotion, int slots,
                                 global float2 *byId) {
     int slot = (int) get_global_id(0);
-    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].zw;
+    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeMotion[slot].VELOCITY;
 }

@@ -1,10 +1,7 @@
-// Exclusive prefix sum of an array of counts, into another array; the counts are left all 0, ready to count the next thing.
-// Integers: any order gives the same result. A block is what a work-group takes: SCAN_EACH consecutive elements a work-item.
-// Both arrays have room for the number of elements rounded up to a multiple of SCAN_EACH, and the counts there are 0.
-// From the host: SCAN_GROUP, the work-items of a work-group, and SCAN_EACH, which is 4.
+// Exclusive prefix sum of counts, which are left all 0. A work-group takes SCAN_GROUP times SCAN_EACH (4) elements. Arrays have room for a
+// multiple of SCAN_EACH, and counts behind the last are 0.
 
-// Exclusive prefix sum over a work-group of one value a work-item; *total gets the sum of all. cells: two a work-item, each
-// half read while the other is written.
+// Over a work-group. cells: two a work-item; each half is read while the other is written.
 int scanGroup(int value, local int *cells, int *total) {
     int item = (int) get_local_id(0);
     int size = (int) get_local_size(0);
@@ -23,7 +20,7 @@ int scanGroup(int value, local int *cells, int *total) {
     return before;
 }
 
-// Sums up each block. Index space: a work-group a block.
+// Index space: a work-group a block.
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(global const int *counts, int count,
                                                                                 global int *blockSums) {
     local int cells[2 * SCAN_GROUP];
@@ -34,8 +31,7 @@ kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_blocks(
     if (get_local_id(0) == 0) blockSums[get_group_id(0)] = total;
 }
 
-// Writes the sums, and clears the counts, unless the step before waits for the host and may need the sums that are there once more. Every
-// work-group sums up by itself what stands before its block: cheaper than a
+// Clears the counts, unless the step before waits for the host and may need them. Each sums up what stands before its block: cheaper than a
 // launch. Index space: a work-group a block.
 kernel __attribute__((reqd_work_group_size(SCAN_GROUP, 1, 1))) void scan_starts(global int *counts, int count,
                                                                                 global const int *blockSums,

@@ -1,8 +1,7 @@
-// uses: world/stages/Events.cl
-// Finds the pairs that are only sensed and touched in a step, behind its last sub-step, whichever plan has made it, and tells of them
-// (Events.cl). The Java classes world.jvm.Sensing, world.model.SensorRule and world.events.SensedPair are the same.
+// uses: world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
+// Tells of pairs that are only sensed and touched in a step. The Java classes Sensing, SensorRule and SensedPair are the same.
 //
-// start: by id: x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
+// start: by id, x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
 
 #ifdef REPORTING
 
@@ -13,7 +12,7 @@
 #define SEEKS 2
 #define BOTH_SEEK 3
 
-// Notes where circles are. Index space: a slot at home a work-item.
+// Index space: slots at home.
 kernel void sensing_begin(global const int *homeId, global const float4 *homeCircle, int slots, global const int *status,
                           global float2 *start) {
     int slot = (int) get_global_id(0);
@@ -21,7 +20,6 @@ kernel void sensing_begin(global const int *homeId, global const float4 *homeCir
     if (slot < slots && homeId[slot] >= 0) start[homeId[slot]] = homeCircle[slot].xy;
 }
 
-// A circle that takes part.
 typedef struct {
     float x, y, px, py, r, path;
     int id, slot;
@@ -38,17 +36,17 @@ Sensed sensedAt(const World *w, global const float2 *start, int slot) {
     s.y = start[s.id].y;
     s.px = ACROSS_X(w, c.x - s.x);
     s.py = ACROSS_Y(w, c.y - s.y);
-    s.r = c.z;
-    s.path = norm(s.px, s.py);
+    s.r = c.RADIUS;
+    s.path = lengthf(s.px, s.py);
     s.fields = w->fields[s.id];
-    s.isStatic = w->homeTraits[slot].x == 0.0f;
+    s.isStatic = w->homeTraits[slot].INVERSE_MASS == 0.0f;
     s.isFast = s.path > s.r;
     return s;
 }
 
-float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + greatest(path, top)); }
+float sensorMargin(float r, float path, float top) { return 1.125f * ((r + top) + maxf(path, top)); }
 
-// Whether a circle is the one of a pair that has to find it.
+// Whether s has to find the pair.
 bool findsSensed(int row, const Sensed *s, const Sensed *o) {
     if (s->isFast || o->isFast) {
         return s->isFast && (!o->isFast || s->path > o->path || (s->path == o->path && s->id < o->id));
@@ -56,15 +54,15 @@ bool findsSensed(int row, const Sensed *s, const Sensed *o) {
     return row == SEEKS || (row == BOTH_SEEK && s->id < o->id);
 }
 
-// The share of the step after which two circles touch first that do touch. dx, dy: between them at the start; ux, uy: of the paths.
+// A share of the step. d: between circles that touch, at the start; u: of the paths.
 float timeSensed(float dx, float dy, float ux, float uy, float sum) {
     float b = -(dx * ux + dy * uy);
     float gap = (dx * dx + dy * dy) - sum * sum;
-    float disc = greatest(b * b - (ux * ux + uy * uy) * gap, 0.0f);
-    return gap > 0.0f && b > 0.0f ? least(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
+    float disc = maxf(b * b - (ux * ux + uy * uy) * gap, 0.0f);
+    return gap > 0.0f && b > 0.0f ? minf(gap / (b + sqrt(disc)), 1.0f) : 0.0f;
 }
 
-// Tells of a pair, if it is in touch. a: the lower id.
+// If it is in touch. a: the lower id.
 void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float dx = ACROSS_X(w, b->x - a->x);
     float dy = ACROSS_Y(w, b->y - a->y);
@@ -72,23 +70,23 @@ void tellOfSensed(const World *w, const Sensed *a, const Sensed *b) {
     float uy = b->py - a->py;
     float sum = a->r + b->r;
     float uu = ux * ux + uy * uy;
-    float closest = uu > 0.0f ? bounded(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
-    float least_ = norm(dx + closest * ux, dy + closest * uy) - sum;
+    float closest = uu > 0.0f ? clampf(-(dx * ux + dy * uy) / uu, 0.0f, 1.0f) : 0.0f;
+    float least_ = lengthf(dx + closest * ux, dy + closest * uy) - sum;
     bool touching = touches(NO_TOUCH, least_);
     Told told;
     if (!staysInTouch(NO_TOUCH, least_, sum) || !concerns(w, a->id, b->id, touching, 0.0f, 0.0f, INFINITY, &told)) return;
     float t = touching ? timeSensed(dx, dy, ux, uy, sum) : closest;
     float mx = dx + t * ux;
     float my = dy + t * uy;
-    float distance_ = norm(mx, my);
+    float distance_ = lengthf(mx, my);
     bool apart = distance_ > COINCIDENT * sum;
     int hash = pairHash(a->id, b->id);
     float towardsX = apart ? mx : partingX(hash);
     float towardsY = apart ? my : partingY(hash);
-    float length_ = norm(towardsX, towardsY);
+    float length_ = lengthf(towardsX, towardsY);
     float nx = towardsX / length_;
     float ny = towardsY / length_;
-    float vn = along(nx, ny, ux / w->k.dt, uy / w->k.dt);
+    float vn = dotf(nx, ny, ux / w->k.dt, uy / w->k.dt);
     float separation = distance_ - sum;
     float2 point = (float2)(touchPoint(a->x, t * a->px, nx, a->r, separation), touchPoint(a->y, t * a->py, ny, a->r, separation));
     tell(w, &told, approachSpeed(vn), 0.0f, vn, (float2)(nx, ny), point);
@@ -99,7 +97,7 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
         CircleFields fields = w->fields[w->homeId[slot]];
         int row = (seeking[s->fields.kind << 4 | fields.kind >> 4] >> 2 * (fields.kind & 15)) & 3;
         if (row == NOT_SOUGHT || slot == s->slot) continue;
-        if (fields.group != 0 && fields.group == s->fields.group) continue;
+        if (areOfOneGroup(fields, s->fields)) continue;
         Sensed o = sensedAt(w, start, slot);
         if ((s->isStatic && o.isStatic) || !findsSensed(row, s, &o)) continue;
         if (s->id < o.id) {
@@ -110,12 +108,12 @@ void senseIn(const World *w, global const float2 *start, global const int *seeki
     }
 }
 
-// Index space: a slot at home a work-item. Cost: the cells around its path, for a circle that looks for others.
+// Index space: slots at home. Cost: the cells around its path, if it looks for others.
 kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global const int *seeking REPORTING_PARAMETERS) {
     World w = WORLD;
     REPORT_IN(w);
     int slot = (int) get_global_id(0);
-    // A step that has not been made has left home in another order than the grid's.
+    // A step that was not made has left home in another order.
     if (slot >= circles || !isMade(&w)) return;
     int part = seeking[SEEKING_KINDS + w.fields[w.homeId[slot]].kind];
     if (part == 0) return;
@@ -126,36 +124,11 @@ kernel void sensing_find(WORLD_PARAMETERS, global const float2 *start, global co
     for (int l = 0; l < levels->usedCount; l++) {
         int level = levels->used[l];
         float margin = sensorMargin(s.r, s.path, levels->top[level]);
-        float left = least(s.x, toX) - margin;
-        float below = least(s.y, toY) - margin;
-        int c0 = columnFrom(&w, level, left);
-        int c1 = columnTo(&w, level, left, greatest(s.x, toX) + margin);
-        int r0 = rowFrom(&w, level, below);
-        int r1 = rowTo(&w, level, below, greatest(s.y, toY) + margin);
-        int columns = levels->columnCount[level];
-        int rows = levels->rowCount[level];
-        int first = onRing(c0, columns);
-        int width = min(c1 - c0, columns - 1) + 1;
-        int beforeEnd = min(width, columns - first);
-        Sheets sheets = sheetsAt(&w, level, left, below);
-        sheets.known = areSheetsKnown(&w, level, c1 - c0, r1 - r0);
-        for (int v = 0; v <= min(r1 - r0, rows - 1); v++) {
-            global const int *row =
-                w.bucketStart + levels->first[level] + (onRing(r0 + v, rows) << levels->columnsLog[level]);
-            int overY = onRing(r0, rows) + v >= rows ? 1 : 0;
-            int many;
-            for (int u = 0; u < width; u += many) {
-                bool over = u >= beforeEnd;
-                many = sheets.known ? 1 : over ? width - u : beforeEnd;
-                global const int *cell_ = row + (over ? u - beforeEnd : first + u);
-                int2 slots_ = (int2)(cell_[0], cell_[many]);
-                if (sheets.known) {
-                    int key = sheetKeyBeside(&w, level, &sheets, over ? 1 : 0, overY);
-                    slots_ = slotsOfSheet(&w, slots_.x, slots_.y, key, !s.isStatic);
-                }
-                senseIn(&w, start, seeking, &s, slots_.x, slots_.y);
-            }
-        }
+        CellRange range = cellsAround(&w, level, minf(s.x, toX) - margin, maxf(s.x, toX) + margin, minf(s.y, toY) - margin,
+                                      maxf(s.y, toY) + margin);
+        CellCursor at = firstCells(&range);
+        int2 found;
+        while (nextCells(&w, &range, &at, !s.isStatic, &found)) senseIn(&w, start, seeking, &s, found.x, found.y);
     }
 }
 #endif

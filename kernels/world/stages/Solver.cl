@@ -1,162 +1,163 @@
-// uses: world/shared/Motion.cl world/stages/Contacts.cl
-// Stage Solver: moves the circles through the sub-steps of a step, and writes them home. The contacts are visited with one launch
-// per colour; the Java class world.jvm.Solver does the same.
+// uses: world/shared/Motion.cl world/shared/Visit.cl world/stages/Contacts.cl world/stages/Touches.cl
+// Stage Solver: sub-steps by slots, contacts with a launch per colour. The Java class world.jvm.Solver does the same.
 
-// Index space: a working slot a work-item.
-kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep) {
-    World w = WORLD;
-    w.subStep = subStep;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    float4 m = w.motion[slot];
-    float4 t = w.traits[slot];
-    float4 l = w.load[slot];
+// m: motion; l: load.
+void startCircleAt(const World *w, int slot, float4 m, float4 l) {
+    float4 c = w->circle[slot];
+    float4 t = w->traits[slot];
+    float4 old = m;
     float2 before, bounce;
     bool loaded;
-    integrateVelocities(&w, slot, w.circle[slot], &m, &t, l, &before, &bounce, &loaded);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.wallBounce[slot] = bounce;
-    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-}
-
-// A contact as a pass finds it. b: base; q: masses; n: contact; loads: whether its circles are loaded, added up.
-Found foundContact(const World *w, float4 b, float4 q, float4 n, float loads) {
-    Found f;
-    f.separation = n.z;
-    f.restitution = b.w;
-    f.threshold = restitutionThreshold(&w->k, b.z, b.w);
-    f.flight = flightThreshold(&w->k, b.z, b.w);
-    f.mass = effectiveMass(q.x, q.y);
-    f.normalImpulse = n.w;
-    f.loaded = loads > 0.0f;
-    return f;
-}
-
-// Visits a contact, and applies the impulse. pr: slots; mi, mj: motion of its circles. Returns the normal speed afterwards.
-float visitPair(const World *w, uint2 pr, float4 n, float4 q, float4 mi, float4 mj, const Ready *c, bool relaxing,
-                Visited *visited) {
-    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
-    visit(c, vn, relaxing, visited);
-    float impulse = visited->impulse;
-    if (!visited->leaves) {
-        mi.z -= velocityChange(n.x, q.x, impulse);
-        mi.w -= velocityChange(n.y, q.x, impulse);
-        mj.z += velocityChange(n.x, q.y, impulse);
-        mj.w += velocityChange(n.y, q.y, impulse);
-        w->motion[pr.x] = mi;
-        w->motion[pr.y] = mj;
+    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded);
+    w->motion[slot] = m;
+    w->traits[slot] = t;
+    w->wallBounce[slot] = bounce;
+    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.LOADED_NEXT);
+#ifdef RECORDING
+    if (w->recording.walls) {
+        noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, l.IMPULSES, before, old, m);
     }
-    return vn + impulse * (q.x + q.y);
+#endif
 }
 
-// Makes contact c ready for the biased pass. pr, q, n: its pair, masses and contact.
-void readyToSolve(const World *w, int c, uint2 pr, float4 q, float4 n, Ready *ready) {
-    float4 li = w->load[pr.x];
-    float4 lj = w->load[pr.y];
-    Found found = foundContact(w, w->base[c], q, n, li.z + lj.z);
-    float2 before = lj.xy - li.xy;
-    found.pushSpeed = q.z;
-    found.before = along(n.x, n.y, before.x, before.y);
-    found.squaredSpeed = before.x * before.x + before.y * before.y;
-    float2 fall = gainOfPair(w, pr.x, q.x, pr.y, q.y);
-    found.halfFall = halfFall(along(n.x, n.y, fall.x, fall.y), q.x, q.y);
-    makeReadyToSolve(&w->k, contactSoftness(&w->k), &found, ready);
+// Behind the biased pass.
+void moveCircleAt(const World *w, int slot, float4 m, float loaded) {
+    float4 c = w->circle[slot];
+    float4 t = w->traits[slot];
+    bool isStatic = t.INVERSE_MASS == 0.0f;
+    m = integratePositions(w, slot, c, m, isStatic);
+    float2 moving = m.VELOCITY;
+    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], loaded > 0.0f);
+    w->motion[slot] = m;
+    w->traits[slot] = t;
+    w->load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+#ifdef RECORDING
+    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
+#endif
 }
 
-// The biased pass over one contact. Returns the impulse of a free bounce, which the contact does not keep, or 0.
-float solveContact(const World *w, int c) {
-    uint2 pr = w->pair[c];
+// n: as measured; loads: of both circles, added up.
+Pair pairAt(const World *w, int c, float4 n, float loads) {
+    float4 b = w->base[c];
     float4 q = w->masses[c];
+    Pair p = {.nx = n.NORMAL_X, .ny = n.NORMAL_Y, .separation = n.SEPARATION, .normalImpulse = n.NORMAL_IMPULSE,
+              .radii = b.RADII, .restitution = b.PAIR_RESTITUTION, .bounce = q.BOUNCE, .mass = q.EFFECTIVE_MASS,
+              .invMassA = q.INVERSE_MASS_A, .invMassB = q.INVERSE_MASS_B, .loaded = loads > 0.0f};
+    return p;
+}
+
+// In the relaxing pass others write the rest of the load.
+float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[LOADED_AT]; }
+
+// Takes a contact for a pass.
+Pair takeToSolve(const World *w, int c, uint2 pr, Visit *v) {
+    float4 la = w->load[pr.LOWER];
+    float4 lb = w->load[pr.HIGHER];
+    Pair p = pairAt(w, c, w->contact[c], la.LOADED + lb.LOADED);
+    float2 fall = fallOfPair(w, pr.LOWER, p.invMassA, pr.HIGHER, p.invMassB);
+    readyToSolve(&w->k, &p, lb.BEFORE - la.BEFORE, fall, v);
+    return p;
+}
+
+// Measures it again. ma, mb: motion.
+Pair takeToRelax(const World *w, int c, uint2 pr, float4 ma, float4 mb, Visit *v) {
     float4 n = w->contact[c];
-    Ready ready;
-    readyToSolve(w, c, pr, q, n, &ready);
+    measureContact(w->base[c], ma, mb, &n);
+    Pair p = pairAt(w, c, n, loadedOf(w, pr.LOWER) + loadedOf(w, pr.HIGHER));
+    readyToRelax(&w->k, &p, v);
+    return p;
+}
+
+// Returns the normal speed before the visit.
+float visitAt(const World *w, uint2 pr, float4 ma, float4 mb, const Visit *v, bool relaxing, Visited *visited) {
+    float vn = visitPair(v, ma.VELOCITY, mb.VELOCITY, relaxing, visited);
+    if (!visited->leaves) {
+        ma.VELOCITY -= changeOfVelocity(v, v->invMassA, visited->impulse);
+        mb.VELOCITY += changeOfVelocity(v, v->invMassB, visited->impulse);
+        w->motion[pr.LOWER] = ma;
+        w->motion[pr.HIGHER] = mb;
+    }
+    return vn;
+}
+
+void keepSolved(const World *w, int c, const Visit *v, const Visited *visited) {
+    w->masses[c].BOUNCE = v->ready.bounce;
+    w->contact[c].NORMAL_IMPULSE = visited->normalImpulse;
+#ifdef RECORDING
+    noteSolvedContact(w, w->recording.touch, c, impulseOfFlight(visited));
+#endif
+}
+
+void keepRelaxed(const World *w, int c, const Pair *p, const Visit *v, const Visited *visited) {
+    w->contact[c] = (float4)(p->nx, p->ny, p->separation, visited->normalImpulse);
+#ifdef RECORDING
+    noteRelaxedContact(w, w->recording.touch, c, impulseOfBounce(v, visited));
+#endif
+}
+
+void solveContact(const World *w, int c) {
+    uint2 pr = w->pair[c];
+    Visit v;
     Visited visited;
-    visitPair(w, pr, n, q, w->motion[pr.x], w->motion[pr.y], &ready, false, &visited);
-    w->masses[c].w = ready.bounce;
-    w->contact[c].w = visited.normalImpulse;
-    return visited.leaves || visited.solved ? 0.0f : visited.impulse;
+    takeToSolve(w, c, pr, &v);
+    visitAt(w, pr, w->motion[pr.LOWER], w->motion[pr.HIGHER], &v, false, &visited);
+    keepSolved(w, c, &v, &visited);
 }
 
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void solver_solve(WORLD_PARAMETERS, int colour) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) solveContact(&w, c);
+void relaxContact(const World *w, int c, bool last) {
+    uint2 pr = w->pair[c];
+    float4 ma = w->motion[pr.LOWER];
+    float4 mb = w->motion[pr.HIGHER];
+    Visit v;
+    Visited visited;
+    Pair p = takeToRelax(w, c, pr, ma, mb, &v);
+    float vn = visitAt(w, pr, ma, mb, &v, true, &visited);
+    float next = visited.normalImpulse;
+    if (last) {
+        if (visited.solved && next > 0.0f) storeImpulse(w, c, w->firstCached + pr.LOWER, (int) w->key[c], next);
+    } else if (carriesOn(&v, vn, &visited)) {
+        gatherLoad(w, pr, loadAlong(p.nx, p.ny, next), true);
+    }
+    keepRelaxed(w, c, &p, &v, &visited);
 }
 
-// Index space: a working slot a work-item.
-kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep) {
+// Index space of both: a group of the colour. Cost: its contacts.
+
+kernel void solver_solve(WORLD_PARAMETERS, int colour RECORDING_PARAMETERS) {
     World w = WORLD;
+    RECORD_IN(w);
+    int2 contacts = refused(&w) ? (int2)(0) : contactsOfItem(&w, colour);
+    for (int c = contacts.x; c < contacts.y; c++) solveContact(&w, c);
+}
+
+kernel void solver_relax(WORLD_PARAMETERS, int colour, int last RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    int2 contacts = refused(&w) ? (int2)(0) : contactsOfItem(&w, colour);
+    for (int c = contacts.x; c < contacts.y; c++) relaxContact(&w, c, last != 0);
+}
+
+// Index space of the others: slots.
+
+kernel void solver_integrateVelocities(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
     w.subStep = subStep;
     int slot = (int) get_global_id(0);
     if (slot >= circles || refused(&w)) return;
-    float4 m = w.motion[slot];
-    float4 t = w.traits[slot];
-    float loaded = w.load[slot].z;
-    moveCircle(&w, slot, w.circle[slot], &m, &t, w.wallBounce[slot], loaded > 0.0f);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
+    startCircleAt(&w, slot, w.motion[slot], w.load[slot]);
+}
+
+kernel void solver_integratePositions(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
+    World w = WORLD;
+    RECORD_IN(w);
+    w.subStep = subStep;
+    int slot = (int) get_global_id(0);
+    if (slot >= circles || refused(&w)) return;
+    moveCircleAt(&w, slot, w.motion[slot], w.load[slot].LOADED);
     w.firstCached[slot] = NONE;
 }
 
-// Stores a contact's impulse for the step to come.
-void storeImpulse(const World *w, int c, uint2 pr, float normalImpulse) {
-    w->impulseCache[c] = cacheEntry((int) w->key[c], normalImpulse, w->firstCached[pr.x]);
-    w->firstCached[pr.x] = c;
-}
-
-// Whether a circle is loaded, in the relaxing pass: of its load no more than that, since others write the rest.
-float loadedOf(const World *w, uint slot) { return ((global const float *) (w->load + slot))[2]; }
-
-// Measures a contact again, and makes it ready for the relaxing pass. b, q, n: its base, masses and contact; mi, mj: motion of its circles.
-void readyToRelax(const World *w, uint2 pr, float4 b, float4 q, float4 mi, float4 mj, float4 *n, Ready *ready) {
-    measureContact(b, mi, mj, n);
-    Found found = foundContact(w, b, q, *n, loadedOf(w, pr.x) + loadedOf(w, pr.y));
-    makeReadyToRelax(&w->k, &found, q.w, ready);
-}
-
-// Measures a contact again, makes the relaxing pass over it, and sums up for what follows. Returns the impulse of a bounce, which the
-// contact does not keep, or 0.
-float relaxContact(const World *w, int c, bool last) {
-    uint2 pr = w->pair[c];
-    float4 b = w->base[c];
-    float4 q = w->masses[c];
-    float4 n = w->contact[c];
-    float4 mi = w->motion[pr.x];
-    float4 mj = w->motion[pr.y];
-    Ready ready;
-    readyToRelax(w, pr, b, q, mi, mj, &n, &ready);
-    Visited visited;
-    float vn = visitPair(w, pr, n, q, mi, mj, &ready, true, &visited);
-    float next = visited.normalImpulse;
-    w->contact[c] = (float4)(n.x, n.y, n.z, next);
-    if (!visited.solved) return visited.leaves ? 0.0f : visited.impulse;
-    if (last) {
-        if (next > 0.0f) storeImpulse(w, c, pr, next);
-    } else if (carries(next, vn, ready.restingLimit)) {
-        gatherLoad(w, pr, n.x, n.y, next, true);
-    }
-    return ready.bounce > 0.0f ? n.w + visited.impulse : 0.0f;
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void solver_relax(WORLD_PARAMETERS, int colour, int last) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) relaxContact(&w, c, last != 0);
-}
-
-// Index space: a working slot a work-item.
 kernel void solver_finalizePositions(WORLD_PARAMETERS) {
     World w = WORLD;
     int slot = (int) get_global_id(0);

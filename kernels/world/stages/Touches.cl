@@ -1,56 +1,53 @@
-// uses: world/stages/Events.cl world/stages/Solver.cl
-// Records what contacts and walls do in a step, if events are reported: the stages of Solver.cl with a look at each contact and each
-// wall after each pass. The Java classes world.jvm.Touches and world.jvm.WallTouches are the same. A device compiles this with its
-// first world that reports.
+// uses: world/shared/Wall.cl world/stages/Events.cl
+// Records what contacts and walls do in a step that reports events. The Java classes Touches and WallTouches are the same.
 //
-// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step, impulse of the
-// sub-step that the contact does not keep.
-// wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
+// touch: by contact, two float4: approach speed, impulse, normal x, y (0: not known yet); point x, y, approach speed of the sub-step,
+// impulse of it that is not kept. wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
 
 #ifdef RECORDING
 
-// Notes the approach speed of the sub-step, if the surfaces touch; and where, if that may be elsewhere after the step.
+// Where, only if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;
     if (!touching || !(approach > t[0].x)) return;
     t[0].x = approach;
-    if (!isFastApproach(approach, w->k.dt, w->base[c].z)) return;
-    uint lower = w->pair[c].x;
+    if (!isFastApproach(approach, w->k.dt, w->base[c].RADII)) return;
+    uint lower = w->pair[c].LOWER;
     float4 own = w->circle[lower];
     float4 m = w->motion[lower];
-    t[0].zw = n.xy;
-    t[1].xy = (float2)(touchPoint(own.x, m.x, n.x, own.z, n.z), touchPoint(own.y, m.y, n.y, own.z, n.z));
+    t[0].zw = n.NORMAL;
+    t[1].xy = (float2)(touchPoint(own.x, m.DX, n.NORMAL_X, own.RADIUS, n.SEPARATION),
+                       touchPoint(own.y, m.DY, n.NORMAL_Y, own.RADIUS, n.SEPARATION));
 }
 
-// Takes a visit of the biased pass down. notKept: the impulse of a free bounce.
+// notKept: of a free bounce.
 void noteSolvedContact(const World *w, global float4 *touch, int c, float notKept) {
     uint2 pr = w->pair[c];
     float4 n = w->contact[c];
     global float4 *t = touch + 2 * c;
-    float2 before = w->load[pr.y].xy - w->load[pr.x].xy;
-    float approach = approachSpeed(along(n.x, n.y, before.x, before.y));
+    float2 before = w->load[pr.HIGHER].BEFORE - w->load[pr.LOWER].BEFORE;
+    float approach = approachSpeed(dotf(n.NORMAL_X, n.NORMAL_Y, before.x, before.y));
     t[1].zw = (float2)(approach, notKept);
-    noteTouch(w, t, c, approach, n, n.w + notKept, n.z);
+    noteTouch(w, t, c, approach, n, n.NORMAL_IMPULSE + notKept, n.SEPARATION);
 }
 
-// Takes a visit of the relaxing pass down. bounced: the impulse of a bounce.
+// bounced: impulse of a bounce.
 void noteRelaxedContact(const World *w, global float4 *touch, int c, float bounced) {
     global float4 *t = touch + 2 * c;
     float notKept = t[1].w + bounced;
     float4 n = w->contact[c];
-    float impulse = notKept + n.w;
+    float impulse = notKept + n.NORMAL_IMPULSE;
     t[1].w = 0.0f;
     t[0].y += impulse;
     noteTouch(w, t, c, t[1].z, n, impulse, INFINITY);
 }
 
-// Begins a step for a contact.
 void beginTouch(global float4 *touch, int c) {
     touch[2 * c] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     touch[2 * c + 1] = (float4)(0.0f);
 }
 
-// Begins a step. Index space: any number of work-items, which take contacts and slots in turn.
+// Index space: any; work-items take contacts and slots in turn.
 kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
@@ -63,142 +60,60 @@ kernel void touches_begin(WORLD_PARAMETERS RECORDING_PARAMETERS) {
     }
 }
 
-// The number of a wall.
 int wallOf(int axis, float side) { return 2 * axis + (side > 0.0f ? 0 : 1); }
 
-// Takes a visit of the wall of an axis down. vn: normal speed that the circle approached with; from, to: velocity along the axis
-// before and after the visit; gap: separation before it; along: coordinate along the wall.
-void touchWall(global float4 *t, float side, float vn, float from, float to, float gap, float along_) {
+// A visit of the wall of an axis. x, d: coordinate and displacement; speed: along the axis, of the approach; from, to: before and after the
+// visit; solving: the wall is where it is before the sub-step.
+void noteVisitOfWall(const World *w, global float4 *t, int axis, float x, float d, float r, float speed, float from, float to,
+                     float along, bool solving) {
+    float min_ = axis == 0 ? w->k.minX : w->k.minY;
+    float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
+    float side = wallSide(x, min_, max_);
+    int wall = wallOf(axis, side);
+    float gap = wallGap(x, d, r, side, min_, max_) + behindOf(w, wall);
+    if (solving) gap += sweepFor(w, wall, r);
     float4 now = *t;
     float impulse = side * (to - from);
     now.y += impulse;
-    float approach = approachSpeed(vn);
+    float approach = approachSpeed(side * speed - speedFor(w, wall, r));
     if ((impulse > 0.0f || gap <= 0.0f) && approach > now.x) {
         now.x = approach;
-        now.z = along_;
+        now.z = along;
         now.w = side;
     }
     *t = now;
 }
 
-// Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step. gap: from where the
-// wall is at the end of the step; before: velocity before any impulse.
-void touchSolved(const World *w, global float4 *t, int axis, float side, float r, float before, float from, float to, float gap,
-                 float along_) {
-    int wall = wallOf(axis, side);
-    float now = (gap + behindOf(w, wall)) + sweepFor(w, wall, r);
-    touchWall(t, side, side * before - speedFor(w, wall, r), from, to, now, along_);
-}
-
-// Takes a visit of the relaxing pass down. gap: from where the wall is at the end of the step.
-void touchRelaxed(const World *w, global float4 *t, int axis, float side, float r, float from, float to, float gap,
-                  float along_) {
-    int wall = wallOf(axis, side);
-    touchWall(t, side, side * from - speedFor(w, wall, r), from, to, gap + behindOf(w, wall), along_);
-}
-
-// Takes the visits of both walls in the biased pass down. c: circle; sum: of the impulses of its contacts; before: velocity before any
-// impulse; old, m: motion before and after integrateVelocities.
+// sum: of contact impulses; old, m: motion before and after.
 void noteWallsSolved(const World *w, global float4 *t, float4 c, float inverseMass, float2 sum, float2 before, float4 old,
                      float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, old.x, c.z, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, old.y, c.z, sideY, w->k.minY, w->k.maxY);
     float fromX = afterImpulse(before.x, inverseMass, sum.x);
     float fromY = afterImpulse(before.y, inverseMass, sum.y);
-    touchSolved(w, t, 0, sideX, c.z, before.x, fromX, m.z, gapX, c.y + m.y);
-    touchSolved(w, t + 1, 1, sideY, c.z, before.y, fromY, m.w, gapY, c.x + m.x);
+    noteVisitOfWall(w, t, 0, c.x, old.DX, c.RADIUS, before.x, fromX, m.VX, c.y + m.DY, true);
+    noteVisitOfWall(w, t + 1, 1, c.y, old.DY, c.RADIUS, before.y, fromY, m.VY, c.x + m.DX, true);
 }
 
-// Takes the visits of both walls in the relaxing pass down. v: velocity before the visits; m: motion after them.
+// v: before the visits; m: motion after them.
 void noteWallsRelaxed(const World *w, global float4 *t, float4 c, float inverseMass, float2 v, float4 m) {
     if (inverseMass == 0.0f) return;
-    float sideX = wallSide(c.x, w->k.minX, w->k.maxX);
-    float sideY = wallSide(c.y, w->k.minY, w->k.maxY);
-    float gapX = wallGap(c.x, m.x, c.z, sideX, w->k.minX, w->k.maxX);
-    float gapY = wallGap(c.y, m.y, c.z, sideY, w->k.minY, w->k.maxY);
-    touchRelaxed(w, t, 0, sideX, c.z, v.x, m.z, gapX, c.y + m.y);
-    touchRelaxed(w, t + 1, 1, sideY, c.z, v.y, m.w, gapY, c.x + m.x);
-}
-
-// Index space: a working slot a work-item.
-kernel void touches_integrateVelocities(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
-    World w = WORLD;
-    w.subStep = subStep;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    float4 c = w.circle[slot];
-    float4 m = w.motion[slot];
-    float4 t = w.traits[slot];
-    float4 l = w.load[slot];
-    float4 old = m;
-    float2 before, bounce;
-    bool loaded;
-    integrateVelocities(&w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.wallBounce[slot] = bounce;
-    w.load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-    noteWallsSolved(&w, wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_solve(WORLD_PARAMETERS, int colour, global float4 *touch) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) noteSolvedContact(&w, touch, c, solveContact(&w, c));
-}
-
-// Index space: a working slot a work-item.
-kernel void touches_integratePositions(WORLD_PARAMETERS, int subStep, global float4 *wallTouch) {
-    World w = WORLD;
-    w.subStep = subStep;
-    int slot = (int) get_global_id(0);
-    if (slot >= circles || refused(&w)) return;
-    float4 c = w.circle[slot];
-    float4 t = w.traits[slot];
-    float loaded = w.load[slot].z;
-    bool isStatic = t.x == 0.0f;
-    float4 m = integratePositions(&w, slot, c, w.motion[slot], isStatic);
-    float4 before = m;
-    if (!isStatic) relaxAtWalls(&w, c, &m, &t, w.wallBounce[slot], loaded > 0.0f);
-    w.motion[slot] = m;
-    w.traits[slot] = t;
-    w.load[slot] = (float4)(0.0f, 0.0f, loaded, 0.0f);
-    w.firstCached[slot] = NONE;
-    noteWallsRelaxed(&w, wallTouch + 2 * slot, c, t.x, before.zw, m);
-}
-
-// Index space: a group of one colour a work-item. Cost: its contacts.
-kernel void touches_relax(WORLD_PARAMETERS, int colour, int last, global float4 *touch) {
-    World w = WORLD;
-    int g = (int) get_global_id(0);
-    int groups = likeGroups(&w) >> 2;
-    if (g >= groups || refused(&w)) return;
-    int group = colour * groups + g;
-    int to = w.groupStart[group + 1];
-    for (int c = w.groupStart[group]; c < to; c++) noteRelaxedContact(&w, touch, c, relaxContact(&w, c, last != 0));
+    noteVisitOfWall(w, t, 0, c.x, m.DX, c.RADIUS, v.x, v.x, m.VX, c.y + m.DY, false);
+    noteVisitOfWall(w, t + 1, 1, c.y, m.DY, c.RADIUS, v.y, v.y, m.VY, c.x + m.DX, false);
 }
 
 // Tells of the wall of an axis. c, m: circle and motion after the step.
 void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m) {
     float x = axis == 0 ? c.x : c.y;
-    float dx = axis == 0 ? m.x : m.y;
-    float v = axis == 0 ? m.z : m.w;
+    float dx = axis == 0 ? m.DX : m.DY;
+    float v = axis == 0 ? m.VX : m.VY;
     float min_ = axis == 0 ? w->k.minX : w->k.minY;
     float max_ = axis == 0 ? w->k.maxX : w->k.maxY;
     float rate = axis == 0 ? w->k.thresholdRateX : w->k.thresholdRateY;
     float nearer = wallSide(x, min_, max_);
-    float gap = wallGap(x, dx, c.z, nearer, min_, max_);
+    float gap = wallGap(x, dx, c.RADIUS, nearer, min_, max_);
     bool touched = t.x >= 0.0f;
-    bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.z);
-    float threshold = bounceThreshold(&w->k, 2.0f * c.z, 0.0f, rate);
+    bool isNear_ = staysInTouch(NO_TOUCH, gap, 2.0f * c.RADIUS);
+    float threshold = bounceThreshold(&w->k, 2.0f * c.RADIUS, 0.0f, rate);
     for (int k = 0; k < 2; k++) {
         bool first = k == 0;
         if (first ? !touched : !isNear_ || (touched && t.w == nearer)) continue;
@@ -206,11 +121,11 @@ void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m
         float at = side > 0.0f ? min_ : max_;
         float place = first ? t.z : axis == 0 ? c.y : c.x;
         int wall = wallOf(axis, side);
-        float vn = side * v - speedFor(w, wall, c.z);
+        float vn = side * v - speedFor(w, wall, c.RADIUS);
         float2 normal = axis == 0 ? (float2)(-side, 0.0f) : (float2)(0.0f, -side);
         float2 point = axis == 0 ? (float2)(at, place) : (float2)(place, at);
         float approach = first ? t.x : 0.0f;
-        float impulse = first ? c.w * t.y : 0.0f;
+        float impulse = first ? c.MASS * t.y : 0.0f;
         Told told;
         if (concerns(w, w->homeId[slot], FIRST_WALL + wall, first || touches(NO_TOUCH, gap), approach, impulse, threshold, &told)) {
             tell(w, &told, approach, impulse, vn, normal, point);
@@ -220,7 +135,7 @@ void tellOfWall(const World *w, float4 t, int slot, int axis, float4 c, float4 m
 
 // Tells of the walls that a circle is in touch with after the step.
 void tellOfWallsOf(const World *w, int slot) {
-    if (w->homeTraits[slot].x == 0.0f) return;
+    if (w->homeTraits[slot].INVERSE_MASS == 0.0f) return;
     global const float4 *t = w->recording.wallTouch + 2 * slot;
     tellOfWall(w, t[0], slot, 0, w->homeCircle[slot], w->homeMotion[slot]);
     tellOfWall(w, t[1], slot, 1, w->homeCircle[slot], w->homeMotion[slot]);
@@ -231,19 +146,20 @@ bool isKnown(float2 normal) { return normal.x != 0.0f || normal.y != 0.0f; }
 // Tells of a pair of circles after a step, if it is in touch. pr: slots; n: contact; approach, impulse: of the step; normal, point: where
 // it touched, if that is known; else it is where it touches now.
 void tellOfPair(const World *w, uint2 pr, float4 n, float radii, float approach, float impulse, float2 normal, float2 point) {
-    if (!staysInTouch(approach, n.z, radii)) return;
+    if (!staysInTouch(approach, n.SEPARATION, radii)) return;
     float threshold = bounceThreshold(&w->k, radii, 0.0f, w->k.thresholdRate);
-    float fastest = greatest(approach, 0.0f);
+    float fastest = maxf(approach, 0.0f);
     Told told;
-    if (!concerns(w, w->id[pr.x], w->id[pr.y], touches(approach, n.z), fastest, impulse, threshold, &told)) return;
+    if (!concerns(w, w->id[pr.LOWER], w->id[pr.HIGHER], touches(approach, n.SEPARATION), fastest, impulse, threshold, &told)) return;
     if (!isKnown(normal)) {
-        float4 lower = w->homeCircle[pr.x];
-        normal = n.xy;
-        point = (float2)(touchPoint(lower.x, 0.0f, n.x, lower.z, n.z), touchPoint(lower.y, 0.0f, n.y, lower.z, n.z));
+        float4 lower = w->homeCircle[pr.LOWER];
+        normal = n.NORMAL;
+        point = (float2)(touchPoint(lower.x, 0.0f, n.NORMAL_X, lower.RADIUS, n.SEPARATION),
+                         touchPoint(lower.y, 0.0f, n.NORMAL_Y, lower.RADIUS, n.SEPARATION));
     }
-    float4 mi = w->homeMotion[pr.x];
-    float4 mj = w->homeMotion[pr.y];
-    float vn = along(n.x, n.y, mj.z - mi.z, mj.w - mi.w);
+    float4 mi = w->homeMotion[pr.LOWER];
+    float4 mj = w->homeMotion[pr.HIGHER];
+    float vn = dotf(n.NORMAL_X, n.NORMAL_Y, mj.VX - mi.VX, mj.VY - mi.VY);
     tell(w, &told, fastest, impulse, vn, normal, point);
 }
 
@@ -253,7 +169,7 @@ void tellOfContacts(const World *w, int first, int each) {
     for (int c = first; c < contacts; c += each) {
         global const float4 *touch = w->recording.touch + 2 * c;
         float4 t = touch[0];
-        tellOfPair(w, w->pair[c], w->contact[c], w->base[c].z, t.x, t.y, t.zw, touch[1].xy);
+        tellOfPair(w, w->pair[c], w->contact[c], w->base[c].RADII, t.x, t.y, t.zw, touch[1].xy);
     }
 }
 

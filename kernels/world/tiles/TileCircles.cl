@@ -1,58 +1,54 @@
 // uses: world/shared/Motion.cl world/tiles/TileTouches.cl
-// Stage Solver for tiles: what is a circle's own business, its start into a sub-step and its move, made once by the
-// work-group whose tile it is in. The same as integrateVelocities and integratePositions of Solver.cl. What neighbours read of
-// it is drive and burden after the start, solvedMotion and solvedBurden after the move; motion and traits are the owner's.
-// After the start motion is the displacement and, in place of the velocity, which is in drive, the target speeds of bounces off
-// walls.
+// A circle's start into a sub-step and its move, by the work-group that owns it. Neighbours read drive and burden after the start,
+// solvedMotion and solvedBurden after the move; motion and traits are the owner's.
 
-// A work-item takes several circles, or contacts, at a time: what it reads of all of them is on its way before it needs the
-// first. How many, up to MOST_TOGETHER, is a matter of registers, and was tried out; compilers know the number everywhere.
+// Work-items take several circles or contacts at a time: all reads are on their way before the first is needed. How many is a matter of
+// registers, and tried out.
 #define MOST_TOGETHER 4
 #define TOGETHER_EACH(n, together)                                                                                     \
     _Pragma("unroll") for (int n = 0; n < MOST_TOGETHER; n++) if (n < (together))
 #define TILE_TOGETHER(first, count, together)                                                                          \
     _Pragma("unroll 1") for (int first = 0; first < (count); first += (together) * (int) get_local_size(0))
 
-// The n-th of those that a work-item takes together: as they are numbered from first on. May be count or more.
+// May be count or more.
 int togetherItem(int first, int n) { return first + n * (int) get_local_size(0) + (int) get_local_id(0); }
 
-// A circle's inverse mass, negative where it is loaded: of a static one it is 0, and that is never loaded.
+// Negative if loaded. A static circle has 0 and is never loaded.
 float burdenOf(float inverseMass, bool loaded) { return loaded ? -inverseMass : inverseMass; }
-
 bool isLoaded(float burden) { return as_int(burden) < 0; }
 
-// A circle's inverse mass and restitution alone: the other half of its traits its owner may be about to write.
-float2 lastingTraits(const World *w, int slot) { return ((global const float2 *) w->traits)[2 * slot]; }
+// Its owner may be about to write the other half.
+float2 lastingTraits(const World *w, int slot) {
+    return *(global const float2 *) ((global const float *) (w->traits + slot) + INVERSE_MASS_AT);
+}
 
-// Writes a circle's wall impulses alone, where they have changed.
+// If they have changed.
 void storeWalls(const World *w, int slot, float2 old, float2 walls) {
     if (as_int(old.x) != as_int(walls.x) || as_int(old.y) != as_int(walls.y)) {
-        ((global float2 *) w->traits)[2 * slot + 1] = walls;
+        *(global float2 *) ((global float *) (w->traits + slot) + WALLS_AT) = walls;
     }
 }
 
-// Whether a circle has impulses of walls; most have none, and need not look at their traits.
+// Most have none, and need not look at their traits.
 bool hasWalls(const World *w, float4 c, float2 walls) {
     float2 none = noWalls(&w->k, c);
     return as_int(walls.x) != as_int(none.x) || as_int(walls.y) != as_int(none.y);
 }
 
-// Begins a sub-step for a circle without impulses of walls: gravity, the impulses of the sub-step before. Returns false where
-// that is not all. c, m: circle, motion; sum: of the impulses of its contacts; carried: whether one of them carries.
+// Without impulses of walls; false if that is not all. sum: of contact impulses; carried: by a contact.
 bool startOffWalls(const World *w, int slot, float4 c, float4 m, float inverseMass, float2 sum, bool carried) {
     float2 before, next;
     if (!integrateOffWalls(w, slot, c, m, inverseMass, sum, &before, &next)) return false;
     w->drive[slot] = (float4)(next.x, next.y, before.x, before.y);
     w->burden[slot] = burdenOf(inverseMass, carried);
-    w->motion[slot] = (float4)(m.x, m.y, 0.0f, 0.0f);
+    w->motion[slot] = (float4)(m.DX, m.DY, 0.0f, 0.0f);
     return true;
 }
 
-// Begins a sub-step for a circle: gravity, the impulses of the sub-step before, the walls. t: its traits. Returns whether it is
-// at a wall.
+// Returns whether it is at a wall.
 bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 sum, bool carried) {
-    float2 walls = t.zw;
-    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.x, sum, carried)) {
+    float2 walls = t.WALLS;
+    if (walls.x == 0.0f && walls.y == 0.0f && startOffWalls(w, slot, c, m, t.INVERSE_MASS, sum, carried)) {
         storeWalls(w, slot, walls, noWalls(&w->k, c));
         return false;
     }
@@ -63,32 +59,31 @@ bool startCircle(const World *w, int slot, float4 c, float4 m, float4 t, float2 
 #endif
     integrateVelocities(w, slot, c, &m, &t, (float4)(sum.x, sum.y, 0.0f, carried ? 1.0f : 0.0f), &before, &bounce, &loaded);
 #ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, sum, before, old, m);
+    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, sum, before, old, m);
 #endif
-    storeWalls(w, slot, walls, t.zw);
-    w->drive[slot] = (float4)(m.z, m.w, before.x, before.y);
-    w->burden[slot] = burdenOf(t.x, loaded);
-    w->motion[slot] = (float4)(m.x, m.y, bounce.x, bounce.y);
-    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.zw);
+    storeWalls(w, slot, walls, t.WALLS);
+    w->drive[slot] = (float4)(m.VX, m.VY, before.x, before.y);
+    w->burden[slot] = burdenOf(t.INVERSE_MASS, loaded);
+    w->motion[slot] = (float4)(m.DX, m.DY, bounce.x, bounce.y);
+    return bounce.x != 0.0f || bounce.y != 0.0f || hasWalls(w, c, t.WALLS);
 }
 
-// Ends the biased pass for a circle: its move. atWall: as it was started; started: motion as that has left it; v: velocity.
-// Returns whether it is at a wall.
+// started: motion as the start has left it. Returns whether it is at a wall.
 bool endSolve(const World *w, int slot, bool atWall, float4 c, float4 started, float2 v, float burden) {
     bool isStatic = burden == 0.0f;
-    float4 m = integratePositions(w, slot, c, (float4)(started.x, started.y, v.x, v.y), isStatic);
+    float4 m = integratePositions(w, slot, c, (float4)(started.DX, started.DY, v.x, v.y), isStatic);
     if (!isStatic && (atWall || !wallsAreApart(&w->k, c, m))) {
         float4 t = w->traits[slot];
-        float2 walls = t.zw;
+        float2 walls = t.WALLS;
 #ifdef RECORDING
-        float2 moving = m.zw;
+        float2 moving = m.VELOCITY;
 #endif
-        relaxAtWalls(w, c, &m, &t, started.zw, isLoaded(burden));
+        relaxAtWalls(w, c, &m, &t, started.WALL_TARGETS, isLoaded(burden));
 #ifdef RECORDING
-        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
+        if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.INVERSE_MASS, moving, m);
 #endif
-        storeWalls(w, slot, walls, t.zw);
-        atWall = hasWalls(w, c, t.zw);
+        storeWalls(w, slot, walls, t.WALLS);
+        atWall = hasWalls(w, c, t.WALLS);
     }
     w->solvedMotion[slot] = m;
     w->solvedBurden[slot] = burden;

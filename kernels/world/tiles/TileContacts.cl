@@ -1,14 +1,12 @@
 // uses: world/stages/Contacts.cl world/tiles/Tiles.cl
-// Stage Contacts for tiles: from the contacts that Contacts.cl has listed group by group, those in order, with what does not
-// change during the step.
+// Stage Contacts by tiles: puts listed contacts in order within their groups.
 
-// Copies in a cache line: each tile's begin with one.
+// In a cache line: a tile's copies begin with one.
 #define LINE_COPIES 8
 
 int wholeLines(int copies) { return (copies + LINE_COPIES - 1) & ~(LINE_COPIES - 1); }
 
-// A contact's circles as seen from its group, in 32 bits: for the lower id and for the higher, the place in its cell (13
-// bits) and the cell (column, row); and whether the contact carries as the step begins.
+// In 32 bits, from the group's cell: for the lower id and the higher, the place in its cell (13 bits) and the cell; whether it carries.
 #define LINK_PLACE 0x1fff
 #define LINK_COLUMN 0x2000
 #define LINK_ROW 0x4000
@@ -20,7 +18,6 @@ uint linkOf(int lowColumn, int lowRow, int lowPlace, int highColumn, int highRow
            (uint) ((highPlace & LINK_PLACE) | (highColumn ? LINK_COLUMN : 0) | (highRow ? LINK_ROW : 0)) << 16;
 }
 
-// Puts a listed contact in its place within its group, measures it for the first sub-step, and links it to its circles.
 void linkContact(const World *w, int listed) {
     if (listed == 0) {
         w->status[TILE_NUMBERS] = 0;
@@ -30,8 +27,8 @@ void linkContact(const World *w, int listed) {
     ulong2 own = listedOf(w)[listed];
     ulong ids = own.x;
     uint2 p = as_uint2(own.y);
-    int low = w->bucketOf[p.x];
-    int high = w->bucketOf[p.y];
+    int low = w->bucketOf[p.LOWER];
+    int high = w->bucketOf[p.HIGHER];
     int l = levelOfBucket(w, low);
     int first = w->levels->first[l];
     int cl = w->levels->columnsLog[l];
@@ -46,8 +43,7 @@ void linkContact(const World *w, int listed) {
     int from = w->groupStart[group];
     int to = w->groupStart[group + 1];
     if (to - from > LONGEST_GROUP) {
-        // Only where crowds are thinned out: others have been refused when they were counted. Those who arrange tiles refuse it:
-        // here others ask whether it has been.
+        // Only if crowds are thinned out. Those who arrange tiles refuse the step: here others ask whether it has been.
         atomic_max(&w->status[TILE_PEAK], NO_TILE);
         return;
     }
@@ -56,14 +52,13 @@ void linkContact(const World *w, int listed) {
 
     bool carrying;
     float4 n = newContact(w, p, ids, baseOfPair(w, p), &carrying);
-    w->impulse[c] = (float2)(n.x * n.w, n.y * n.w);
-    w->masses[c] = n;
-    w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.x - w->bucketStart[low], highColumn != column,
-                        highRow != row, (int) p.y - w->bucketStart[high], carrying);
+    startImpulsesOf(w)[c] = loadAlong(n.NORMAL_X, n.NORMAL_Y, n.NORMAL_IMPULSE);
+    startingOf(w)[c] = n;
+    w->link[c] = linkOf(lowColumn != column, lowRow != row, (int) p.LOWER - w->bucketStart[low], highColumn != column,
+                        highRow != row, (int) p.HIGHER - w->bucketStart[high], carrying);
 }
 
-// Index space: any number of work-items, which take the contacts in turn. Cost: the contacts of a
-// group, and the cached impulses of a circle.
+// Index space: any; work-items take contacts in turn. Cost: those of a group.
 kernel void contacts_link(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;

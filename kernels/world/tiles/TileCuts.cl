@@ -1,14 +1,12 @@
 // uses: world/tiles/Tiles.cl
-// Stage Contacts for tiles: lists the tiles of a step in which some hold too much. These are cut in two until all do that hold
-// anything, so a crowd somewhere costs no more than there. The smallest have 2 x 2 cells.
+// Stage Contacts by tiles: lists the tiles of a step in which some hold too much. These are cut in two until all fit, down to 2 x 2 cells.
 
-// Where a tile of the list is, in 31 bits: its first block of 2 x 2 cells, of those of all levels as buckets are numbered, of which there are
-// fewer than 2^26 (the Java class Limits); log2 of its columns and rows.
+// A listed tile in 31 bits: its first block of 2 x 2 cells, fewer than 2^26 (the Java class Limits); log2 of columns and rows.
 #define CUT_BLOCK 0x3ffffff
 #define CUT_COLUMNS_SHIFT 26
 #define CUT_ROWS_SHIFT 29
 
-// The level of a block, and its first column and row there.
+// Level, first column, first row.
 int3 placeOfBlock(const World *w, int block) {
     int l = levelOfBucket(w, 4 * block);
     int inLevel = block - (w->levels->first[l] >> 2);
@@ -16,7 +14,7 @@ int3 placeOfBlock(const World *w, int block) {
     return (int3)(l, 2 * (inLevel & ((1 << cl) - 1)), 2 * (inLevel >> cl));
 }
 
-// The region of a tile of the list; one without cells behind its end.
+// Without cells behind the end of the list.
 Region regionOfListed(const World *w, int tile) {
     bool isListed = tile < w->status[TILES_LISTED];
     int cut = isListed ? recordOf(w, tile)[RECORD_CUT] : 0;
@@ -26,9 +24,8 @@ Region regionOfListed(const World *w, int tile) {
     return r;
 }
 
-// Cuts a tile in two: its columns while 8 or more are left, as with the sizes of the Java class TileSizes, then its rows, then its columns
-// again. It skips widths at which the region would go round the torus further than once. wl, hl: log2 of its columns and rows. Returns
-// false where it is one of the smallest.
+// Columns down to 8, then rows, then columns; no widths whose region goes round the torus more than once. Returns false for one of the
+// smallest.
 bool halve(const World *w, int l, int *wl, int *hl) {
     int narrower = *wl - 1;
     while (narrower > 0 && (1 << narrower) + 2 * HALO_COLUMNS > w->levels->columnCount[l]) narrower--;
@@ -58,7 +55,7 @@ int contactsInRegion(const World *w, const Region *r) {
     return sum;
 }
 
-// Finds the tile that a block is in, and lists it if it is its first block.
+// If it is its first block.
 void cutTile(const World *w, int block) {
     int3 place = placeOfBlock(w, block);
     int l = place.x;
@@ -82,8 +79,7 @@ void cutTile(const World *w, int block) {
     if (tile < w->levels->tileCount) recordOf(w, tile)[RECORD_CUT] = block | wl << CUT_COLUMNS_SHIFT | hl << CUT_ROWS_SHIFT;
 }
 
-// Lists the tiles, and counts those that there is no room for. Index space: a block of 2 x 2 cells a work-item. Cost: the rows of the
-// regions around it.
+// Counts those without room, too. Index space: a block of 2 x 2 cells. Cost: rows of regions around it.
 kernel void contacts_cutTiles(WORLD_PARAMETERS) {
     World w = WORLD;
     int block = (int) get_global_id(0);

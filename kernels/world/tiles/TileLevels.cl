@@ -1,91 +1,35 @@
 // uses: world/stages/CrossSolver.cl world/tiles/TileSolver.cl
-// Worlds of several levels by tiles: all levels' tiles are in one launch. In a pass the tiles make the like contacts, and leave the
-// circles' motion apart; the cross contacts follow, CrossSolver.cl has them; then each circle takes what these have for it, and goes
-// on. What is a circle's own business lies in between, so it has launches of its own, by slots, as in Solver.cl, and with the same
-// arrays: motion, load, wallBounce. Those of TileCircles.cl are not used.
+// Several levels by tiles, all in one launch: like contacts, which leave the circles' motion apart; then CrossSolver.cl; then circles by
+// slots, with the arrays of Solver.cl and not those of TileCircles.cl.
 
-// A circle behind its contacts: its motion, and its load. impulses: whether it has been given any for the sub-step to come.
-void takeAll(const World *w, int slot, bool impulses, float4 *m, float4 *l) {
-    *m = w->solvedMotion[slot];
-    *l = w->load[slot];
-    if (!isHeavy(w, slot)) return;
-    m->zw = velocityTaken(w, slot, m->zw);
-    if (impulses) {
-        l->xy = impulsesTaken(w, slot, l->xy);
-        w->claim[slot] = 0;
-    }
-    w->heavySum[slot] = (long4)(0);
-}
-
-// Begins a step for a circle: what its contacts begin with.
-void beginCircle(const World *w, int slot, float4 *m, float4 *l) {
-    *m = w->solvedMotion[slot];
-    *l = w->load[slot];
-    if (isHeavy(w, slot)) {
-        l->xy = impulsesTaken(w, slot, l->xy);
-        w->heavySum[slot] = (long4)(0);
-    }
-#ifdef RECORDING
-    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < w->groupStart[crossGroupOf(w, slot) + 1]; c++) {
-        beginTouch(w->recording.touch, c);
-    }
-#endif
-}
-
-// Starts a circle into a sub-step: gravity, the impulses of the sub-step before, the walls.
+// first: of the step.
 void startSlot(const World *w, int slot, bool first) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
-    float4 m, l;
-    if (first) {
-        beginCircle(w, slot, &m, &l);
-    } else {
-        takeAll(w, slot, true, &m, &l);
-    }
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, !first, true, &m, &l);
 #ifdef RECORDING
-    float4 old = m;
+    int end = first ? w->groupStart[crossGroupOf(w, slot) + 1] : 0;
+    for (int c = w->groupStart[crossGroupOf(w, slot)]; c < end; c++) beginTouch(w->recording.touch, c);
 #endif
-    float2 before, bounce;
-    bool loaded;
-    integrateVelocities(w, slot, c, &m, &t, l, &before, &bounce, &loaded);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->wallBounce[slot] = bounce;
-    w->load[slot] = (float4)(before.x, before.y, loaded ? 1.0f : 0.0f, l.w);
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsSolved(w, w->recording.wallTouch + 2 * slot, c, t.x, l.xy, before, old, m);
-#endif
+    startCircleAt(w, slot, m, l);
 }
 
-// Ends the biased pass for a circle: its move.
 void moveSlot(const World *w, int slot) {
-    float4 c = w->circle[slot];
-    float4 t = w->traits[slot];
-    float4 m, l;
-    takeAll(w, slot, false, &m, &l);
-    bool isStatic = t.x == 0.0f;
-    m = integratePositions(w, slot, c, m, isStatic);
-#ifdef RECORDING
-    float2 moving = m.zw;
-#endif
-    if (!isStatic) relaxAtWalls(w, c, &m, &t, w->wallBounce[slot], l.z > 0.0f);
-    w->motion[slot] = m;
-    w->traits[slot] = t;
-    w->load[slot] = (float4)(0.0f, 0.0f, l.z, 0.0f);
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, true, false, &m, &l);
+    moveCircleAt(w, slot, m, l.LOADED);
     w->homeFirstCached[slot] = NONE;
-#ifdef RECORDING
-    if (w->recording.walls) noteWallsRelaxed(w, w->recording.wallTouch + 2 * slot, c, t.x, moving, m);
-#endif
 }
 
-// Ends the step for a circle.
 void finishSlot(const World *w, int slot) {
-    float4 m, l;
-    takeAll(w, slot, false, &m, &l);
+    float4 m = w->solvedMotion[slot];
+    float4 l = w->load[slot];
+    takeSums(w, slot, true, false, &m, &l);
     finalizePositions(w, slot, w->circle[slot], m, w->traits[slot]);
 }
 
-// Index space of each: a work-group a tile.
+// Index space of both: a work-group a tile.
 
 TILE_KERNEL solver_solveLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;
@@ -107,7 +51,7 @@ TILE_KERNEL solver_relaxLevels(WORLD_PARAMETERS, int subStep RECORDING_PARAMETER
     relaxTile(&w, &t, tile, subStep == w.k.subSteps - 1, 0, true);
 }
 
-// Index space of each: a working slot a work-item.
+// Index space of the others: slots.
 
 kernel void solver_startSlots(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;

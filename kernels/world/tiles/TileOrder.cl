@@ -1,12 +1,11 @@
 // uses: world/tiles/TileCircles.cl world/tiles/TileContacts.cl world/tiles/TileCuts.cl
-// Stage Contacts for tiles: puts the contacts of each tile in order, once a step, starts its circles, and writes its record.
-// Cost: the circles of a region, and its contacts one after another in their groups.
+// Stage Contacts by tiles: orders a tile's contacts once a step, starts its circles, writes its record. Cost: the circles of a region, and
+// its contacts one after another in their groups.
 
-// What is known of a region while its contacts are put in order.
 typedef struct {
     union {
         struct {
-            uint place[TILE_ROUNDS + 1];       // by round: the places of its next own contact (lower half), and next other one
+            uint place[TILE_ROUNDS + 1];       // by round: of its next own contact (lower half), next other one
             uchar roundParts[TILE_ROUNDS + 1]; // by round: its parts
         } met;
         struct { // when all have been placed
@@ -14,23 +13,23 @@ typedef struct {
             int slot[TILE_CIRCLES];
         } circle;
     } of;
-    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle; circles are numbered row by row
+    ushort cellStart[TILE_CELLS + 1]; // by cell: its first circle, row by row
     int rowStart[TILE_ROWS + 1];      // by row: its first circle
     int4 rowSlots[TILE_ROWS];         // by row: see slotsInRow
-    float2 load[TILE_CIRCLES];        // by circle: sums of impulses, in order; when all have been placed, its base
+    float2 load[TILE_CIRCLES];        // by circle: sums of impulses; later its base
     ushort progress[TILE_CIRCLES];     // by circle: see below
-    int roundCount[TILE_ROUNDS + 1];   // by round: its contacts, the tile's own in the lower half and others in the upper
-    short ownNumber[TILE_ROUNDS + 1];  // by round: what makes of the place of an own contact its number
+    int roundCount[TILE_ROUNDS + 1];   // by round: own contacts (lower half), others
+    short ownNumber[TILE_ROUNDS + 1];  // by round: number of an own contact minus its place
     int firstNumber; // of the tile's own contacts
     int firstCopy;
     int contacts; // all that the tile depends on
-    int met;      // those that have been met so far
-    int overfull; // 1 where there are too many rounds
-    int crowded;  // 1 where a circle has so many contacts that they are to be thinned out
-    int idle;     // 1 where the step had been refused when the work-group looked
+    int met;      // so far
+    int overfull; // too many rounds
+    int crowded;  // a circle has too many contacts
+    int idle;     // the step had been refused
 } Arrangement;
 
-// A circle's progress: the first round in which it is free, its contacts so far or MOST_MET of them, and whether one carries.
+// The first round in which a circle is free, its contacts so far (at most MOST_MET), whether one carries.
 #define FREE_ROUND 0x1ff
 #define MET_SHIFT 9
 #define MOST_MET 0x3f
@@ -41,13 +40,12 @@ typedef struct {
 
 int metSoFar(int progress) { return progress >> MET_SHIFT & MOST_MET; }
 
-// A circle's progress after one more contact.
 int progressAfter(int progress, int round, int carried) {
     int met = min(metSoFar(progress) + 1, MOST_MET);
     return (progress & HAS_CARRIED) | carried | met << MET_SHIFT | (round + 1);
 }
 
-// Numbers the circles of a region, where there is room for them. All work-items of the work-group; returns how many there are.
+// All work-items of the work-group; returns how many there are.
 int numberCircles(const World *w, const Region *r, local Arrangement *a, global int *record) {
     int item = (int) get_local_id(0);
     barrier(CLK_LOCAL_MEM_FENCE);
@@ -100,8 +98,7 @@ int circleOfLink(const Region *r, local const Arrangement *a, int column, int ro
     return a->cellStart[row * r->columns + column] + (int) (part & LINK_PLACE);
 }
 
-// A contact as it is met, in 32 bits: its group by the column (6 bits) and row (4 bits) in the region, its place there (13 bits),
-// its round (9 bits).
+// A contact as met, in 32 bits: its group by column (6) and row (4) in the region, its place there (13), its round (9).
 #define MET_COLUMN(met) ((int) ((met) & 0x3f))
 #define MET_ROW(met) ((int) ((met) >> 6 & 0xf))
 #define MET_IN_GROUP(met) ((int) ((met) >> 10 & 0x1fff))
@@ -117,11 +114,10 @@ uint meeting(int column, int row, int inGroup, int round) {
     return (uint) (column | row << 6 | inGroup << 10) | (uint) round << 23;
 }
 
-// The contacts of a tile as they are met, where their copies are to be.
-global uint *metFrom(const World *w, int firstCopy) { return (global uint *) (w->shape + firstCopy); }
+// Where their copies are to be.
+global uint *metFrom(const World *w, int firstCopy) { return metOf(w) + 2 * (size_t) firstCopy; }
 
-// Counts the contacts that a tile depends on, and takes copies for so many. Returns whether there is room for them. any: or takes
-// none.
+// Returns whether there is room.
 bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any) {
 #pragma unroll 1
     for (int colour = 0; colour < 4; colour++) {
@@ -136,13 +132,13 @@ bool takeCopies(const World *w, const Region *r, local Arrangement *a, bool any)
         a->firstCopy = fits ? atomic_add(&w->status[TILE_COPIES], wholeLines(contacts)) : 0;
     }
     barrier(CLK_LOCAL_MEM_FENCE);
-    // Negative where all would want more than there can be.
+    // Negative if all want more than there can be.
     return fits && (contacts == 0 || (a->firstCopy >= 0 && a->firstCopy <= w->copyRoom - contacts));
 }
 
-// Takes a contact of a group into the order: finds its round, and adds its impulse to the sums of its circles. k: its place
-// among those met.
-void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup, uint link, float2 impulse) {
+// k: its place among those met.
+void takeContact(const Region *r, local Arrangement *a, global uint *met, int k, int column, int row, int inGroup,
+                 uint link, float2 impulse) {
     int lo = circleOfLink(r, a, column, row, link);
     int hi = circleOfLink(r, a, column, row, link >> 16);
     int progressLo = a->progress[lo];
@@ -164,13 +160,13 @@ void takeContact(const Region *r, local Arrangement *a, global uint *met, int k,
     atomic_add(&a->roundCount[round], owns(r, column, row) ? 1 : 1 << 16);
 }
 
-// How many contacts a work-item takes at a time.
+// Contacts that a work-item takes at a time.
 #define ARRANGED 3
 
-// How many contacts of a group are read at a time.
+// Contacts of a group that are read at a time.
 #define GROUP_TOGETHER 6
 
-// Takes all contacts that a tile depends on, or none.
+// All that a tile depends on, or none.
 void takeContacts(const World *w, const Region *r, local Arrangement *a, bool any) {
     global uint *met = metFrom(w, a->firstCopy);
 #pragma unroll 1
@@ -195,7 +191,7 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
                     int c = first + min(from + k, size - 1);
                     link[k] = w->link[c];
-                    impulse[k] = w->impulse[c];
+                    impulse[k] = startImpulsesOf(w)[c];
                 }
 #pragma unroll
                 for (int k = 0; k < GROUP_TOGETHER; k++) {
@@ -209,14 +205,13 @@ void takeContacts(const World *w, const Region *r, local Arrangement *a, bool an
 
 int contactsOfRound(int count) { return (count & 0xffff) + (count >> 16); }
 
-// Finds where the contacts of each round begin, in the tile's order and in the numbers of all contacts. rounds: as many as there is
-// room for and one more, or 0 where there is nothing to do.
+// In the tile's order and in the numbers of all contacts. rounds: one more than there is room for, or 0.
 void placeRounds(const World *w, local Arrangement *a, global int *record, int rounds) {
     int size = (int) get_local_size(0);
     TILE_EACH(round, rounds) a->of.met.roundParts[round] = (uchar) ((contactsOfRound(a->roundCount[round]) + size - 1) / size);
     barrier(CLK_LOCAL_MEM_FENCE);
     TILE_EACH(round, rounds) {
-        // No round is empty but those behind the last one.
+        // Only rounds behind the last are empty.
         if (round > 0 && a->roundCount[round - 1] == 0) continue;
         int sums = 0;
         int part = 0;
@@ -240,8 +235,7 @@ void placeRounds(const World *w, local Arrangement *a, global int *record, int r
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Puts the contacts of a region in the order of rounds, a round's own ones first, and writes the rounds' parts into the tile's record;
-// gives the own ones their numbers. circles: 0 where there is nothing to do.
+// By rounds, a round's own ones first, which get their numbers.
 void recordContacts(const World *w, const Region *r, local Arrangement *a, global int *record, int circles) {
     global int2 *placed = placedFrom(w, a->firstCopy);
     global const uint *metContacts = metFrom(w, a->firstCopy);
@@ -270,15 +264,14 @@ void recordContacts(const World *w, const Region *r, local Arrangement *a, globa
             bool own = owns(r, column, row);
             uint places = atomic_add(&a->of.met.place[round], own ? 1u : 1u << 16);
             int place = (int) (own ? places & 0xffff : places >> 16);
-            if (own) newNumbers(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
+            if (own) numbersOf(w)[c[n]] = a->firstNumber + a->ownNumber[round] + place;
             placed[place] = (int2)(own ? c[n] : c[n] | NOT_OWN, circlesOf(lo, hi, round)); // not yet its number
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
-// Where there are several levels: gathers the impulses of the tile's own circles, for the cross contacts to add theirs, and notes where
-// one has so many contacts, with those that it found in coarser levels, that they are to be thinned out.
+// With several levels: sums for cross contacts to add to. Refuses a crowd, with the contacts found in coarser levels.
 void gatherLoads(const World *w, local const Arrangement *a, global const int *record, int circles) {
     TILE_EACH(i, circles) {
         int slot = record[RECORD_SLOTS + i];
@@ -293,8 +286,7 @@ void gatherLoads(const World *w, local const Arrangement *a, global const int *r
     }
 }
 
-// Starts the tile's own circles, where there is one level, and keeps at hand what is to be known of all for their contacts. together:
-// how many a work-item takes at a time.
+// Starts the tile's own, if there is one level, and keeps what contacts need of all.
 void takeCircles(const World *w, local Arrangement *a, global int *record, int circles, int together) {
     global int *entry = record + RECORD_SLOTS;
     int left = hasOneLevel(w) ? 0 : NOT_OWN;
@@ -326,16 +318,15 @@ void takeCircles(const World *w, local Arrangement *a, global int *record, int c
                 if (startCircle(w, slot, c[n], m[n], t[n], a->load[i], carried)) entry[i] = slot | AT_WALL;
             }
             a->load[i] = c[n].xy;
-            a->of.circle.radius[i] = c[n].z;
-            a->of.circle.inverseMass[i] = t[n].x;
-            a->of.circle.restitution[i] = t[n].y;
+            a->of.circle.radius[i] = c[n].RADIUS;
+            a->of.circle.inverseMass[i] = t[n].INVERSE_MASS;
+            a->of.circle.restitution[i] = t[n].RESTITUTION;
             a->of.circle.slot[i] = slot;
         }
     }
     barrier(CLK_LOCAL_MEM_FENCE);
 }
 
-// Copies what passes read of the contacts of a region, in the tile's order.
 void copyContacts(const World *w, local const Arrangement *a, int contacts) {
     global int2 *placed = placedFrom(w, a->firstCopy);
     TILE_TOGETHER(first, contacts, ARRANGED) {
@@ -345,24 +336,24 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
             if (togetherItem(first, n) < contacts) contact[n] = placed[togetherItem(first, n)];
         }
         TOGETHER_EACH(n, ARRANGED) {
-            if (togetherItem(first, n) < contacts) normal[n] = w->masses[contact[n].x & ~NOT_OWN];
+            if (togetherItem(first, n) < contacts) normal[n] = startingOf(w)[contact[n].PLACED_CONTACT & ~NOT_OWN];
         }
         TOGETHER_EACH(n, ARRANGED) {
             int place = togetherItem(first, n);
             int copy = a->firstCopy + place;
             if (place >= contacts) continue;
-            int i = lowerOf(contact[n].y);
-            int j = higherOf(contact[n].y);
+            int i = lowerOf(contact[n].PLACED_CIRCLES);
+            int j = higherOf(contact[n].PLACED_CIRCLES);
             float2 base = a->load[j] - a->load[i];
             w->bases[copy] = (float2)(ACROSS_X(w, base.x), ACROSS_Y(w, base.y));
             w->shape[copy] = (float2)(a->of.circle.radius[i] + a->of.circle.radius[j],
-                                      greatest(a->of.circle.restitution[i], a->of.circle.restitution[j]));
-            w->contact[copy] = (float4)(normal[n].x, normal[n].y, normal[n].z,
+                                      maxf(a->of.circle.restitution[i], a->of.circle.restitution[j]));
+            copiesOf(w)[copy] = (float4)(normal[n].NORMAL_X, normal[n].NORMAL_Y, normal[n].SEPARATION,
                                         effectiveMass(a->of.circle.inverseMass[i], a->of.circle.inverseMass[j]));
-            if (contact[n].x < 0) continue;
-            int number = a->firstNumber + a->ownNumber[roundOf(contact[n].y)] + place;
-            placed[place].x = number;
-            w->held[number] = normal[n].w;
+            if (contact[n].PLACED_CONTACT < 0) continue;
+            int number = a->firstNumber + a->ownNumber[roundOf(contact[n].PLACED_CIRCLES)] + place;
+            placed[place].PLACED_CONTACT = number;
+            w->held[number] = normal[n].NORMAL_IMPULSE;
 #ifdef RECORDING
             clearTouch(w, number);
 #endif
@@ -371,27 +362,25 @@ void copyContacts(const World *w, local const Arrangement *a, int contacts) {
     }
 }
 
-// Tells a tile the numbers that its neighbours have given to their contacts, as far as it needs these. Once a step, after all
-// tiles have given theirs. placed: the tile's contacts, so many.
+// Numbers that neighbours have given to their contacts. Once a step, after all tiles.
 void findNumbers(const World *w, global int2 *placed, int contacts) {
     TILE_EACH(place, contacts) {
-        int c = placed[place].x;
-        if (c < 0) placed[place].x = newNumbers(w)[c & ~NOT_OWN] | NOT_OWN;
+        int c = placed[place].PLACED_CONTACT;
+        if (c < 0) placed[place].PLACED_CONTACT = numbersOf(w)[c & ~NOT_OWN] | NOT_OWN;
     }
     barrier(CLK_GLOBAL_MEM_FENCE);
 }
 
-// Whether the step has been refused, asked while others may refuse it.
+// Asked while others may refuse it.
 bool refusedMeanwhile(const World *w) {
     return tooFast(w) || atomic_or(&w->status[OUT_OF_ROOM], 0) != 0 ||
            (w->k.thinning == 0 && atomic_or(&w->status[CROWDED], 0) != 0);
 }
 
-// Where a region has more circles, or contacts, it does not matter how many.
+// It does not matter how many more.
 #define MOST_COUNTED (1 << 20)
 
-// Writes the tile's record, and starts its own circles, each work-item so many together. Refuses the step where they do not
-// fit. r: its region; idle: do nothing.
+// Refuses the step if they do not fit. idle: do nothing.
 void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile, bool idle, int together) {
     global int *record = recordOf(w, tile);
     int found = numberCircles(w, r, a, record);
@@ -421,14 +410,14 @@ void arrangeTile(const World *w, const Region *r, local Arrangement *a, int tile
     }
 }
 
-// Index space: a work-group a tile. cut: whether the tiles are those of the list.
+// Index space: a work-group a tile. cut: tiles of the list.
 TILE_KERNEL contacts_arrange(WORLD_PARAMETERS, int cut RECORDING_PARAMETERS) {
     World w = WORLD;
     RECORD_IN(w);
     SET_TOUCH_NUMBERS(w);
     local Arrangement arrangement;
-    if (status[EVENTS_LACK]) return; // the records of the step before are read once more
-    // Other work-groups may refuse the step meanwhile: those of one work-group must all see the same.
+    if (status[EVENTS_LACK]) return; // the records are read once more
+    // Others may refuse the step meanwhile: a work-group must see one answer.
     if (get_local_id(0) == 0) {
         if (atomic_max(&w.status[TILE_PEAK], 0) == NO_TILE) refuseTile(&w, NO_TILE); // see linkContact
         if (cut && status[TILES_LISTED] > w.levels->tileCount) atomic_or(&status[OUT_OF_ROOM], 1);

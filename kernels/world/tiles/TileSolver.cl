@@ -1,267 +1,19 @@
-// uses: world/tiles/TileOrder.cl
-// Stage Solver for tiles: the passes of Solver.cl, tile by tile. A sub-step has two launches. Solve reads drive, burden and
-// held and writes solvedMotion, solvedBurden and impulse; it ends with the circles' move. Relax measures the contacts anew,
-// goes back to held, and starts the next sub-step. Speed is how many tiles a device has room for at once, and how much they
-// read, so: few registers, little local memory, and what is quickly worked out is not stored; no branches in the chain of
-// contacts that wait for each other, and nothing that could be done outside of it.
+// uses: world/tiles/TileVisits.cl
+// Passes by tiles, two launches a sub-step. Solve reads drive, burden and held, writes solvedMotion, solvedBurden and impulse. Relax
+// measures contacts again, goes back to held, and starts the next sub-step.
 
-// The circle of contacts that are none: at rest, never written.
-#define NO_CIRCLE TILE_CIRCLES
-
-// A tile in local memory, by the numbers of its record.
-typedef struct {
-    float2 velocity[TILE_CIRCLES + 1];
-    float2 load[TILE_CIRCLES + 1]; // in the biased pass the velocity before any impulse; in the relaxing pass the displacement
-                                   // while contacts are measured, then sums of impulses
-    float burden[TILE_CIRCLES + 1];
-    uint carried[(TILE_CIRCLES + 31) / 32]; // in the relaxing pass, a bit a circle: whether a contact carries
-    ushort partStart[TILE_PARTS + 2];       // by part of a round, and the end
-    int circles, parts, contacts;
-    int firstCopy;
-} Tile;
-
-// Takes a tile from its record. idle: as one without circles.
-void takeTile(const World *w, local Tile *t, int tile, bool idle) {
-    global int *record = recordOf(w, tile);
-    int circles = idle ? 0 : record[RECORD_CIRCLES];
-    int parts = circles > 0 ? record[RECORD_PARTS] : 0;
-    barrier(CLK_LOCAL_MEM_FENCE);
-    if (get_local_id(0) == 0) {
-        t->circles = circles;
-        t->parts = parts;
-        t->contacts = circles > 0 ? record[RECORD_STARTS + parts] : 0;
-        t->firstCopy = circles > 0 ? record[RECORD_COPIES] : 0;
-        t->velocity[NO_CIRCLE] = t->load[NO_CIRCLE] = (float2)(0.0f);
-        t->burden[NO_CIRCLE] = 0.0f;
-    }
-    TILE_EACH(part, parts + 1) t->partStart[part] = (ushort) (circles > 0 ? record[RECORD_STARTS + part] : 0);
-    barrier(CLK_LOCAL_MEM_FENCE);
-}
-
-// The part of a round of which a work-item looks its contact up next.
-typedef struct {
-    int part, from, to;
-} Cursor;
-
-void setCursor(local const Tile *t, Cursor *cursor, int part) {
-    cursor->part = part;
-    cursor->from = t->partStart[min(part, t->parts)];
-    cursor->to = t->partStart[min(part + 1, t->parts)];
-}
-
-// A contact that is to be read: as it is placed, or NO_CONTACT; where the tile has its copy.
-typedef struct {
-    int2 contact;
-    int copy;
-} Entry;
-
-#define NO_CONTACT ((int2)(0, (int) 0x80000000 | circlesOf(NO_CIRCLE, NO_CIRCLE, 0)))
-
-bool isContact(int2 contact) { return contact.y >= 0; }
-
-// Asks for a cache line that will be read: only a hint, which OpenCL has no portable form of that compilers heed.
-#if PTX
-#define PREFETCH(address) asm volatile("prefetch.global.L2 [%0];" ::"l"(address))
-#else
-#define PREFETCH(address) ((void) (address))
-#endif
-
-// The contact of a part that is this work-item's; moves on to the next part, of which it reads the end ahead.
-Entry nextContact(const World *w, local const Tile *t, global const int2 *contacts, Cursor *cursor) {
-    int place = cursor->from + (int) get_local_id(0);
-    Entry entry;
-    entry.contact = NO_CONTACT;
-    entry.copy = t->firstCopy + place;
-    if (place < cursor->to) {
-        entry.contact = contacts[place];
-        PREFETCH(w->contact + entry.copy);
-        PREFETCH(w->shape + entry.copy);
-    }
-    cursor->part++;
-    cursor->from = cursor->to;
-    cursor->to = t->partStart[min(cursor->part + 1, t->parts)];
-    return entry;
-}
-
-// What a pass reads of a contact.
-typedef struct {
-    int2 contact;   // as it is placed, or NO_CONTACT
-    float4 normal;  // normal, separation, effective mass
-    float2 shape;   // sum of the radii, restitution
-    float2 impulse; // accumulated, and in the relaxing pass the target speed of a bounce
-#ifdef RECORDING
-    float2 touchNow, touchSoFar; // of an own contact, in the relaxing pass
-#endif
-} Reading;
-
-void readContact(const World *w, Entry entry, bool relaxing, Reading *reading) {
-    reading->contact = entry.contact;
-    if (!isContact(entry.contact)) return;
-    int c = entry.contact.x & ~NOT_OWN;
-    reading->normal = w->contact[entry.copy];
-    reading->shape = w->shape[entry.copy];
-    reading->impulse = relaxing ? w->impulse[c] : (float2)(w->held[c], 0.0f);
-#ifdef RECORDING
-    if (relaxing && entry.contact.x >= 0) {
-        reading->touchNow = touchNow(w)[c];
-        reading->touchSoFar = touchSoFar(w)[c];
-    }
-#endif
-}
-
-// A contact that is ready to be visited. Contacts wait for each other only in visitContact, so all else is done before.
-typedef struct {
-    int2 contact;
-    float nx, ny;
-    float invMassA, invMassB;
-    Ready ready;
-#ifdef RECORDING
-    float separation, radii;
-    float before; // in the biased pass: normal speed before any impulse
-    float2 touchNow, touchSoFar;
-#endif
-} Visit;
-
-void readyContact(const World *w, local const Tile *t, const Reading *r, bool relaxing, Visit *v) {
-    int i = lowerOf(r->contact.y);
-    int j = higherOf(r->contact.y);
-    float wi = t->burden[i];
-    float wj = t->burden[j];
-    Found f;
-    f.separation = r->normal.z;
-    f.restitution = r->shape.y;
-    f.threshold = restitutionThreshold(&w->k, r->shape.x, r->shape.y);
-    f.flight = flightThreshold(&w->k, r->shape.x, r->shape.y);
-    f.mass = r->normal.w;
-    f.normalImpulse = r->impulse.x;
-    f.loaded = isLoaded(wi) || isLoaded(wj);
-    v->contact = r->contact;
-    v->nx = r->normal.x;
-    v->ny = r->normal.y;
-    v->invMassA = fabs(wi);
-    v->invMassB = fabs(wj);
-    if (relaxing) {
-        makeReadyToRelax(&w->k, &f, r->impulse.y, &v->ready);
-    } else {
-        float2 bi = t->load[i];
-        float2 bj = t->load[j];
-        float2 before = bj - bi;
-        f.pushSpeed = pushSpeed(&w->k, r->shape.x);
-        f.before = along(r->normal.x, r->normal.y, before.x, before.y);
-        f.squaredSpeed = before.x * before.x + before.y * before.y;
-        float2 fall = (float2)(w->k.gravityStepX, w->k.gravityStepY);
-        if (w->k.driving && isContact(r->contact) && (wi == 0.0f || wj == 0.0f)) {
-            uint2 pair = w->ordered[r->contact.x & ~NOT_OWN];
-            fall = gainOfPair(w, pair.x, v->invMassA, pair.y, v->invMassB);
-        }
-        f.halfFall = halfFall(along(r->normal.x, r->normal.y, fall.x, fall.y), v->invMassA, v->invMassB);
-        makeReadyToSolve(&w->k, contactSoftness(&w->k), &f, &v->ready);
-    }
-#ifdef RECORDING
-    v->separation = r->normal.z;
-    v->radii = r->shape.x;
-    if (relaxing) {
-        v->touchNow = r->touchNow;
-        v->touchSoFar = r->touchSoFar;
-    } else {
-        v->before = f.before;
-    }
-#endif
-}
-
-// Visits a contact, with as few branches as can be: they would be most of the time.
-void visitContact(const World *w, local Tile *t, const Visit *v, bool relaxing, bool last) {
-    int i = lowerOf(v->contact.y);
-    int j = higherOf(v->contact.y);
-    float2 vi = t->velocity[i];
-    float2 vj = t->velocity[j];
-    float2 loadI = relaxing && !last ? t->load[i] : (float2)(0.0f);
-    float2 loadJ = relaxing && !last ? t->load[j] : (float2)(0.0f);
-    float vn = along(v->nx, v->ny, vj.x - vi.x, vj.y - vi.y);
-    Visited visited;
-    visit(&v->ready, vn, relaxing, &visited);
-    float impulse = visited.impulse;
-    float next = visited.normalImpulse;
-    bool there = isContact(v->contact);
-    if (there && !visited.leaves) {
-        t->velocity[i] = (float2)(vi.x - velocityChange(v->nx, v->invMassA, impulse),
-                                  vi.y - velocityChange(v->ny, v->invMassA, impulse));
-        t->velocity[j] = (float2)(vj.x + velocityChange(v->nx, v->invMassB, impulse),
-                                  vj.y + velocityChange(v->ny, v->invMassB, impulse));
-    }
-    if (relaxing && !last) {
-        float after = vn + impulse * (v->invMassA + v->invMassB);
-        if (there && visited.solved && carries(next, after, v->ready.restingLimit)) {
-            t->load[i] = (float2)(loadI.x - v->nx * next, loadI.y - v->ny * next);
-            t->load[j] = (float2)(loadJ.x + v->nx * next, loadJ.y + v->ny * next);
-            atomic_or(&t->carried[i >> 5], 1u << (i & 31));
-            atomic_or(&t->carried[j >> 5], 1u << (j & 31));
-        }
-    }
-    if (!there || v->contact.x < 0) return;
-#ifdef RECORDING
-    if (relaxing) {
-        noteRelaxed(w, v->contact.x, v->touchNow, v->touchSoFar, v->ready.normalImpulse, v->ready.bounce, v->nx, v->ny,
-                    v->separation, v->radii, &visited);
-    } else {
-        noteSolved(w, v->contact.x, v->before, v->nx, v->ny, v->separation, v->radii, &visited);
-    }
-#endif
-    if (relaxing) {
-        w->held[v->contact.x] = next;
-    } else {
-        w->impulse[v->contact.x] = (float2)(next, v->ready.bounce);
-    }
-}
-
-// Solves a part of a round, whose contacts are ready; makes those of the next part ready, reads those of the second from here,
-// and looks up those of the third.
-void solvePart(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last, Visit *visit,
-               Reading *reading, Entry *next, Cursor *cursor) {
-    barrier(CLK_LOCAL_MEM_FENCE);
-    visitContact(w, t, visit, relaxing, last);
-    readyContact(w, t, reading, relaxing, visit);
-    readContact(w, *next, relaxing, reading);
-    *next = nextContact(w, t, contacts, cursor);
-}
-
-// Solves the contacts of a tile, part by part. What each needs is on its way for the time of the part before.
-void solveParts(const World *w, local Tile *t, global const int2 *contacts, bool relaxing, bool last) {
-    int parts = t->parts;
-    Cursor cursor;
-    setCursor(t, &cursor, 0);
-    Reading reading;
-    Visit visit;
-    reading.normal = (float4)(0.0f);
-    reading.shape = reading.impulse = (float2)(0.0f);
-#ifdef RECORDING
-    reading.touchNow = reading.touchSoFar = (float2)(0.0f);
-#endif
-    readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
-    barrier(CLK_LOCAL_MEM_FENCE);
-    readyContact(w, t, &reading, relaxing, &visit);
-    readContact(w, nextContact(w, t, contacts, &cursor), relaxing, &reading);
-    Entry next = nextContact(w, t, contacts, &cursor);
-#pragma unroll 1
-    for (int part = 0; part < parts; part++) {
-        solvePart(w, t, contacts, relaxing, last, &visit, &reading, &next, &cursor);
-    }
-    barrier(CLK_LOCAL_MEM_FENCE);
-}
-
-// How many circles or contacts a work-item takes at a time as a pass begins.
+// Circles or contacts at a time, as a pass begins.
 #define TAKEN 4
 
-// The entry of a circle of a region that is the tile's own, or a negative number.
+// Negative if it is not the tile's own.
 int ownEntry(global const int *entries, int i, int circles) { return i < circles ? entries[i] : NOT_OWN; }
 
-// Notes whether a circle is at a wall.
 void noteWall(global int *entries, int i, int entry, bool atWall) {
     int next = atWall ? entry | AT_WALL : entry & ENTRY_SLOT;
     if (next != entry) entries[i] = next;
 }
 
-// Takes the circles of a region as a pass finds them where there are several levels: in motion and load, as for Solver.cl.
+// With several levels, where Solver.cl has it.
 void takeMotion(const World *w, local Tile *t, global const int *entries, bool relaxing) {
     int circles = t->circles;
     TILE_TOGETHER(first, circles, TAKEN) {
@@ -272,25 +24,24 @@ void takeMotion(const World *w, local Tile *t, global const int *entries, bool r
         TOGETHER_EACH(n, TAKEN) slot[n] = entries[min(togetherItem(first, n), circles - 1)] & ENTRY_SLOT;
         TOGETHER_EACH(n, TAKEN) {
             m[n] = w->motion[slot[n]];
-            // Not the rest of it: in the relaxing pass neighbours write that.
+            // In the relaxing pass neighbours write the rest.
             global const float *load = (global const float *) (w->load + slot[n]);
-            loaded[n] = load[2];
-            before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) load;
+            loaded[n] = load[LOADED_AT];
+            before[n] = relaxing ? (float2)(0.0f) : *(global const float2 *) (load + BEFORE_AT);
             inverseMass[n] = lastingTraits(w, slot[n]).x;
         }
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->velocity[i] = m[n].zw;
-            t->load[i] = relaxing ? m[n].xy : before[n];
+            t->velocity[i] = m[n].VELOCITY;
+            t->load[i] = relaxing ? m[n].DISPLACEMENT : before[n];
             t->burden[i] = burdenOf(inverseMass[n], loaded[n] > 0.0f);
             if (relaxing && (i & 31) == 0) t->carried[i >> 5] = 0;
         }
     }
 }
 
-// Leaves a tile's own circles behind a pass where there are several levels: for the cross contacts, see crossWorld. loads: whether
-// their sums of impulses too.
+// With several levels, for crossWorld.
 void leaveMotion(const World *w, local const Tile *t, global const int *entries, bool loads) {
     int circles = t->circles;
     TILE_TOGETHER(first, circles, 2) {
@@ -298,7 +49,7 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
         float2 d[MOST_TOGETHER];
         TOGETHER_EACH(n, 2) entry[n] = ownEntry(entries, togetherItem(first, n), circles);
         TOGETHER_EACH(n, 2) {
-            if (entry[n] >= 0) d[n] = w->motion[entry[n] & ENTRY_SLOT].xy;
+            if (entry[n] >= 0) d[n] = w->motion[entry[n] & ENTRY_SLOT].DISPLACEMENT;
         }
         TOGETHER_EACH(n, 2) {
             if (entry[n] < 0) continue;
@@ -309,14 +60,13 @@ void leaveMotion(const World *w, local const Tile *t, global const int *entries,
             if (!loads) continue;
             bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
             global float *load = (global float *) (w->load + slot);
-            *(global float2 *) load = t->load[i];
-            load[3] = carried ? 1.0f : 0.0f;
+            *(global float2 *) (load + IMPULSES_AT) = t->load[i];
+            load[LOADED_NEXT_AT] = carried ? 1.0f : 0.0f;
         }
     }
 }
 
-// The biased pass of a tile. together: how many circles a work-item moves at a time; levels: whether there are several, and so the
-// contacts alone are solved here.
+// together: circles that a work-item moves at a time; levels: several, so contacts alone.
 void solveTile(const World *w, local Tile *t, int tile, int subStep, int together, bool levels) {
     global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
@@ -335,8 +85,8 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->velocity[i] = drive[n].xy;
-            t->load[i] = drive[n].zw;
+            t->velocity[i] = drive[n].START_VELOCITY;
+            t->load[i] = drive[n].START_BEFORE;
             t->burden[i] = burden[n];
         }
     }
@@ -365,8 +115,7 @@ void solveTile(const World *w, local Tile *t, int tile, int subStep, int togethe
     }
 }
 
-// Measures the contacts of a tile after the circles have moved. Before the pass, since no contact has to wait for another here:
-// hardly a work-item is idle, while in the parts of rounds half of them are.
+// Before the pass: no contact waits for another here, so hardly a work-item is idle; in parts of rounds half are.
 void measureContacts(const World *w, local Tile *t) {
     global const int2 *placed = placedFrom(w, t->firstCopy);
     int contacts = t->contacts;
@@ -376,9 +125,9 @@ void measureContacts(const World *w, local Tile *t) {
         float sum[MOST_TOGETHER];
         TOGETHER_EACH(n, TAKEN) {
             int place = min(togetherItem(first, n), contacts - 1);
-            circles[n] = placed[place].y;
+            circles[n] = placed[place].PLACED_CIRCLES;
             base[n] = w->bases[t->firstCopy + place];
-            sum[n] = w->shape[t->firstCopy + place].x;
+            sum[n] = w->shape[t->firstCopy + place].SHAPE_RADII;
         }
         TOGETHER_EACH(n, TAKEN) {
             int copy = t->firstCopy + togetherItem(first, n);
@@ -388,16 +137,15 @@ void measureContacts(const World *w, local Tile *t) {
             float2 moved = t->load[j] - t->load[i];
             float nx = 0.0f, ny = 0.0f, separation;
             if (!measure(base[n].x, base[n].y, moved.x, moved.y, sum[n], &nx, &ny, &separation)) {
-                nx = w->contact[copy].x;
-                ny = w->contact[copy].y;
+                nx = copiesOf(w)[copy].NORMAL_X;
+                ny = copiesOf(w)[copy].NORMAL_Y;
             }
-            w->contact[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
+            copiesOf(w)[copy] = (float4)(nx, ny, separation, effectiveMass(fabs(t->burden[i]), fabs(t->burden[j])));
         }
     }
 }
 
-// Starts the circles of a tile that are noted to be at walls. They are few: in a loop of their own they do not hold the registers
-// of those that a work-item starts together.
+// Few: in the loop of the others they would hold registers.
 void startAtWalls(const World *w, local Tile *t, global int *entries) {
     int circles = t->circles;
 #pragma unroll 1
@@ -405,7 +153,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
         int entry = entries[i];
         if (entry < 0 || (entry & AT_WALL) == 0) continue;
         int slot = entry & ENTRY_SLOT;
-        float2 d = w->solvedMotion[slot].xy;
+        float2 d = w->solvedMotion[slot].DISPLACEMENT;
         float2 v = t->velocity[i];
         bool carried = (t->carried[i >> 5] >> (i & 31) & 1) != 0;
         float4 m = (float4)(d.x, d.y, v.x, v.y);
@@ -413,9 +161,7 @@ void startAtWalls(const World *w, local Tile *t, global int *entries) {
     }
 }
 
-// The relaxing pass of a tile: the contacts, then the circles' start into the next sub-step; or, after the last, their way
-// home. together: how many of them a work-item starts at a time; levels: whether there are several, and so the contacts alone are
-// relaxed here.
+// Then the circles start into the next sub-step, or go home.
 void relaxTile(const World *w, local Tile *t, int tile, bool last, int together, bool levels) {
     global int *entries = recordOf(w, tile) + RECORD_SLOTS;
     int circles = t->circles;
@@ -433,8 +179,8 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
         TOGETHER_EACH(n, TAKEN) {
             int i = togetherItem(first, n);
             if (i >= circles) continue;
-            t->load[i] = m[n].xy;
-            t->velocity[i] = m[n].zw;
+            t->load[i] = m[n].DISPLACEMENT;
+            t->velocity[i] = m[n].VELOCITY;
             t->burden[i] = burden[n];
             if ((i & 31) == 0) t->carried[i >> 5] = 0;
         }
@@ -456,7 +202,7 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
             c[n] = w->circle[entry[n] & ENTRY_SLOT];
-            d[n] = w->solvedMotion[entry[n] & ENTRY_SLOT].xy;
+            d[n] = w->solvedMotion[entry[n] & ENTRY_SLOT].DISPLACEMENT;
         }
         TOGETHER_EACH(n, together) {
             if (entry[n] < 0) continue;
@@ -475,17 +221,14 @@ void relaxTile(const World *w, local Tile *t, int tile, bool last, int together,
     if (!last) startAtWalls(w, t, entries);
 }
 
-// Stores a contact's impulse for the step to come. Several of one circle may at the same time, in no order: they are
-// looked up by id.
 void storeHeldImpulse(const World *w, int c) {
     float normalImpulse = w->held[c];
     if (!(normalImpulse > 0.0f)) return;
     uint2 p = w->ordered[c];
-    int next = atomic_xchg(&w->homeFirstCached[p.x], c);
-    w->impulseCache[c] = cacheEntry(w->id[p.y], normalImpulse, next);
+    storeImpulse(w, c, w->homeFirstCached + p.LOWER, w->id[p.HIGHER], normalImpulse);
 }
 
-// Index space: any number of work-items, which take the contacts in turn.
+// Index space: any; work-items take contacts in turn.
 kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     World w = WORLD;
     if (refused(&w)) return;
@@ -493,7 +236,7 @@ kernel void solver_storeImpulses(WORLD_PARAMETERS) {
     for (int c = (int) get_global_id(0); c < contacts; c += (int) get_global_size(0)) storeHeldImpulse(&w, c);
 }
 
-// Index space of each: a work-group a tile. Cost: the circles of its region, and the parts of its rounds one after another.
+// Index space of both: a work-group a tile. Cost: the circles of its region, and its parts of rounds.
 
 TILE_KERNEL solver_solveTile(WORLD_PARAMETERS, int subStep RECORDING_PARAMETERS) {
     World w = WORLD;

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
+import io.github.circles2d.world.shared.Pipeline;
 
 /**
  * What a world runs on, and why. It touches no class of OpenCL until a device may be taken, so World runs where there are none.

@@ -17,7 +17,7 @@ import io.github.circles2d.thesis.PairSlots;
 import io.github.circles2d.thesis.PairStrategy;
 import io.github.circles2d.thesis.Parameters;
 import io.github.circles2d.thesis.RowSearchPairs;
-import io.github.circles2d.thesis.Simulation;
+import io.github.circles2d.thesis.ThesisSimulation;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.System.Logger.Level;
@@ -54,7 +54,7 @@ public final class Circles2D implements AutoCloseable {
     private final Session session;
     private final CircleList circles = new CircleList();
     private PairIndexing indexing;
-    private Simulation simulation;
+    private ThesisSimulation simulation;
     private boolean closed;
 
     /**
@@ -173,7 +173,7 @@ public final class Circles2D implements AutoCloseable {
         release();
         // The simulation's kernels outlive the program that made them.
         try (program) {
-            simulation = Simulation.start(session, program, strategy, circles, parameters);
+            simulation = ThesisSimulation.start(session, program, strategy, circles, parameters);
         }
         this.indexing = chosen;
         warnOfWrongSlots();
@@ -187,7 +187,7 @@ public final class Circles2D implements AutoCloseable {
      * @throws OpenClException if the driver fails
      */
     public synchronized float[][] loop() {
-        Simulation running = running();
+        ThesisSimulation running = running();
         running.step();
         return running.circles();
     }
@@ -288,7 +288,7 @@ public final class Circles2D implements AutoCloseable {
 
     private KernelSource source(PairStrategy strategy) throws IOException {
         try {
-            return Simulation.source(strategy, circles.size(), session.device());
+            return ThesisSimulation.source(strategy, circles.size(), session.device());
         } catch (UncheckedIOException e) {
             throw e.getCause();
         } catch (IllegalArgumentException e) {
@@ -312,7 +312,7 @@ public final class Circles2D implements AutoCloseable {
 
     /** Identifies the kernels of an indexing. */
     static String kernels(PairIndexing indexing, Device device) {
-        return Simulation.source(strategyOf(indexing), 1000, device).fingerprint();
+        return ThesisSimulation.source(strategyOf(indexing), 1000, device).fingerprint();
     }
 
     private static PairStrategy strategyOf(PairIndexing indexing) {
@@ -346,7 +346,7 @@ public final class Circles2D implements AutoCloseable {
 
     private void release() {
         if (simulation != null) {
-            Simulation old = simulation;
+            ThesisSimulation old = simulation;
             simulation = null;
             try {
                 // The device holds on to buffers until the steps that use them have ended.
@@ -357,7 +357,7 @@ public final class Circles2D implements AutoCloseable {
         }
     }
 
-    private Simulation running() {
+    private ThesisSimulation running() {
         requireOpen();
         if (simulation == null) {
             throw new IllegalStateException("there is no simulation yet: call init first");

@@ -2,8 +2,8 @@ package io.github.circles2d;
 
 import io.github.circles2d.world.circles.BulkCopies;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.model.Wrapping;
 import java.io.IOException;
 import java.nio.Buffer;
 import java.nio.ByteBuffer;
@@ -376,8 +376,8 @@ public final class FixedStep {
         float periodX = arena.periodX();
         float periodY = arena.periodY();
         for (int k = 0; k < length; k += 2) {
-            to[k] = arena.placeX(from[k] + CircleMath.shortWay(to[k] - from[k], periodX) * alpha);
-            to[k + 1] = arena.placeY(from[k + 1] + CircleMath.shortWay(to[k + 1] - from[k + 1], periodY) * alpha);
+            to[k] = arena.placeX(from[k] + Wrapping.shortWay(to[k] - from[k], periodX) * alpha);
+            to[k + 1] = arena.placeY(from[k + 1] + Wrapping.shortWay(to[k + 1] - from[k + 1], periodY) * alpha);
         }
     }
 

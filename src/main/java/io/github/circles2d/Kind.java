@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.Kinds;
+import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.circles.KindField;
 
 /**

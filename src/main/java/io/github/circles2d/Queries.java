@@ -1,9 +1,9 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.CategoryFilter;
-import io.github.circles2d.world.Searches;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.search.Searches;
 
 /**
  * Questions about where the circles of a {@link World} are: which overlap a disc or a box, which is at a point, which are nearest,

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.Journal;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.saves.Journal;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;

@@ -1,7 +1,7 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.LogPlayer;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.replay.LogPlayer;
 import java.io.IOException;
 import java.io.InputStream;
 

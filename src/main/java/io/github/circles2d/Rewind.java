@@ -1,8 +1,8 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.Snapshots;
 import io.github.circles2d.world.circles.SnapshotRing;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.saves.Snapshots;
 
 /**
  * The last frames of a world, to go back to: for a key that rewinds, for a search that tries moves. {@link Rollback} uses it for rollback

@@ -1,8 +1,8 @@
 package io.github.circles2d;
 
-import io.github.circles2d.world.ReportSettings;
 import io.github.circles2d.world.events.KeptEvents;
 import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.reports.ReportSettings;
 import java.nio.Buffer;
 import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;

@@ -1264,11 +1264,7 @@ public final class World implements AutoCloseable {
      * says what he wants to hear. ({@link Rollback} brings it back.) Pairs that touch already begin with the next step after they are
      * first reported.
      *
-     * <p>On the JVM a step of 15,000 packed circles takes a third longer if all contacts are reported. On a GPU, an NVIDIA H100, it takes
-     * 1.3 times as long if the events are taken a step later ({@link #requestEvents}, {@link #takeEvents}), and 1.7 times if they are read
-     * at once, which waits for the step; at 100,000 circles both are about twice. Pairs that are only sensed ({@link Kind#setSensor},
-     * {@link Response#SENSE}) cost much less: ask for them alone by {@link #report(int, int, int)}. On an OpenCL device the first report
-     * compiles the kernels a second time.
+     * <p>Steps that report take longer: docs/guide.md has the costs in its chapter on events, and the ways to lower them.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
      *     count too, which alone reports nothing; 0 for nothing

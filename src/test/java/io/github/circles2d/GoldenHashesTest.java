@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,7 +19,10 @@ import org.junit.jupiter.params.provider.MethodSource;
  */
 class GoldenHashesTest {
     /** Circles times steps that one run may take. */
-    private static final long SHORT = 1_000_000;
+    private static final int SHORTEST = 150_000;
+
+    /** As no long run has these numbers of threads. */
+    private static final int SHORT = TestScale.of(SHORTEST, 1_000_000);
 
     private static final boolean FULL =
             System.getProperty("circles2d.golden", "").equals("full");
@@ -62,7 +66,7 @@ class GoldenHashesTest {
     @ParameterizedTest
     @MethodSource("scenesAndDevices")
     void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device).build(), SHORT);
+        check(scene, scene.builder().device(device).build(), SHORTEST);
     }
 
     @ParameterizedTest

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** World has the same bits as its description in the plainest form, after every step. */
 class ReferenceWorldTest {
     private static final int CIRCLES = 5_000;
-    private static final int FEW_STEPS = 30;
+    private static final int FEW_STEPS = 10;
     private static final int STEPS = 100;
     private static final int SUB_STEPS = 4;
 

@@ -2,6 +2,7 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.reference.Event;
 import java.nio.ByteBuffer;
 import java.util.ArrayList;
@@ -45,7 +46,7 @@ class WorldEventsGrowTest {
     @ParameterizedTest
     @MethodSource("openClBackends")
     void soHaveWorldsInWhichAnythingHappens(Backend backend) {
-        for (int seed = 0; seed < SEEDS; seed++) {
+        for (int seed = 0; seed < TestScale.of(3, SEEDS); seed++) {
             try (World oracle = world(Backend.JVM);
                     World world = world(backend)) {
                 Changes ofOracle = new Changes(oracle, seed);

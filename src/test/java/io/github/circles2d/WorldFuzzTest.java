@@ -3,6 +3,7 @@ package io.github.circles2d;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 
+import io.github.circles2d.reference.Event;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -28,7 +29,7 @@ import org.junit.jupiter.params.provider.MethodSource;
  * circles2d.fuzz.programs sets the number of programs, circles2d.fuzz.seed the first one's seed.
  */
 class WorldFuzzTest {
-    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 3_000);
+    private static final int PROGRAMS = Integer.getInteger("circles2d.fuzz.programs", 1_500);
     private static final long SEED = Long.getLong("circles2d.fuzz.seed", 1);
 
     private static final float[] HOSTILE = {
@@ -62,7 +63,7 @@ class WorldFuzzTest {
     @Test
     @Tag("exhaustive")
     void soDoThousandsMore() {
-        run(SEED + PROGRAMS, 7_000);
+        run(SEED + PROGRAMS, 8_500);
     }
 
     private static void run(long seed, int programs) {
@@ -87,6 +88,42 @@ class WorldFuzzTest {
             }
         }
     }
+
+    /** Worlds grow from the default capacity and report at random: events and snapshots are the same behind every step. */
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    void aProgramHasTheSameEventsAndSnapshotsOnEveryBackEnd(Backend backend) {
+        compare(backend, SEED, 25);
+    }
+
+    @ParameterizedTest
+    @MethodSource("openClBackends")
+    @Tag("exhaustive")
+    void soDoHundredsMore(Backend backend) {
+        compare(backend, SEED + 25, 300);
+    }
+
+    private static void compare(Backend backend, long seed, int programs) {
+        int events = 0;
+        for (int k = 0; k < programs; k++) {
+            Program oracle = new Program(seed + k, Backend.JVM);
+            Program other = new Program(seed + k, backend);
+            oracle.run();
+            other.run();
+            assertThat(other.trace.size()).as("program of seed %d", seed + k).isEqualTo(oracle.trace.size());
+            for (int step = 0; step < oracle.trace.size(); step++) {
+                Traced expected = oracle.trace.get(step);
+                assertThat(other.trace.get(step))
+                        .as("program of seed %d, %s", seed + k, expected.call)
+                        .isEqualTo(expected);
+                events += expected.events.size();
+            }
+        }
+        assertThat(events).isPositive();
+    }
+
+    /** What a world has reported behind a call, and what it is. */
+    private record Traced(String call, List<Event> events, ByteBuffer snapshot) {}
 
     /** What must live, and what is known of it. */
     private static final class Model {
@@ -137,6 +174,11 @@ class WorldFuzzTest {
         /** Makes the calls of the log again; null where there is no log. */
         private final World player;
 
+        /** Where the world is, if what it reports and is gets written down; else null. */
+        private final Backend traced;
+
+        private final List<Traced> trace = new ArrayList<>();
+
         private ByteArrayOutputStream log;
         private Recording recording;
 
@@ -158,9 +200,19 @@ class WorldFuzzTest {
         private String last = "";
 
         Program(long seed, World twin, World player) {
+            this(seed, twin, player, null);
+        }
+
+        /** On a back end, with the default capacity, and with a trace. */
+        Program(long seed, Backend traced) {
+            this(seed, null, null, traced);
+        }
+
+        private Program(long seed, World twin, World player, Backend traced) {
             this.seed = seed;
             this.twin = twin;
             this.player = player;
+            this.traced = traced;
             random = new Random(seed * 0x9E3779B97F4A7C15L);
             scale = random.nextInt(8) == 0 ? random.nextInt(6) : random.nextInt(2);
         }
@@ -170,6 +222,9 @@ class WorldFuzzTest {
                 world = build();
                 record();
                 try {
+                    if (traced != null) {
+                        world.report(random.nextInt(16));
+                    }
                     int calls = 5 + random.nextInt(40);
                     for (int k = 0; k < calls; k++) {
                         call();
@@ -210,8 +265,14 @@ class WorldFuzzTest {
             return bytes.flip();
         }
 
+        private World.Builder builder() {
+            return traced == null
+                    ? WorldScenes.jvm().threads(1).capacity(0)
+                    : World.builder().backend(traced);
+        }
+
         private World build() {
-            World.Builder builder = WorldScenes.jvm().threads(1).capacity(0);
+            World.Builder builder = builder();
             model.walls(0, 0, 1, 1);
             float[] w = new float[4];
             float size = (float) StrictMath.pow(10, random.nextInt(16) - 6);
@@ -458,6 +519,9 @@ class WorldFuzzTest {
         }
 
         private void checkEvents(Events events) {
+            if (traced != null) {
+                trace.add(new Traced(last, Event.of(events), snapshotOf(world)));
+            }
             for (int i = 0; i < events.size(); i++) {
                 boolean sound = events.speed(i) >= 0
                         && events.speed(i) < Float.POSITIVE_INFINITY
@@ -734,7 +798,7 @@ class WorldFuzzTest {
             if (random.nextBoolean()) {
                 replay();
                 world.close();
-                world = WorldScenes.jvm().threads(1).capacity(0).build();
+                world = builder().build();
                 record();
                 requested = null;
             }

@@ -42,6 +42,7 @@ class WorldQualityTest {
     }
 
     @Test
+    @Tag("exhaustive")
     void barrelSettles() {
         assertThat(after(Scenes.barrel(Scenes.SEED), 600).meanDepth()).isLessThanOrEqualTo(0.005);
     }

@@ -73,7 +73,7 @@ public final class CirclesTest {
                     + " on Debian or Ubuntu: apt-get install fontconfig fonts-dejavu-core");
         }
         int frames = options.frames() == 0 ? Options.PICTURE_FRAMES : options.frames();
-        try (Engine engine = options.engine().open(options)) {
+        try (Engine engine = Circles2DEngine.open(options)) {
             PictureRun.write(engine, frames, printer(options, out), options.size(), options.overlay(), options.png());
         }
         out.println(options.png() + ": frame " + frames);
@@ -88,7 +88,7 @@ public final class CirclesTest {
             return FAILURE;
         }
         SimulationLoop loop = new SimulationLoop(
-                () -> options.engine().open(options),
+                () -> Circles2DEngine.open(options),
                 options.frames(),
                 SimulationLoop.FRAME_NANOS,
                 printer(options, out));

@@ -14,10 +14,10 @@ import javax.swing.KeyStroke;
 final class DemoCanvas extends JComponent {
     private static final long serialVersionUID = 1;
     static final List<String> KEYS =
-            List.of("space pause", "S step", "R restart", "digit or T strategy or back end", "O overlay", "Q quit");
+            List.of("space pause", "S step", "R restart", "digit or T strategy", "O overlay", "Q quit");
 
     private final transient SimulationLoop loop;
-    private final transient Painter painter = new Painter();
+    private final transient DemoPainter painter = new DemoPainter();
     private final transient boolean textWorks = Overlay.available();
     private boolean overlay;
 

@@ -7,6 +7,8 @@ import java.util.List;
  * working between which a person may switch.
  *
  * <p>The arena is the unit square, y up. An engine is opened, used and closed by one thread.
+ *
+ * <p>{@code Circles2DEngine} is the engine of the demo. Tests put another in its place, which needs no device.
  */
 interface Engine extends AutoCloseable {
 

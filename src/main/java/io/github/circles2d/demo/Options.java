@@ -14,9 +14,8 @@ import java.nio.file.Path;
  * @param restitution 0 (inelastic) to 1 (elastic)
  * @param gravityX    arena lengths per second squared
  * @param gravityY    the same, up
- * @param device      "best", "gpu", "cpu", a number in the list of devices, a part of a device's name, or "jvm"
+ * @param device      "best", "gpu", "cpu", a number in the list of devices, or a part of a device's name
  * @param seed        of the random start
- * @param engine      which engine
  * @param frames      how many frames; 0: until a person quits
  * @param png         the file to write instead of showing a window; null: a window
  * @param size        side of the arena in pixels
@@ -33,7 +32,6 @@ record Options(
         float gravityY,
         String device,
         long seed,
-        EngineKind engine,
         int frames,
         Path png,
         int size,

@@ -3,19 +3,14 @@ package io.github.circles2d.demo;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.Iterator;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /**
  * Reads a command line. One table holds what every option is called, takes, means and checks; the usage text is made
  * from it.
  */
 final class OptionsParser {
-    private static final String ENGINES =
-            Arrays.stream(EngineKind.values()).map(EngineKind::option).collect(Collectors.joining("|"));
-
     private int circles = 1250;
     private boolean packed;
     private int strategy = 2;
@@ -24,7 +19,6 @@ final class OptionsParser {
     private float gravityY = -0.01f;
     private String device = "best";
     private long seed = 1;
-    private EngineKind engine = EngineKind.CIRCLES2D;
     private int frames;
     private Path png;
     private int size = 480;
@@ -65,18 +59,12 @@ final class OptionsParser {
                     "--strategy",
                     "",
                     "0|1|2|3",
-                    "of circles2d: 0 computed, 1 look-up table, 2 row search, 3 exact (2)",
+                    "0 computed, 1 look-up table, 2 row search, 3 exact (2)",
                     v -> strategy = integer(v, 0, 3)),
             new Option("--restitution", "", "E", "0, inelastic, to 1, elastic (0.5)", v -> restitution = real(v, 0, 1)),
             new Option("--gravity", "", "X,Y", "arena sides per second squared, y up (0,-0.01)", this::gravity),
-            new Option(
-                    "--device",
-                    "",
-                    "DEVICE",
-                    "best, gpu, cpu, a number or a part of a name; world: jvm, too (best)",
-                    this::device),
+            new Option("--device", "", "DEVICE", "best, gpu, cpu, a number or a part of a name (best)", this::device),
             new Option("--seed", "", "S", "seed of the random start (1)", this::seed),
-            new Option("--engine", "", "NAME", ENGINES + " (circles2d)", this::engine),
             new Option("--frames", "", "N", "end after N frames", v -> frames = integer(v, 1, Integer.MAX_VALUE)),
             new Option("--png", "", "FILE", "no window: write the last frame (600) to FILE", this::png),
             new Option("--size", "", "PIXELS", "side of the arena (480)", v -> size = integer(v, 100, 8192)),
@@ -105,7 +93,6 @@ final class OptionsParser {
                 gravityY,
                 device,
                 seed,
-                engine,
                 frames,
                 png,
                 size,
@@ -177,16 +164,6 @@ final class OptionsParser {
         } catch (NumberFormatException e) {
             throw new UsageException("takes a whole number of at most 64 bits, not '" + value + "'");
         }
-    }
-
-    private void engine(String value) throws UsageException {
-        for (EngineKind kind : EngineKind.values()) {
-            if (kind.option().equals(value)) {
-                engine = kind;
-                return;
-            }
-        }
-        throw new UsageException("takes " + ENGINES + ", not '" + value + "'");
     }
 
     private void png(String value) throws UsageException {

@@ -44,7 +44,7 @@ final class Overlay {
     }
 
     /** The lines that stand over the arena, the remark last where there is one. */
-    static List<String> lines(Frame frame) {
+    static List<String> lines(DemoFrame frame) {
         List<String> lines = new ArrayList<>();
         lines.add(format("%s, %s, n = %,d", frame.engine(), frame.strategy(), frame.size()));
         lines.add(frame.device());
@@ -68,7 +68,7 @@ final class Overlay {
     record Block(Rectangle bounds, Font font, List<String> lines, List<Color> colours) {}
 
     /** Places the lines in the upper left corner of the arena: broken where they are too long, and no more of them than it has room for. */
-    static Block panel(Graphics2D g, Viewport arena, Frame frame) {
+    static Block panel(Graphics2D g, Viewport arena, DemoFrame frame) {
         Font font = font(size(arena));
         FontMetrics metrics = g.getFontMetrics(font);
         int pad = metrics.getHeight() / 2;
@@ -93,7 +93,7 @@ final class Overlay {
     }
 
     /** Draws the lines into the upper left corner of the arena. */
-    static void paint(Graphics2D g, Viewport arena, Frame frame) {
+    static void paint(Graphics2D g, Viewport arena, DemoFrame frame) {
         smooth(g);
         Block block = panel(g, arena, frame);
         FontMetrics metrics = g.getFontMetrics(block.font);

@@ -17,11 +17,11 @@ final class PictureRun {
      */
     static void write(Engine engine, long frames, DoubleConsumer loopTimes, int size, boolean overlay, Path file)
             throws EngineException, IOException {
-        Simulation simulation = new Simulation(engine, System::nanoTime, loopTimes);
+        DemoRun simulation = new DemoRun(engine, System::nanoTime, loopTimes);
         while (simulation.computed() < frames) {
             simulation.advance();
         }
-        BufferedImage picture = new Painter()
+        BufferedImage picture = new DemoPainter()
                 .picture(
                         size + Viewport.MARGIN_X,
                         size + Viewport.MARGIN_Y,

@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.DoubleConsumer;
 
 /**
- * Runs a {@link Simulation} on a thread of its own, one frame every 17 ms or as often as the engine can, and lets other
+ * Runs a {@link DemoRun} on a thread of its own, one frame every 17 ms or as often as the engine can, and lets other
  * threads steer it.
  *
  * <p>The engine is opened, used and closed on that thread. Commands wait in a queue and are carried out between two
@@ -27,7 +27,7 @@ final class SimulationLoop {
     /** What another thread asks of the simulation. */
     @FunctionalInterface
     private interface Command {
-        void applyTo(Simulation simulation) throws EngineException;
+        void applyTo(DemoRun simulation) throws EngineException;
     }
 
     private static final Command WAKE_UP = simulation -> {};
@@ -41,7 +41,7 @@ final class SimulationLoop {
     private final CompletableFuture<Void> ended = new CompletableFuture<>();
     private final Thread thread = new Thread(this::run, "circles2d-simulation");
     private volatile Runnable onFrame = () -> {};
-    private volatile Frame latest;
+    private volatile DemoFrame latest;
     private volatile boolean stopping;
 
     /**
@@ -82,20 +82,20 @@ final class SimulationLoop {
     }
 
     /** The newest frame; never null once {@link #start} has returned. */
-    Frame latest() {
+    DemoFrame latest() {
         return latest;
     }
 
     void togglePause() {
-        commands.add(Simulation::togglePause);
+        commands.add(DemoRun::togglePause);
     }
 
     void step() {
-        commands.add(Simulation::step);
+        commands.add(DemoRun::step);
     }
 
     void restart() {
-        commands.add(Simulation::restart);
+        commands.add(DemoRun::restart);
     }
 
     void switchTo(int strategy) {
@@ -103,7 +103,7 @@ final class SimulationLoop {
     }
 
     void nextStrategy() {
-        commands.add(Simulation::nextStrategy);
+        commands.add(DemoRun::nextStrategy);
     }
 
     /** Asks the loop to end after the present frame; {@link #join} waits for it. */
@@ -115,7 +115,7 @@ final class SimulationLoop {
     private void run() {
         try {
             try (Engine engine = opener.open()) {
-                Simulation simulation = new Simulation(engine, System::nanoTime, loopTimes);
+                DemoRun simulation = new DemoRun(engine, System::nanoTime, loopTimes);
                 publish(simulation);
                 opened.complete(null);
                 run(simulation);
@@ -127,7 +127,7 @@ final class SimulationLoop {
         }
     }
 
-    private void run(Simulation simulation) throws EngineException, InterruptedException {
+    private void run(DemoRun simulation) throws EngineException, InterruptedException {
         while (goesOn(simulation)) {
             long deadline = System.nanoTime() + frameNanos;
             if (!simulation.paused()) {
@@ -142,7 +142,7 @@ final class SimulationLoop {
      * Sleeps what is left of the frame, or for as long as the simulation is paused, and carries out the commands that
      * come in.
      */
-    private void obeyUntil(long deadline, Simulation simulation) throws EngineException, InterruptedException {
+    private void obeyUntil(long deadline, DemoRun simulation) throws EngineException, InterruptedException {
         while (goesOn(simulation)) {
             long left = deadline - System.nanoTime();
             Command command =
@@ -155,11 +155,11 @@ final class SimulationLoop {
         }
     }
 
-    private boolean goesOn(Simulation simulation) {
+    private boolean goesOn(DemoRun simulation) {
         return !stopping && (frames == 0 || simulation.computed() < frames);
     }
 
-    private void publish(Simulation simulation) {
+    private void publish(DemoRun simulation) {
         latest = simulation.frame();
         onFrame.run();
     }

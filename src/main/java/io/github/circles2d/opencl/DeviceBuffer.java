@@ -159,6 +159,17 @@ public final class DeviceBuffer implements AutoCloseable {
         read(session.queue(), offset, target, targetOffset, length, true, WITHOUT_EVENT);
     }
 
+    /**
+     * Enqueues a read of the first bytes and does not wait: they are there once a later call waits, as a read does. Until then, keep the
+     * target open and untouched.
+     *
+     * @param target transfer memory of the same session; takes the bytes at its start
+     * @param length number of bytes
+     */
+    public void readLater(HostBuffer target, long length) {
+        read(session.queue(), 0, target, 0, length, false, WITHOUT_EVENT);
+    }
+
     /** Enqueues a read of the first bytes on another queue, behind an event, and does not wait. */
     void readBehind(CLEvent event, CLQueue queue, HostBuffer target, long length) {
         read(queue, 0, target, 0, length, false, event, CLEvent.FIRE_AND_FORGET);

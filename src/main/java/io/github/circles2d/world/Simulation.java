@@ -1,5 +1,13 @@
 package io.github.circles2d.world;
 
+import io.github.circles2d.world.changes.BulkChanges;
+import io.github.circles2d.world.changes.Circles;
+import io.github.circles2d.world.changes.Clearing;
+import io.github.circles2d.world.changes.Forces;
+import io.github.circles2d.world.changes.Growth;
+import io.github.circles2d.world.changes.Kinds;
+import io.github.circles2d.world.changes.PreparedChanges;
+import io.github.circles2d.world.changes.Travels;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
@@ -10,7 +18,22 @@ import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.reads.Loads;
+import io.github.circles2d.world.reads.Readings;
+import io.github.circles2d.world.reports.Reports;
+import io.github.circles2d.world.saves.Journal;
+import io.github.circles2d.world.saves.Snapshots;
+import io.github.circles2d.world.search.Searches;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.shared.StepFigures;
+import io.github.circles2d.world.shared.WorldSettings;
 import java.util.Collections;
 
 /**
@@ -21,47 +44,41 @@ import java.util.Collections;
  * <p>{@link Guard} guards every call. A call makes room before it changes the state: if memory runs out, nothing has changed.
  */
 public final class Simulation implements AutoCloseable {
-    final Pipeline pipeline;
-    final Guard guard;
-    final HandleTable handles = new HandleTable();
-    final Commands commands = new Commands();
-    final ContactEvents events = new ContactEvents();
-    final KindTable kindTable = new KindTable();
-    final Forces forces = new Forces(handles, commands);
-    final LastReading last;
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.CircleChange<Simulation> SET_GRAVITY =
+            (world, h, n, gx, gy) -> world.changeGravity(gx, gy);
+    private static final Guard.FloatsChange<Simulation> SET_BOUNDS = Simulation::changeBounds;
+    private static final Guard.CircleChange<Simulation> STEP = (world, h, n, length, none) -> world.make(length, n);
+    private static final Guard.Change<PendingWork> FINISH = PendingWork::finish;
+    private static final Guard.Numbers<Copies, Void> HASH = (all, none, m, n) -> all.hash();
+    private static final Guard.Read<Simulation, Figures> FIGURES = Simulation::currentFigures;
+
+    private final Pipeline pipeline;
+    private final Guard guard;
+    private final HandleTable handles = new HandleTable();
+    private final Commands commands = new Commands();
+    private final ContactEvents events = new ContactEvents();
+    private final KindTable kindTable = new KindTable();
+    private final WorldSettings settings;
+    private final CallLog log;
+    private final PendingWork pending;
+    private final Copies copies;
+    private final StepFigures figures = new StepFigures();
+    private final Forces forces = new Forces(handles, commands);
+    private final Travels travels = new Travels(handles, commands);
+    private final Growth growth;
     private final Kinds kinds;
-    final Travels travels = new Travels(handles, commands);
-    final Growth growth;
     private final Clearing clearing;
-    final PreparedChanges changes;
     private final Circles circles;
     private final BulkChanges bulk;
     private final Readings readings;
     private final Loads loads;
     private final Reports reports;
     private final Snapshots snapshots;
-    final Journal journal;
+    private final Journal journal;
     private final Searches searches;
     private final GridLevels levels = new GridLevels();
-    private final StepConstants constants = new StepConstants();
-
-    Bounds bounds;
-
-    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
-    private Bounds wallStart;
-
-    private float gravityX;
-    private float gravityY;
-    float defaultRestitution;
-    private int subSteps;
-    private ContactSettings contacts;
-    private float previousTimeStep;
-
-    /** What {@link #parameters} gave last. */
-    private WorldParameters parameters;
-
-    /** Whether the last step had no circles; also if there has been none, or none since a restore. */
-    private boolean emptyStep = true;
+    private final StepInput input = new StepInput();
 
     /**
      * A world without circles.
@@ -72,22 +89,28 @@ public final class Simulation implements AutoCloseable {
     public Simulation(Pipeline pipeline, WorldParameters start) {
         this.pipeline = pipeline;
         guard = new Guard(pipeline);
-        last = new LastReading(pipeline, handles, this::settle);
-        kinds = new Kinds(this);
-        growth = new Growth(this);
-        clearing = new Clearing(this);
-        changes = new PreparedChanges(this);
-        circles = new Circles(this);
-        bulk = new BulkChanges(this);
-        readings = new Readings(this);
-        loads = new Loads(this);
-        reports = new Reports(this);
-        snapshots = new Snapshots(this);
-        journal = new Journal(this);
-        searches = new Searches(this);
-        setParameters(start);
+        settings = new WorldSettings(events, start);
+        log = new CallLog(pipeline, guard, commands);
+        pending = new PendingWork(pipeline, guard, handles, commands, events, log);
+        copies = new Copies(pipeline, pending, handles, kindTable, events, settings);
+        kinds = new Kinds(guard, kindTable, handles.fields(), log, copies);
+        growth = new Growth(guard, handles, commands, log, copies, settings);
+        clearing = new Clearing(pipeline, guard, handles, commands, events, log, pending, copies, figures);
+        PreparedChanges changes =
+                new PreparedChanges(guard, handles, commands, log, pending, copies, settings, kinds, travels);
+        circles = new Circles(
+                guard, handles, commands, log, pending, copies, settings, kinds, forces, travels, growth, changes);
+        bulk = new BulkChanges(guard, handles, kindTable, copies, settings, changes);
+        readings = new Readings(guard, handles, pipeline, pending, copies.last());
+        loads = new Loads(guard, handles, copies, settings);
+        reports = new Reports(guard, pipeline, handles, events, pending, copies);
+        snapshots = new Snapshots(
+                guard, pipeline, handles, kindTable, events, log, pending, copies, settings, figures, forces, travels,
+                growth);
+        journal = new Journal(guard, log, pending, copies);
+        searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         try {
-            pipeline.prepare(contacts, !bounds.isWalled());
+            pipeline.prepare(settings.contacts(), !settings.bounds().isWalled());
         } catch (RuntimeException | Error e) {
             pipeline.close();
             throw e;
@@ -151,134 +174,96 @@ public final class Simulation implements AutoCloseable {
 
     /** Changes gravity. */
     public void setGravity(float x, float y) {
-        guard.enter();
-        try {
-            Limits.gravity(x, y);
-            snapshots.forget();
-            journal.call(LoggedCall.GRAVITY, x, y, 0, 0);
-            gravityX = x;
-            gravityY = y;
-        } finally {
-            guard.user = null;
-        }
+        guard.change(this, 0, 0, x, y, SET_GRAVITY);
+    }
+
+    private void changeGravity(float x, float y) {
+        Limits.gravity(x, y);
+        copies.forgetSaved();
+        log.call(LoggedCall.GRAVITY, x, y, 0, 0);
+        settings.setGravity(x, y);
     }
 
     /** Gravity along x. */
     public float gravityX() {
-        guard.enter();
-        try {
-            return gravityX;
-        } finally {
-            guard.user = null;
-        }
+        guard.check();
+        return settings.gravityX();
     }
 
     /** Gravity along y. */
     public float gravityY() {
-        guard.enter();
-        try {
-            return gravityY;
-        } finally {
-            guard.user = null;
-        }
+        guard.check();
+        return settings.gravityY();
     }
 
     /** Moves the walls: the next step pushes the circles that they meet. */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
-        guard.enter();
-        try {
-            Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(bounds.edgeX(), bounds.edgeY());
-            Limits.moved(bounds, next);
-            if (handles.size() > 0) {
-                Limits.within(
-                        "the greatest radius", handles.greatestRadius(), next.leastRadius(), next.greatestRadius());
-                Limits.within("the least radius", handles.leastRadius(), next.leastRadius(), next.greatestRadius());
-                growth.requireRoom(next);
-            }
-            applyCommands();
-            changed();
-            journal.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
-            Bounds start = WallMotion.start(wallStart, next, handles.size() > 0 ? handles.greatestRadius() : 0f);
-            guard.changing = true;
-            pipeline.confine(start.walls(), next.walls());
-            travels.confine(next.walls());
-            wallStart = start;
-            bounds = next;
-            events.setArena(next);
-            guard.changing = false;
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
+        guard.change(this, 0, minX, minY, maxX, maxY, 0, 0, SET_BOUNDS);
+    }
+
+    private long changeBounds(int n, float minX, float minY, float maxX, float maxY, float e, float f) {
+        Bounds before = settings.bounds();
+        Bounds next = Limits.bounds(minX, minY, maxX, maxY).with(before.edgeX(), before.edgeY());
+        Limits.moved(before, next);
+        if (handles.size() > 0) {
+            Limits.within("the greatest radius", handles.greatestRadius(), next.leastRadius(), next.greatestRadius());
+            Limits.within("the least radius", handles.leastRadius(), next.leastRadius(), next.greatestRadius());
+            growth.requireRoom(next);
         }
+        pending.apply();
+        copies.forget();
+        log.call(LoggedCall.BOUNDS, minX, minY, maxX, maxY);
+        Bounds start = WallMotion.start(settings.wallStart(), next, handles.size() > 0 ? handles.greatestRadius() : 0f);
+        guard.changing = true;
+        pipeline.confine(start.walls(), next.walls());
+        travels.confine(next.walls());
+        settings.setBounds(start, next);
+        guard.changing = false;
+        return 0;
     }
 
     /** Where the walls are. */
     public Bounds bounds() {
-        guard.enter();
-        try {
-            return bounds;
-        } finally {
-            guard.user = null;
-        }
+        guard.check();
+        return settings.bounds();
     }
 
     /** The restitution that new circles get. */
     public float defaultRestitution() {
-        guard.enter();
-        try {
-            return defaultRestitution;
-        } finally {
-            guard.user = null;
-        }
+        guard.check();
+        return settings.defaultRestitution();
     }
 
     /** The number of sub-steps of a step. */
     public int subSteps() {
-        guard.enter();
-        try {
-            return subSteps;
-        } finally {
-            guard.user = null;
-        }
+        guard.check();
+        return settings.subSteps();
     }
 
     /** How contacts are. */
     public ContactSettings contacts() {
-        guard.enter();
-        try {
-            return contacts;
-        } finally {
-            guard.user = null;
-        }
-    }
-
-    /** The length of a sub-step of the last step; 0 before the first. */
-    float lastSubStep() {
-        return previousTimeStep / subSteps;
+        guard.check();
+        return settings.contacts();
     }
 
     /** Makes steps. */
     public void step(float timeStep, int steps) {
-        guard.enter();
-        try {
-            Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
-            Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
-            journal.step(timeStep, steps);
-            int made = 0;
-            while (made < steps && nextStepDiffers()) {
-                makeDifferentStep(timeStep);
-                made++;
-            }
-            if (made < steps) {
-                makeSteps(timeStep, steps - made);
-            }
-            journal.stepped(steps);
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
+        guard.change(this, 0, steps, timeStep, 0, STEP);
+    }
+
+    private void make(float timeStep, int steps) {
+        Limits.within("the time step", timeStep, Limits.LEAST_STEP, Limits.GREATEST_STEP);
+        Limits.within("the number of steps", steps, 1, Integer.MAX_VALUE);
+        log.step(timeStep, steps);
+        int made = 0;
+        while (made < steps && nextStepDiffers()) {
+            makeDifferentStep(timeStep);
+            made++;
         }
+        if (made < steps) {
+            makeSteps(timeStep, steps - made);
+        }
+        log.stepped(steps);
     }
 
     /**
@@ -286,7 +271,7 @@ public final class Simulation implements AutoCloseable {
      * grows.
      */
     private boolean nextStepDiffers() {
-        return !travels.isEmpty() || !forces.isEmpty() || wallStart.differs(bounds) || !growth.isEmpty();
+        return !travels.isEmpty() || !forces.isEmpty() || settings.wallsMove() || !growth.isEmpty();
     }
 
     /** Makes the step to which all that belongs that the calls before have asked for in one step alone. */
@@ -297,8 +282,8 @@ public final class Simulation implements AutoCloseable {
         travels.makeRoom();
         guard.changing = true;
         growth.begin();
-        travels.depart(timeStep, bounds);
-        journal.skipCommands();
+        travels.depart(timeStep, settings.bounds());
+        log.skipCommands();
         guard.changing = false;
         try {
             makeSteps(timeStep, 1);
@@ -306,224 +291,90 @@ public final class Simulation implements AutoCloseable {
             if (!guard.changing) {
                 travels.stay();
                 growth.undo();
-                journal.logged = Math.min(journal.logged, commands.count());
+                log.commandsDropped();
             }
             throw e;
         }
         guard.changing = true;
-        wallStart = bounds;
+        settings.stopWalls();
         growth.end();
         travels.arrive();
         forces.end();
-        journal.skipCommands();
+        log.skipCommands();
         guard.changing = false;
     }
 
     private void makeSteps(float timeStep, int steps) {
-        applyCommands();
+        pending.apply();
         guard.changing = true;
-        emptyStep = handles.size() == 0;
-        if (!emptyStep) {
-            changed();
-            float before = previousTimeStep == 0 ? timeStep : previousTimeStep;
-            constants.set(timeStep, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
-            constants.setPairs(kinds.filter(), kindTable.responses(), kindTable.version());
-            constants.setMotion(kindTable.moves() || forces.drive(), kindTable);
-            events.prepare(kindTable, constants);
-            levels.layOut(bounds, handles.greatestRadius(), handles.population(), handles.hasStatics());
-            pipeline.step(constants, levels, steps);
+        boolean hasCircles = handles.size() > 0;
+        figures.stepped(hasCircles);
+        if (hasCircles) {
+            copies.forget();
+            prepareInput(timeStep);
+            levels.layOut(settings.bounds(), handles.greatestRadius(), handles.population(), handles.hasStatics());
+            pipeline.step(input, levels, steps);
         } else if (events.isOn()) {
-            finishSteps();
+            pending.finish();
             guard.changing = true;
             events.emptySteps(steps);
         }
         if (events.isOn()) {
-            events.asked(steps);
+            events.queue().asked(steps);
         }
-        snapshots.forget();
-        previousTimeStep = timeStep;
+        copies.forgetSaved();
+        settings.setTimeStep(timeStep);
         guard.changing = false;
+    }
+
+    private void prepareInput(float timeStep) {
+        StepConstants constants = input.constants;
+        settings.computeConstants(constants, timeStep);
+        constants.filtering = kinds.filter();
+        input.responses.set(kindTable.responses(), kindTable.version());
+        constants.driving = kindTable.moves() || forces.drive();
+        if (constants.driving) {
+            input.motion.update(constants, kindTable, kindTable.version());
+        }
+        events.prepare(kindTable, input.reports);
     }
 
     /** Checks that calls can be made: that nobody has closed the simulation, and that it has its state. */
     public void check() {
-        guard.enter();
-        guard.user = null;
+        guard.check();
     }
 
     /** Waits until all steps that were asked for have been made. */
     public void finish() {
-        guard.enter();
-        try {
-            finishSteps();
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        guard.change(pending, FINISH);
     }
 
     /** The hash of the state. */
     public long hash() {
-        guard.enter();
-        try {
-            return currentHash();
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
-    }
-
-    /** The hash of the state, for callers that are inside already. */
-    long currentHash() {
-        settle();
-        return pipeline.hash()
-                + handles.fields().hash()
-                + kindTable.hash()
-                + WorldParameters.hash(bounds, wallStart, contacts);
+        return guard.read(copies, null, 0, 0, HASH);
     }
 
     /** The figures as of now. */
     public Figures figures() {
-        guard.enter();
-        try {
-            finishSteps();
-            return new Figures(
-                    handles.size(),
-                    emptyStep ? 0 : pipeline.candidatePairs(),
-                    emptyStep ? 0 : pipeline.contacts(),
-                    emptyStep ? 0 : pipeline.greatestContacts(),
-                    pipeline.bytesHeld() + events.bytes(),
-                    Collections.unmodifiableMap(pipeline.stageMillis()),
-                    pipeline.device());
-        } catch (RuntimeException | Error e) {
-            throw guard.failed(e);
-        } finally {
-            guard.user = null;
-        }
+        return guard.read(this, FIGURES);
     }
 
-    /** What there is besides circles. */
-    WorldParameters parameters() {
-        if (parameters == null
-                || !parameters.has(
-                        bounds,
-                        gravityX,
-                        gravityY,
-                        defaultRestitution,
-                        subSteps,
-                        previousTimeStep,
-                        contacts,
-                        wallStart)) {
-            parameters = new WorldParameters(
-                    bounds, gravityX, gravityY, defaultRestitution, subSteps, previousTimeStep, contacts, wallStart);
-        }
-        return parameters;
-    }
-
-    /** A snapshot has taken the place of all that was. */
-    void restored(WorldParameters p) {
-        setParameters(p);
-        parameters = p;
-        forgetFigures();
-    }
-
-    /** The figures are no longer those of a step. */
-    void forgetFigures() {
-        emptyStep = true;
-    }
-
-    private void setParameters(WorldParameters p) {
-        bounds = p.bounds();
-        events.setArena(bounds);
-        wallStart = p.wallStart();
-        gravityX = p.gravityX();
-        gravityY = p.gravityY();
-        defaultRestitution = p.restitution();
-        subSteps = p.subSteps();
-        contacts = p.contacts();
-        previousTimeStep = p.previousTimeStep();
-    }
-
-    /** Circles have changed, and all that was read or saved of them is out of date. */
-    void changed() {
-        last.forgetCircles();
-        last.forgetVelocities();
-        snapshots.forget();
-    }
-
-    /** Makes room for changes to come, so that none fails half-way. */
-    void expect(int more) {
-        if (commands.count() >= Commands.MANY) {
-            applyCommands();
-        }
-        commands.ensure(more);
-    }
-
-    /** Hands the changes that wait to the pipeline. */
-    void applyCommands() {
-        if (commands.count() > 0) {
-            journal.writeCommands();
-            finishSteps();
-            pipeline.makeRoom(commands);
-            if (events.isOn()) {
-                events.makeRoom(commands);
-            }
-            guard.changing = true;
-            if (events.isOn()) {
-                events.apply(commands, handles);
-            }
-            pipeline.apply(commands);
-            commands.clear();
-            journal.logged = 0;
-            guard.changing = false;
-        }
-    }
-
-    /** Waits for all steps, and is told if one has failed. */
-    void finishSteps() {
-        guard.changing = true;
-        pipeline.finish();
-        guard.changing = false;
-    }
-
-    /** Waits for the events of all steps so far. */
-    void finishEvents() {
-        guard.changing = true;
-        pipeline.finishEvents();
-        guard.changing = false;
-    }
-
-    /** Asks for the events of all steps so far. */
-    void requestEvents() {
-        guard.changing = true;
-        pipeline.requestEvents();
-        guard.changing = false;
-    }
-
-    /** Waits for the events that were requested. */
-    void finishRequestedEvents() {
-        guard.changing = true;
-        pipeline.finishRequestedEvents();
-        guard.changing = false;
-    }
-
-    /** Makes the state what calls have led to, so that reading it changes nothing. */
-    void settle() {
-        applyCommands();
-        finishSteps();
+    private Figures currentFigures() {
+        pending.finish();
+        boolean hold = figures.hold();
+        return new Figures(
+                handles.size(),
+                hold ? pipeline.candidatePairs() : 0,
+                hold ? pipeline.contacts() : 0,
+                hold ? pipeline.greatestContacts() : 0,
+                pipeline.bytesHeld() + events.bytes(),
+                Collections.unmodifiableMap(pipeline.stageMillis()),
+                pipeline.device());
     }
 
     /** Ends the simulation and closes its pipeline. */
     @Override
     public void close() {
-        guard.takeTurn();
-        try {
-            guard.closed = true;
-            pipeline.close();
-        } finally {
-            guard.user = null;
-        }
+        guard.close();
     }
 }

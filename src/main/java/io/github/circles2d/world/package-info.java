@@ -1,6 +1,6 @@
 /**
  * The inside of the World engine: {@link io.github.circles2d.world.Simulation} drives the steps, and a
- * {@link io.github.circles2d.world.Pipeline} holds the state and makes them. Not part of the public API.
+ * {@link io.github.circles2d.world.shared.Pipeline} holds the state and makes them. Not part of the public API.
  *
  * <h2>One step, as a circle sees it</h2>
  *

@@ -146,6 +146,6 @@ class Circles2DEngineTest {
 
     private static Engine open(String... arguments) throws Exception {
         Options options = Options.parse(arguments);
-        return options.engine().open(options);
+        return Circles2DEngine.open(options);
     }
 }

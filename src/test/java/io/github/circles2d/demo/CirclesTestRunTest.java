@@ -60,10 +60,6 @@ class CirclesTestRunTest {
                 .option("-Xmx64m")
                 .run(
                         CirclesTest.class,
-                        "--engine",
-                        "world",
-                        "--device",
-                        "jvm",
                         "-n",
                         "10000000",
                         "--png",

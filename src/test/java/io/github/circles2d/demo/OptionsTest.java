@@ -23,7 +23,6 @@ class OptionsTest {
         assertThat(options.gravityX()).isEqualTo(0f);
         assertThat(options.gravityY()).isEqualTo(-0.01f);
         assertThat(options.size()).isEqualTo(480);
-        assertThat(options.engine()).isEqualTo(EngineKind.CIRCLES2D);
         assertThat(options.frames()).isZero();
         assertThat(options.png()).isNull();
         assertThat(Options.TIME_STEP).isEqualTo(1 / 60f);
@@ -47,8 +46,6 @@ class OptionsTest {
                 "cpu",
                 "--seed",
                 "-7",
-                "--engine",
-                "circles2d",
                 "--frames",
                 "12",
                 "--png",
@@ -59,22 +56,8 @@ class OptionsTest {
                 "--quiet");
 
         assertThat(options)
-                .isEqualTo(new Options(
-                        99,
-                        true,
-                        3,
-                        0.25f,
-                        -0.5f,
-                        0.001f,
-                        "cpu",
-                        -7,
-                        EngineKind.CIRCLES2D,
-                        12,
-                        file,
-                        640,
-                        false,
-                        true,
-                        false));
+                .isEqualTo(
+                        new Options(99, true, 3, 0.25f, -0.5f, 0.001f, "cpu", -7, 12, file, 640, false, true, false));
     }
 
     @Test
@@ -90,7 +73,7 @@ class OptionsTest {
     @Test
     void theUsageTextNamesEveryOptionThatTheTestsUse() {
         assertThat(OptionsParser.usage())
-                .contains("-n, --circles", "--strategy", "--restitution", "--gravity", "--device", "--seed", "--engine")
+                .contains("-n, --circles", "--strategy", "--restitution", "--gravity", "--device", "--seed")
                 .contains("--frames", "--png", "--size", "--no-overlay", "--quiet", "--help", "space pause");
     }
 
@@ -109,7 +92,6 @@ class OptionsTest {
                 "--gravity; 0,Infinity; not 'Infinity'",
                 "--gravity; 0,; not ''",
                 "--seed; x; takes a whole number of at most 64 bits, not 'x'",
-                "--engine; box2d; takes circles2d|world, not 'box2d'",
                 "--frames; 0; takes a whole number from 1 to 2147483647, not '0'",
                 "--size; 99; takes a whole number from 100 to 8192, not '99'",
                 "--device; ' '; takes best, gpu, cpu",

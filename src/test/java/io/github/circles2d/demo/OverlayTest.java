@@ -18,8 +18,8 @@ class OverlayTest {
 
     private final Graphics2D g = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
 
-    private static Frame frame(String device) {
-        return new Frame(
+    private static DemoFrame frame(String device) {
+        return new DemoFrame(
                 new float[4][1250], 678, "Circles2D", device, "strategy 2 (row search)", 3.456, 58.7, true, "a remark");
     }
 

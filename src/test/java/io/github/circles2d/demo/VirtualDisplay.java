@@ -11,7 +11,7 @@ import org.opentest4j.TestAbortedException;
  * An X server without a screen, so that windows can be tested where nobody looks; the desktop's own display on other
  * systems than Linux.
  */
-public final class VirtualDisplay {
+final class VirtualDisplay {
     private final Process server;
     private final String name;
 
@@ -21,7 +21,7 @@ public final class VirtualDisplay {
     }
 
     /** Starts an Xvfb under a free number; where there is none to start, the tests that need it are skipped. */
-    public static VirtualDisplay open() throws IOException {
+    static VirtualDisplay open() throws IOException {
         if (!System.getProperty("os.name").equals("Linux")) {
             if (java.awt.GraphicsEnvironment.isHeadless()) {
                 throw new TestAbortedException("there is no screen to show a window on");
@@ -46,11 +46,11 @@ public final class VirtualDisplay {
     }
 
     /** The value of the environment variable DISPLAY; empty where none is needed. */
-    public String name() {
+    String name() {
         return name;
     }
 
-    public void close() throws InterruptedException {
+    void close() throws InterruptedException {
         if (server != null) {
             server.destroy();
             server.waitFor(10, TimeUnit.SECONDS);

@@ -11,12 +11,21 @@ import org.junit.jupiter.api.io.TempDir;
 
 class ArchitectureTest {
     private static final Path MAIN = Path.of("src/main/java");
+    private static final Path PLAYGROUND = Path.of("playground/src/main/java");
     private static final Path BENCH = Path.of("bench/src/main/java");
 
     @Test
     void importsOfTheLibraryRunOneWayAndOnlyOpenclKnowsJavaCl() throws IOException {
         assertThat(Rooms.filesBelow(MAIN, ".java")).isNotEmpty();
         assertThat(Rooms.violations(MAIN)).isEmpty();
+    }
+
+    @Test
+    void thePlaygroundUsesThePublicRoomsOnlyAndIsNoPartOfTheLibrary() throws IOException {
+        assertThat(Rooms.filesBelow(PLAYGROUND, ".java")).isNotEmpty();
+        assertThat(Rooms.violations(PLAYGROUND)).isEmpty();
+        assertThat(Rooms.filesBelow(MAIN, ".java"))
+                .noneMatch(file -> file.startsWith(MAIN.resolve("io/github/circles2d/playground")));
     }
 
     @Test
@@ -53,7 +62,7 @@ class ArchitectureTest {
         source(folder, "scenes", "import static io.github.circles2d.opencl.OpenCl.devices;");
         source(folder, "tools", "import java.awt.Color;");
         source(folder, "attic", "");
-        source(folder, "world.model", "import io.github.circles2d.world.Pipeline;");
+        source(folder, "world.model", "import io.github.circles2d.world.Simulation;");
         source(folder, "world.jvm.threads", "import io.github.circles2d.world.jvm.*;");
         source(folder, "world.device", "class Qualified { io.github.circles2d.world.jvm.Grid grid; }");
         source(folder, "world.device.part", "import io.github.circles2d.thesis.Ranges;");

@@ -14,7 +14,9 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -28,6 +30,8 @@ import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the documents say must hold on this commit. */
@@ -39,53 +43,26 @@ class DocumentationTest {
         assertCompiles("Game", block(read("README.md"), "java"), folder);
     }
 
-    @Test
-    void theEventsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
-        String readme = read("README.md");
-        String loop = block(readme.substring(readme.indexOf("`report` asks")), "java");
-        assertCompiles(
-                "Game", "import io.github.circles2d.*; class Game { void play(World world) {\n" + loop + "} }", folder);
-    }
-
-    @Test
-    void theLoopWithASteadyStepOfTheReadmeCompilesInAGame(@TempDir Path folder) throws IOException {
-        String loop = first("(?s)```java\\n(FixedStep .*?)```", read("README.md"));
-        String game = "abstract class Loop { io.github.circles2d.World world; long player;"
-                + " abstract float stickX(); abstract float stickY(); abstract boolean playing();"
-                + " abstract float secondsSinceTheLastFrame(); abstract void draw(float x, float y);"
-                + " void run() {\n" + loop + "} }";
-        String imports = "import io.github.circles2d.FixedStep; import io.github.circles2d.World;"
-                + " import java.nio.FloatBuffer;\n";
-        assertCompiles("Loop", imports + game, folder);
-    }
-
-    @Test
-    void theRewindAndTheRecordingOfTheReadmeCompileInAGame(@TempDir Path folder) throws IOException {
-        String loop = first("(?s)```java\\n(Rewind .*?)```", read("README.md"));
+    /** Each block is the inside of a method of a game that has a world, a player and a few things of its own. */
+    @ParameterizedTest
+    @CsvSource({"docs/guide.md, 14", "docs/thesis.md, 1", "docs/coming-from.md, 1"})
+    void allCodeOfAPageCompilesWithoutAWarning(String page, int blocks, @TempDir Path folder) throws IOException {
+        String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.*; import java.nio.file.*;\n";
         String game =
-                "abstract class Game { World world; Path file; abstract boolean playing(); abstract boolean rewindKey();"
-                        + " void run() throws IOException {\n" + loop + "} }";
-        String imports = "import io.github.circles2d.*; import java.io.*; import java.nio.file.*;\n";
-        assertCompiles("Game", imports + game, folder);
-    }
-
-    @Test
-    void theKindsOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
-        String code = first("(?s)```java\\n(int bullet .*?)```", read("README.md"));
-        assertCompiles(
-                "Game",
-                "import io.github.circles2d.*;\nclass Game { void load(World world, long player) {\n" + code + "}}",
-                folder);
-    }
-
-    @Test
-    void theQueriesOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
-        String code = first("(?s)```java\\n(Queries .*?)```", read("README.md"));
-        assertCompiles(
-                "Game",
-                "import io.github.circles2d.*;\nclass Game { void frame(World world, float mouseX, float mouseY) {\n"
-                        + code + "}}",
-                folder);
+                "abstract class Game { World world; long player; Path file; float mouseX; float mouseY; float x; float y;"
+                        + " Object[] players; abstract float stickX(); abstract float stickY(); abstract boolean playing();"
+                        + " abstract boolean rewindKey(); abstract float secondsSinceTheLastFrame();"
+                        + " abstract void draw(float x, float y); void run() throws Exception {\n";
+        List<String> codes = Pattern.compile("(?s)```java\\n(.*?)```")
+                .matcher(read(page))
+                .results()
+                .map(match -> match.group(1))
+                .filter(code -> !code.startsWith("// dyn4j"))
+                .toList();
+        assertThat(codes).hasSizeGreaterThanOrEqualTo(blocks);
+        for (String code : codes) {
+            assertCompiles("Game", imports + game + code + "} }", Files.createTempDirectory(folder, "game"));
+        }
     }
 
     /** With keys and sticks that are scripted, the game runs, goes back, scores, and its log replays. */
@@ -149,16 +126,6 @@ class DocumentationTest {
         return first("(?s)<pre>\\{@code\\n(" + Pattern.quote(beginning) + ".*?)\\}</pre>", text);
     }
 
-    @Test
-    void theMasksOfTheReadmeCompileWithoutAWarning(@TempDir Path folder) throws IOException {
-        String code = first("(?s)```java\\n(int enemy .*?)```", read("README.md"));
-        assertCompiles(
-                "Game",
-                "import io.github.circles2d.*;\nclass Game { void frame(World world, float x, float y) {\n" + code
-                        + "}}",
-                folder);
-    }
-
     private static void assertCompiles(String name, String code, Path folder) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         assertThat(compiler).as("this Java runtime has a compiler").isNotNull();
@@ -191,7 +158,7 @@ class DocumentationTest {
     }
 
     @Test
-    void readmeConsumerSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
+    void readmeConsumerPlaygroundSamplesAndBenchmarksNameThisVersionOfTheArtifact() throws IOException {
         String pom = read("pom.xml");
         String version = first("<version>(.*?)</version>", pom);
         String dependency = "<groupId>" + first("<groupId>(.*?)</groupId>", pom) + "</groupId>\\s*<artifactId>"
@@ -200,8 +167,8 @@ class DocumentationTest {
                 .isEqualTo(version);
         assertThat(first(dependency + "(.*?)</version>", read(CONSUMER + "/pom.xml")))
                 .isEqualTo(version);
-        for (String game : new String[] {"merge", "rollback", "swarm"}) {
-            assertThat(first(dependency + "(.*?)</version>", read("samples/" + game + "/pom.xml")))
+        for (String program : new String[] {"playground", "samples/merge", "samples/rollback", "samples/swarm"}) {
+            assertThat(first(dependency + "(.*?)</version>", read(program + "/pom.xml")))
                     .isEqualTo(version);
         }
         if (Files.exists(Path.of("bench/pom.xml"))) {
@@ -226,39 +193,87 @@ class DocumentationTest {
     }
 
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "README.md",
-                "ARCHITECTURE.md",
-                "CONTRIBUTING.md",
-                "CHANGELOG.md",
-                "bench/README.md",
-                "bench/results/README.md",
-                "docs/benchmarks.md",
-                "docs/broad-phases.md",
-                "docs/coming-from.md",
-                "docs/determinism.md",
-                "docs/glossary.md",
-                "docs/how-to-extend.md",
-                "docs/notes.md",
-                "docs/opencl.md",
-                "docs/patterns.md",
-                "docs/physics.md"
-            })
-    void everyLinkToAFileLeadsToOne(String document) throws IOException {
-        Matcher links = Pattern.compile("]\\(([^)#]+)[^)]*\\)").matcher(read(document));
+    @MethodSource("pages")
+    void everyLinkLeadsToAFileAndToAHeading(Path page) throws IOException {
+        Matcher links =
+                Pattern.compile("\\]\\(([^)#\\s]*)(?:#([^)\\s]*))?\\)").matcher(withoutCode(read(page.toString())));
         while (links.find()) {
-            String target = links.group(1);
-            if (!target.startsWith("http")) {
-                assertThat(Path.of(document).resolveSibling(target))
-                        .as("link in " + document)
-                        .exists();
+            if (links.group(1).startsWith("http")) {
+                continue;
+            }
+            Path target = links.group(1).isEmpty() ? page : page.resolveSibling(links.group(1));
+            assertThat(target).as("link in " + page).exists();
+            if (links.group(2) != null) {
+                assertThat(anchors(read(target.toString())))
+                        .as("link to %s in %s", target, page)
+                        .contains(links.group(2));
             }
         }
     }
 
+    static List<Path> pages() throws IOException {
+        List<Path> pages = new ArrayList<>();
+        for (String folder : new String[] {"", "docs", "bench", "bench/results", "playground"}) {
+            try (Stream<Path> files = Files.list(Path.of(folder))) {
+                files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
+            }
+        }
+        assertThat(pages).hasSizeGreaterThan(15);
+        return pages;
+    }
+
+    private static String withoutCode(String markdown) {
+        return markdown.replaceAll("(?ms)^```.*?^```$", "").replaceAll("`[^`\n]*`", "`");
+    }
+
+    /** The names by which links find the headings of a page. */
+    private static Set<String> anchors(String markdown) {
+        return Pattern.compile("(?m)^#+ (.*)$")
+                .matcher(markdown.replaceAll("(?ms)^```.*?^```$", ""))
+                .results()
+                .map(heading -> heading.group(1)
+                        .toLowerCase(Locale.ROOT)
+                        .replaceAll("[^\\w\\- ]", "")
+                        .replace(' ', '-'))
+                .collect(Collectors.toSet());
+    }
+
+    /** Whoever wants to know more finds a link. */
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "ARCHITECTURE.md", "CONTRIBUTING.md"})
+    @CsvSource({"README.md, 1700", "ARCHITECTURE.md, 3000"})
+    void aPageThatIsReadFirstIsShort(String page, int words) throws IOException {
+        assertThat(read(page).trim().split("\\s+")).hasSizeLessThanOrEqualTo(words);
+    }
+
+    /** A name in code style that begins with a capital and has a small letter: a class, an example's variables apart, or a kernel file. */
+    @ParameterizedTest
+    @ValueSource(strings = {"ARCHITECTURE.md", "docs/decisions.md", "docs/glossary.md", "docs/patterns.md"})
+    void everyClassAndKernelFileThatAPageNamesExists(String page) throws IOException {
+        Set<String> files = new TreeSet<>();
+        for (String folder : new String[] {
+            "src/main/java", "src/test/java", "playground/src/main/java", "bench/src/main/java", "kernels"
+        }) {
+            try (Stream<Path> all = Files.walk(Path.of(folder))) {
+                all.forEach(file -> files.add(file.getFileName().toString()));
+            }
+        }
+        String text = read(page).replaceAll("(?ms)^```.*?^```$", "");
+        Matcher names = Pattern.compile("`(?:[a-z_]+[./])*([A-Z]\\w*[a-z]\\w*)(\\.cl)?[^`]*`")
+                .matcher(text);
+        Set<String> known = Set.of("NoClassDefFoundError", "FP_CONTRACT");
+        int count = 0;
+        while (names.find()) {
+            if (!known.contains(names.group(1))) {
+                String file = names.group(1) + (names.group(2) == null ? ".java" : ".cl");
+                assertThat(files).as("%s in %s", names.group(), page).contains(file);
+                count++;
+            }
+        }
+        assertThat(count).as("names in " + page).isGreaterThan(10);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "CONTRIBUTING.md", "docs/guide.md", "docs/opencl.md"})
     void everyClassOfTheProjectThatADocumentNamesExists(String document) throws IOException {
         Matcher names = Pattern.compile("io\\.github\\.circles2d\\.(?:\\w+\\.)*[A-Z]\\w*")
                 .matcher(read(document));
@@ -273,7 +288,7 @@ class DocumentationTest {
     @Test
     void everyTestOfTheTableOfPromisesExists() throws IOException {
         Set<String> tests = new TreeSet<>();
-        for (String folder : new String[] {"src/test/java", "bench/src/test/java"}) {
+        for (String folder : new String[] {"src/test/java", "playground/src/test/java", "bench/src/test/java"}) {
             try (Stream<Path> files = Files.walk(Path.of(folder))) {
                 files.forEach(file -> tests.add(file.getFileName().toString().replace(".java", "")));
             }

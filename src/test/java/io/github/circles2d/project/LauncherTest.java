@@ -117,11 +117,26 @@ class LauncherTest {
     }
 
     @Test
+    void thePlaygroundAndTheGamesAreBuiltAndRunThroughSuchALink() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
+        pretendToBuild(machine);
+        FakeMachine.Result play = machine.launch("play");
+        assertThat(play.status).as(play.output).isZero();
+        assertThat(machine.calls())
+                .containsPattern("-f playground/pom.xml -Dmaven.repo.local=[^: ]+/samples/target/repository ")
+                .containsPattern(
+                        "-cp ([^: ]+)/playground/target/classes:\\1/playground/target/lib/\\* io.github.circles2d.playground");
+        assertThat(machine.launch("play", "swarm").status).isZero();
+        assertThat(machine.calls()).containsPattern("-cp ([^: ]+)/samples/swarm/target/classes:\\1/samples/swarm/");
+        assertThat(machine.temporary()).isEmptyDirectory();
+    }
+
+    @Test
     void testsAndBenchmarksOfAProjectWithAColonInItsPathAreRefused() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, "a:clone", 17);
         pretendToBuild(machine);
-        for (String command : new String[] {"test", "bench", "play swarm"}) {
-            FakeMachine.Result refused = machine.launch(command.split(" "));
+        for (String command : new String[] {"test", "bench"}) {
+            FakeMachine.Result refused = machine.launch(command);
             assertThat(refused.output).hasLineCount(1).contains(machine.clone + " has a ':'", "move the project");
             assertThat(refused.status).isEqualTo(3);
         }
@@ -213,6 +228,7 @@ class LauncherTest {
     @Test
     void thePlaygroundGetsItsArgumentsAndTellsItselfWhatToDoWithoutADisplay() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
         machine.set("DISPLAY", "");
         machine.set("JAVA_STATUS", "1");
         FakeMachine.Result play = machine.launch("play", "--scene", "pegs");
@@ -221,6 +237,44 @@ class LauncherTest {
         machine.set("JAVA_STATUS", "0");
         assertThat(machine.launch("play", "--film", "film.png").status).isZero();
         assertThat(machine.calls()).contains("Playground --film film.png").doesNotContain("apt-get");
+    }
+
+    @Test
+    void playWithoutAGameBuildsThePlaygroundOnTheInstalledLibraryIfASourceIsNewer() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        FakeMachine.Result play = machine.launch("play");
+        assertThat(play.status).as(play.output).isZero();
+        assertThat(play.output).contains("java runs in " + machine.elsewhere);
+        String repository = machine.clone + "/samples/target/repository";
+        assertThat(machine.calls())
+                .containsSubsequence(
+                        " package\n",
+                        "-DlocalRepositoryPath=" + repository,
+                        "-f playground/pom.xml -Dmaven.repo.local=" + repository,
+                        "-cp " + machine.clone + "/playground/target/classes:" + machine.clone
+                                + "/playground/target/lib/* io.github.circles2d.playground.Playground\n");
+        machine.forgetCalls();
+        machine.launch("play", "--scene", "pegs");
+        assertThat(machine.calls()).doesNotContain("mvn").contains("Playground --scene pegs\n");
+        for (String file : new String[] {"src/main", "playground/src/main"}) {
+            Path source = Files.createFile(machine.clone.resolve(file).resolve("New.java"));
+            Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(5)));
+            machine.forgetCalls();
+            machine.launch("play");
+            assertThat(machine.calls()).contains("-f playground/pom.xml");
+            Files.delete(source);
+            machine.launch("play");
+        }
+    }
+
+    @Test
+    void testFailsIfATestOfThePlaygroundFails() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        machine.set("PLAYGROUND_STATUS", "6");
+        assertThat(machine.launch("test").status).isEqualTo(6);
+        assertThat(machine.calls()).contains("-f playground/pom.xml").doesNotContain("-f samples/swarm/pom.xml");
     }
 
     @Test
@@ -314,7 +368,8 @@ class LauncherTest {
     }
 
     @Test
-    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerAndTheGamesOnTheInstalledArtifact() throws Exception {
+    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerThePlaygroundAndTheGamesOnTheInstalledArtifact()
+            throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
         FakeMachine.Result test = machine.launch("test", "-Dtest=Some");
@@ -333,6 +388,8 @@ class LauncherTest {
                         "Game\n",
                         "-P without-opencl compile",
                         "WithoutOpenCl\n",
+                        "-f playground/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
+                        "-Dcircles2d.device.required=true test ",
                         "-f samples/swarm/pom.xml -Dmaven.repo.local=" + machine.clone + "/samples/target/repository",
                         "com.example.swarm.Main --frames 300 --backend JVM\n",
                         "com.example.swarm.Main --frames 300 --backend OPENCL_CPU\n")
@@ -409,7 +466,7 @@ class LauncherTest {
         machine.forgetCalls();
         machine.launch("play", "swarm");
         assertThat(machine.calls()).doesNotContain("mvn").contains("com.example.swarm.Main\n");
-        Path source = Files.createFile(machine.clone.resolve("samples/swarm/src/New.java"));
+        Path source = Files.createFile(machine.clone.resolve("samples/swarm/src/main/New.java"));
         Files.setLastModifiedTime(source, FileTime.from(Instant.now().plusSeconds(5)));
         machine.set("JAVA_STATUS", "42");
         assertThat(machine.launch("play", "swarm").status).isEqualTo(42);
@@ -449,7 +506,9 @@ class LauncherTest {
         Files.createDirectories(machine.clone.resolve("bench"));
         Files.createFile(machine.clone.resolve("bench/pom.xml"));
         Files.createDirectories(machine.clone.resolve("src/test/resources/consumer"));
-        Files.createDirectories(machine.clone.resolve("samples/swarm/src"));
+        Files.createDirectories(machine.clone.resolve("playground/src/main"));
+        Files.createFile(machine.clone.resolve("playground/pom.xml"));
+        Files.createDirectories(machine.clone.resolve("samples/swarm/src/main"));
         Files.createFile(machine.clone.resolve("samples/swarm/pom.xml"));
         Files.writeString(
                 machine.clone.resolve("samples/swarm/expected.txt"), "java runs in " + machine.elsewhere + "\n");
@@ -459,6 +518,8 @@ class LauncherTest {
                 FakeMachine.logged("mvn")
                         + "case \"$*\" in\n"
                         + "*install-file*|*bench*) ;;\n"
+                        + "*'-f playground'*) mkdir -p playground/target/lib\n"
+                        + "  cp target/circles2d-9.jar playground/target/lib; exit ${PLAYGROUND_STATUS:-0};;\n"
                         + "*samples*) mkdir -p samples/swarm/target/lib\n"
                         + "  cp target/circles2d-9.jar samples/swarm/target/lib;;\n"
                         + "*copy-dependencies*) mkdir -p target/consumer/lib\n"

@@ -14,7 +14,7 @@ import java.util.Objects;
 import java.util.function.IntConsumer;
 
 /**
- * World as the section "The step to the bit" of ARCHITECTURE.md describes it. Arguments are not checked: World is asked first,
+ * World as docs/step.md specifies it. Arguments are not checked: World is asked first,
  * and refuses what is not allowed.
  */
 public final class ReferenceWorld implements WorldCalls {

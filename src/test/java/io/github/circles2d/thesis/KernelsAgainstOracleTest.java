@@ -67,7 +67,8 @@ class KernelsAgainstOracleTest {
     void updatePositionMovesAndReflectsAsTheOracleDoes(Device device, int strategy, boolean few, float e) {
         TestScene scene = TestScene.atTheWalls(500, 7);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, GX, GY);
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
+        try (ThesisStages stages =
+                new ThesisStages(device, ThesisStages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             oracle.update();
             assertThat(oracle.takeMargin()).isGreaterThan(10 * STAGE_TOLERANCE);
             stages.update();
@@ -83,7 +84,8 @@ class KernelsAgainstOracleTest {
         oracle.detect();
         assertThat(oracle.takeMargin()).isGreaterThan(10 * STAGE_TOLERANCE);
         assertThat(oracle.contacts()).hasSizeBetween(80, 220);
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
+        try (ThesisStages stages =
+                new ThesisStages(device, ThesisStages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             stages.detect();
             float[][] mtv = stages.collisions();
             for (int c = 0; c < oracle.mtvX.length; c++) {
@@ -105,7 +107,8 @@ class KernelsAgainstOracleTest {
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, GX, GY);
         oracle.detect();
         assertThat(oracle.someCircleHasTwoContacts()).isFalse();
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
+        try (ThesisStages stages =
+                new ThesisStages(device, ThesisStages.strategies().get(strategy), few, scene, STEP, e, GX, GY)) {
             stages.setCollisionsOf(oracle);
             stages.resolve();
             oracle.resolve();
@@ -122,7 +125,7 @@ class KernelsAgainstOracleTest {
     void rowsHoldEveryPropertyOfEveryCircleInOrder(Device device) {
         for (int n : new int[] {2, 256, 300}) {
             TestScene scene = TestScene.crowd(n, 0.02f, 7);
-            try (Stages stages = new Stages(device, new ExactPairs(), scene, STEP, 0, GX, GY)) {
+            try (ThesisStages stages = new ThesisStages(device, new ExactPairs(), scene, STEP, 0, GX, GY)) {
                 float[] rows = stages.rows();
                 assertThat(Arrays.copyOfRange(rows, 0, n)).isEqualTo(scene.x);
                 assertThat(Arrays.copyOfRange(rows, n, 2 * n)).isEqualTo(scene.y);
@@ -142,7 +145,8 @@ class KernelsAgainstOracleTest {
         TestScene scene = TestScene.isolatedPairs(8, 480);
         ThesisOracle oracle = new ThesisOracle(scene, STEP, e, 0, 0);
         int contacts = 0;
-        try (Stages stages = new Stages(device, Stages.strategies().get(strategy), few, scene, STEP, e, 0, 0)) {
+        try (ThesisStages stages =
+                new ThesisStages(device, ThesisStages.strategies().get(strategy), few, scene, STEP, e, 0, 0)) {
             for (int k = 0; k < 20; k++) {
                 oracle.update();
                 oracle.detect();
@@ -171,7 +175,7 @@ class KernelsAgainstOracleTest {
         }
     }
 
-    private static void assertSameState(Stages stages, ThesisOracle oracle, double tolerance) {
+    private static void assertSameState(ThesisStages stages, ThesisOracle oracle, double tolerance) {
         float[][] circles = stages.circles();
         float[][] velocities = stages.velocities();
         assertNear(circles[0], oracle.x, tolerance, "x");

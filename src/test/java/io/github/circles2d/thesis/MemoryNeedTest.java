@@ -23,7 +23,7 @@ class MemoryNeedTest {
     @ParameterizedTest
     @MethodSource("devices")
     void theNumberThatIsSaidToFitFitsAndOneMoreDoesNot(Device device) {
-        for (PairStrategy strategy : Stages.strategies()) {
+        for (PairStrategy strategy : ThesisStages.strategies()) {
             for (long free : new long[] {8, 100, 1_000, 123_456, 50_000_000, 900_000_000}) {
                 int fitting = fittingCircles(strategy, device, free);
                 assertThatCode(() -> MemoryNeed.of(strategy, fitting).requireRoom(device, free))

@@ -43,8 +43,9 @@ final class OclgrindScenes {
 
     private static void runEveryStrategy(Device device, TestScene scene) {
         for (boolean fewWorkItems : new boolean[] {false, true}) {
-            for (PairStrategy strategy : Stages.strategies()) {
-                try (Stages stages = new Stages(device, strategy, fewWorkItems, scene, 1 / 60f, 0.5f, 0, -0.01f)) {
+            for (PairStrategy strategy : ThesisStages.strategies()) {
+                try (ThesisStages stages =
+                        new ThesisStages(device, strategy, fewWorkItems, scene, 1 / 60f, 0.5f, 0, -0.01f)) {
                     for (int k = 0; k < 2; k++) {
                         stages.update();
                         stages.detect();
@@ -59,7 +60,7 @@ final class OclgrindScenes {
 
     private static void updateAtTheWalls(Device device) {
         TestScene scene = TestScene.atTheWalls(300, 5);
-        try (Stages stages = new Stages(device, new ExactPairs(), scene, 1 / 60f, 0.5f, 0, -0.01f)) {
+        try (ThesisStages stages = new ThesisStages(device, new ExactPairs(), scene, 1 / 60f, 0.5f, 0, -0.01f)) {
             stages.update();
             stages.circles();
         }

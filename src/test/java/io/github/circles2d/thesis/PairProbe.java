@@ -36,7 +36,7 @@ final class PairProbe implements AutoCloseable {
         KernelSource source = KernelSource.of(
                         "CirclePhysV2.cl", "thesis/ExactPairs.cl", "thesis/WrongSlots.cl", "thesis/PairProbe.cl")
                 .define("ROW_SEARCH_ROUNDS", rounds);
-        // As Simulation.source has it: on a GPU some helpers are compiled otherwise.
+        // As ThesisSimulation.source has it: on a GPU some helpers are compiled otherwise.
         return session.build(
                 session.device().kind() == Device.Kind.GPU ? source.define("FEW_WORK_ITEMS", true) : source,
                 "-cl-finite-math-only");

@@ -5,6 +5,7 @@ import io.github.circles2d.scenes.SceneLoader;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.WorldParameters;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.shared.Pipeline;
 
 /** Simulations made of scenes, for tests of one pipeline or another. */
 public final class SimulationScenes {

@@ -2,20 +2,19 @@ package io.github.circles2d.bench;
 
 import io.github.circles2d.bench.broadphase.BroadPhaseBench;
 import io.github.circles2d.bench.games.GameCosts;
+import io.github.circles2d.bench.measure.Measurements;
 import io.github.circles2d.bench.physics.PhysicsBench;
 import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
 import io.github.circles2d.bench.report.Page;
 import io.github.circles2d.bench.results.ResultsFolder;
-import io.github.circles2d.bench.series.SeriesBench;
-import io.github.circles2d.bench.sweep.Options;
-import io.github.circles2d.bench.sweep.Sweep;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 
@@ -50,7 +49,7 @@ public final class Bench {
     private Bench() {}
 
     /**
-     * Runs what the first argument names, or else the sweep.
+     * Runs what the first argument names, or else measures.
      *
      * @param arguments see {@code --help}
      */
@@ -75,9 +74,6 @@ public final class Bench {
                 case "broadphase":
                     BroadPhaseBench.run(rest, System.out);
                     break;
-                case "series":
-                    SeriesBench.run(rest, System.out);
-                    break;
                 case "games":
                     GameCosts.run(rest, System.out);
                     break;
@@ -91,7 +87,7 @@ public final class Bench {
                     writePage(rest);
                     break;
                 default:
-                    sweep(all);
+                    Measurements.run(all, System.out);
             }
         } catch (IllegalArgumentException e) {
             System.err.println(e.getMessage());
@@ -103,15 +99,6 @@ public final class Bench {
         List<String> all = new ArrayList<>(SMOKE);
         all.addAll(more);
         org.openjdk.jmh.Main.main(all.toArray(new String[0]));
-    }
-
-    private static void sweep(List<String> arguments) throws IOException {
-        Options options = Options.parse(arguments);
-        if (options.help()) {
-            System.out.println(Options.HELP);
-        } else {
-            Sweep.run(options, System.out);
-        }
     }
 
     private static ResultsFolder folder(List<String> arguments) throws IOException {
@@ -140,8 +127,10 @@ public final class Bench {
                     "the folder of all results and the page are needed, such as: page bench/results docs/benchmarks.md; not "
                             + Arrays.toString(arguments.toArray()));
         }
-        Path page = Path.of(arguments.get(1));
-        Files.writeString(page, Page.of(Path.of(arguments.get(0))));
-        System.out.println("wrote " + page);
+        for (Map.Entry<Path, String> page :
+                Page.all(Path.of(arguments.get(0)), Path.of(arguments.get(1))).entrySet()) {
+            Files.writeString(page.getKey(), page.getValue());
+            System.out.println("wrote " + page.getKey());
+        }
     }
 }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.circles;
 
-import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import java.util.Arrays;
@@ -343,12 +343,12 @@ public final class HandleTable {
             if (r == greatestRadius) {
                 withGreatestRadius++;
             }
-            population[CircleMath.sizeClass(r, greatestRadius)]++;
+            population[Cells.sizeClass(r, greatestRadius)]++;
         }
     }
 
     private void leave(float r) {
-        population[CircleMath.sizeClass(r, greatestRadius)]--;
+        population[Cells.sizeClass(r, greatestRadius)]--;
         if (r == greatestRadius && --withGreatestRadius == 0) {
             radiiChanged = true;
         }
@@ -380,7 +380,7 @@ public final class HandleTable {
     }
 
     /**
-     * The number of circles of each size class, by {@link CircleMath#sizeClass}.
+     * The number of circles of each size class, by {@link Cells#sizeClass}.
      *
      * @return the numbers; valid until the next change
      */
@@ -463,7 +463,7 @@ public final class HandleTable {
         Arrays.fill(population, 0);
         for (int id = 0; id < end; id++) {
             if (lives(id)) {
-                population[CircleMath.sizeClass(radius[id], greatestRadius)]++;
+                population[Cells.sizeClass(radius[id], greatestRadius)]++;
             }
         }
         radiiChanged = false;

@@ -1,15 +1,15 @@
 package io.github.circles2d.world.circles;
 
+import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
-import io.github.circles2d.world.model.StepConstants;
 import java.util.Arrays;
 
 /**
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable implements StepConstants.KindValues {
+public final class KindTable implements KindMotion.Values {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 

@@ -55,7 +55,7 @@ public final class SavedState {
     public int[] hi = new int[0];
 
     /** By impulse: the impulse, greater than 0. */
-    public float[] lambda = new float[0];
+    public float[] normalImpulse = new float[0];
 
     /** An empty state. */
     public SavedState() {}
@@ -100,11 +100,11 @@ public final class SavedState {
 
     /** Makes room for impulses without changing their number. */
     void ensureImpulses(int count) {
-        if (lambda.length < count) {
-            int c = Math.max(count, lambda.length + (lambda.length >> 1));
+        if (normalImpulse.length < count) {
+            int c = Math.max(count, normalImpulse.length + (normalImpulse.length >> 1));
             lo = Arrays.copyOf(lo, c);
             hi = Arrays.copyOf(hi, c);
-            lambda = Arrays.copyOf(lambda, c);
+            normalImpulse = Arrays.copyOf(normalImpulse, c);
         }
     }
 
@@ -114,11 +114,11 @@ public final class SavedState {
         int k = impulses++;
         while (k > 0 && lo[k - 1] == loId && hi[k - 1] > hiId) {
             hi[k] = hi[k - 1];
-            lambda[k] = lambda[k - 1];
+            normalImpulse[k] = normalImpulse[k - 1];
             k--;
         }
         lo[impulses - 1] = loId;
         hi[k] = hiId;
-        lambda[k] = impulse;
+        normalImpulse[k] = impulse;
     }
 }

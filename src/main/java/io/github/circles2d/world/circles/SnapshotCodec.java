@@ -208,7 +208,7 @@ public final class SnapshotCodec {
         for (int k = from; k < end; k++) {
             Varint.put(out, s.hi[k] - previous);
             previous = s.hi[k];
-            out.putFloat(s.lambda[k]);
+            out.putFloat(s.normalImpulse[k]);
         }
     }
 
@@ -363,11 +363,11 @@ public final class SnapshotCodec {
             long more = Integer.toUnsignedLong(Varint.get(in));
             hi += more;
             require(more > 0 && hi < s.ids, "an impulse has no second circle");
-            float lambda = getFloat(in);
-            require(lambda > 0 && lambda <= Limits.CACHED_IMPULSE, "an impulse is out of range");
+            float normalImpulse = getFloat(in);
+            require(normalImpulse > 0 && normalImpulse <= Limits.CACHED_IMPULSE, "an impulse is out of range");
             s.lo[s.impulses] = id;
             s.hi[s.impulses] = (int) hi;
-            s.lambda[s.impulses++] = lambda;
+            s.normalImpulse[s.impulses++] = normalImpulse;
         }
     }
 

@@ -5,7 +5,6 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -13,21 +12,18 @@ import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
-import io.github.circles2d.world.device.memory.Status;
-import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.plan.Plan;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Stages;
-import io.github.circles2d.world.device.plan.Steps;
-import io.github.circles2d.world.device.plan.TileUse;
 import io.github.circles2d.world.device.queries.DeviceSearch;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.queries.RemoteSearch;
+import io.github.circles2d.world.shared.Pipeline;
 import java.nio.FloatBuffer;
 import java.util.HashMap;
 import java.util.List;
@@ -35,23 +31,10 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * The World engine on an OpenCL device. It enqueues steps and does not wait for them; the next call that needs their result looks
- * at their status first. Steps are enqueued for the common case: there is room for the contacts, no circle is fast, and no circle
- * stands in a crowd. A step that meets another case is refused: it changes nothing, and neither do the steps behind it. The host
- * then enlarges the arrays, or enqueues the missing steps with what the case needs.
+ * The World engine on an OpenCL device. {@link StepQueue} enqueues steps and does not wait for them; the next call that needs their
+ * result looks at their status first.
  */
 public final class DevicePipeline implements Pipeline {
-    /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
-    private static final int MOST_PENDING = 64;
-
-    /** After so many batches of steps without a fast circle, or a crowd, steps are made without heed of them again. */
-    private static final int CALM = 16;
-
-    /** Contacts a circle for which room is made, before it is tried whether crowds can be thinned out. */
-    private static final int ROOM_PER_CIRCLE = 24;
-
-    private static final int LEAST_ROOM = 4096;
-
     private final Session session;
     private final DeviceArrays arrays;
     private final StageKernels kernels;
@@ -78,41 +61,17 @@ public final class DevicePipeline implements Pipeline {
     private final RequestedPositions requested;
     private final DeviceSearch search;
     private final StepStatistics stats;
-    private final Status status = new Status();
-
-    private int slots;
-    private int circles;
+    private final Home home = new Home();
+    private final StepQueue queue;
 
     /** What the next load needs; null except between making room for it and loading. */
     private StateTransfer.Links links;
-
-    /** What makes the steps that were enqueued last; null before the first. */
-    private Plan plan;
-
-    /** Contacts of the last step, which cached impulses are numbered by. */
-    private int cachedContacts;
 
     /** Whether the plans have been compiled for contacts of any settings. */
     private boolean tuned;
 
     /** Whether the plans have been compiled for axes without walls. */
     private boolean isEdged;
-
-    /** The steps that have been enqueued and not been looked at. */
-    private int pendingSteps;
-
-    /** Steps written home when it was looked last. */
-    private int stepsSeen;
-
-    /** For how many more batches steps heed fast circles; 0 where they do not. */
-    private int sweeping;
-
-    /** For how many more batches steps thin crowds out; 0 where they do not. */
-    private int thinning;
-
-    private final GridLevels levels = new GridLevels();
-    private int subSteps;
-    private float warmScale;
 
     /**
      * An empty world.
@@ -135,11 +94,11 @@ public final class DevicePipeline implements Pipeline {
             kernels = compile(false, false, false, false);
             variants.put("", kernels);
             commands = new CommandsStage(session, kernels, arrays);
-            load(false, false, null);
             readback = new Readback(session, kernels, arrays);
             requested = new RequestedPositions(session, kernels, arrays);
-            search = new DeviceSearch(session, arrays, () -> slots, () -> circles);
-            status.write(arrays);
+            search = new DeviceSearch(session, arrays, () -> home.slots, () -> home.circles);
+            queue = new StepQueue(arrays, home, plans, commands, requested, stats);
+            load(false, false, null);
         } catch (RuntimeException | Error e) {
             session.close();
             throw e;
@@ -165,10 +124,14 @@ public final class DevicePipeline implements Pipeline {
         StageKernels loaded =
                 variants.computeIfAbsent(variant, key -> compile(anySettings, edges, reporting, recording));
         stages = stagesOf.computeIfAbsent(variant, key -> new Stages(session.device(), loaded, arrays, parameters));
+        queue.use(stages, reader);
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
         plans.forEach(each -> each.load(stages));
-        loaded.bind(arrays, slotsBehindPending(), circles); // counts of the last step may be asked for before the next
+        loaded.bind(
+                arrays,
+                queue.slotsBehindPending(),
+                home.circles); // counts of the last step may be asked for before the next
     }
 
     /** Loads other kernels for steps that report something else. It compiles at the first report: that takes long, and few worlds report. */
@@ -204,10 +167,10 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void makeRoom(Commands changes) {
         settle();
-        if (slots + changes.added() > arrays.slotCapacity()) {
+        if (home.slots + changes.added() > arrays.slotCapacity()) {
             stats.keep();
         }
-        commands.makeRoom(changes, slots);
+        commands.makeRoom(changes, home.slots);
     }
 
     @Override
@@ -218,187 +181,64 @@ public final class DevicePipeline implements Pipeline {
         settle();
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.operation(r);
-            circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
+            home.circles += operation == Commands.ADD ? 1 : operation == Commands.REMOVE ? -1 : 0;
         }
-        slots = commands.apply(changes, slots, circles);
+        home.slots = commands.apply(changes, home.slots, home.circles);
     }
 
     @Override
-    public void step(StepConstants constants, GridLevels shape, int steps) {
-        if (circles == 0) {
+    public void step(StepInput input, GridLevels shape, int steps) {
+        if (home.circles == 0) {
             settle();
-            slots = 0;
+            home.slots = 0;
             commands.slotsInOrder();
             return;
         }
-        if (pendingSteps == 0 || !continues(constants, shape)) {
+        if (!queue.canContinue() || !continues(input, shape)) {
             settle();
-            // Copies: the caller may change both before these steps are known to have found room.
-            levels.copy(shape);
-            subSteps = constants.subSteps;
-            warmScale = constants.warmScale;
-            parameters.set(constants, shape);
+            queue.begin(shape, input.constants.subSteps, input.constants.warmScale);
+            parameters.set(input, shape);
             if (reader != null) {
-                reader.learn(constants);
+                reader.learn(input.reports);
             }
             loadForReports();
-            arrays.ensureBuckets(levels.groups(circles));
+            arrays.ensureBuckets(shape.groups(home.circles));
             if (reader != null) {
-                reader.prepare(constants, stages, status);
+                reader.prepare(input.reports, stages, queue.status());
             }
         }
-        for (int left = steps; left > 0; ) {
-            if (pendingSteps == MOST_PENDING) {
-                settle();
-            }
-            int count = Math.min(left, MOST_PENDING - pendingSteps);
-            enqueue(count);
-            left -= count;
-        }
+        queue.add(steps);
         if (reader != null && !reader.isActive()) {
-            reader.publishSilent(stepsSeen + pendingSteps);
+            reader.publishSilent(queue.enqueued());
         }
     }
 
     /** Whether steps are as those that are pending: then they need not wait for these, which takes a round trip. */
-    private boolean continues(StepConstants constants, GridLevels shape) {
-        return warmScale == 1f
-                && constants.warmScale == 1f
-                && parameters.areOf(constants, shape)
-                && (reader == null || reader.areOf(constants));
+    private boolean continues(StepInput input, GridLevels shape) {
+        return input.constants.warmScale == 1f
+                && parameters.areOf(input, shape)
+                && (reader == null || reader.areOf(input.reports));
     }
 
-    private int slotsBehindPending() {
-        return pendingSteps == 0 ? slots : circles;
-    }
-
-    private void enqueue(int steps) {
-        for (int left = steps; left > 0; ) {
-            left -= enqueueAtOnce(left);
-        }
-    }
-
-    /** Enqueues steps that need nothing in between; returns how many of those wanted. */
-    private int enqueueAtOnce(int most) {
-        boolean reports = reader != null && reader.isActive();
-        Steps wanted = steps(most, reports);
-        plan = Plans.first(plans, wanted);
-        if (!reports) {
-            pendingSteps += most;
-            plan.enqueue(wanted);
-            return most;
-        }
-        Steps enqueued = plan.decidesEvents(wanted) ? wanted : steps(1, true);
-        reader.before(stages, plan, enqueued, stepsSeen + pendingSteps);
-        pendingSteps += enqueued.count();
-        plan.enqueue(enqueued);
-        reader.behind(stages, plan, enqueued);
-        return enqueued.count();
-    }
-
-    private Steps steps(int count, boolean reports) {
-        return new Steps(
-                count,
-                levels,
-                slotsBehindPending(),
-                circles,
-                subSteps,
-                // Behind pending steps the state is as a step leaves it, and the length of the step before is that of
-                // the step.
-                pendingSteps == 0 ? warmScale : 1f,
-                sweeping > 0,
-                thinning > 0,
-                reports && reader.isRecording(),
-                reports && reader.isSensing());
-    }
-
-    /** Sees to it that the steps asked for have been made. */
     private void settle() {
-        while (pendingSteps > 0) {
-            status.read(arrays);
-            int done = status.get(StatusWord.STEPS_DONE) - stepsSeen;
-            stepsSeen += done;
-            if (done > 0) {
-                slots = circles;
-                commands.slotsInOrder();
-                warmScale = 1f;
-                if (reader != null) {
-                    reader.made(status, stepsSeen, stages, plan, circles);
-                }
-            }
-            if (reader != null) {
-                reader.beginBatch();
-            }
-            pendingSteps -= done;
-            for (Plan each : plans) {
-                each.learn(TileUse.of(status), thinning > 0);
-            }
-            if (pendingSteps == 0) {
-                cachedContacts = status.get(StatusWord.CONTACTS);
-                stats.stepped(plan, circles, cachedContacts);
-                sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
-                thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
-            } else {
-                adapt();
-                int refused = pendingSteps;
-                pendingSteps = 0;
-                int beforeRequest = requested.missing(stepsSeen);
-                if (beforeRequest > 0) {
-                    enqueue(beforeRequest);
-                    requested.layOut(circles);
-                }
-                if (refused > beforeRequest) {
-                    enqueue(refused - beforeRequest);
-                }
-            }
-        }
-    }
-
-    /** Sees to it that the step that has been refused can be made. */
-    private void adapt() {
-        int contacts = status.get(StatusWord.CONTACTS);
-        if (sweeping == 0 && status.has(StatusWord.FAST)) {
-            sweeping = CALM;
-        }
-        if (thinning == 0 && status.has(StatusWord.CROWDED)) {
-            thinning = CALM; // the room that the step asked for is for all pairs of the crowd
-        } else if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
-            if (thinning == 0 && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * circles) {
-                thinning = CALM;
-            } else {
-                arrays.ensureContacts(contacts);
-            }
-        }
-        if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
-            // Steps without tiles need no copies.
-            for (Plan each : plans) {
-                each.learn(TileUse.NONE_DO, thinning > 0);
-            }
-        }
-        status.clear(
-                StatusWord.TILE_COPIES,
-                StatusWord.OUT_OF_ROOM,
-                StatusWord.FAST,
-                StatusWord.CROWDED,
-                StatusWord.TILE_PEAK);
-        status.write(arrays);
+        queue.settle();
     }
 
     @Override
     public void readCircles(HandleTable handles, float[] to) {
         settle();
-        readback.circles(handles, slots, to);
+        readback.circles(handles, home.slots, to);
     }
 
     @Override
     public FloatBuffer positions(HandleTable handles, boolean byId) {
         settle();
-        return readback.positions(handles, byId, slots);
+        return readback.positions(handles, byId, home.slots);
     }
 
     @Override
     public void requestPositions(HandleTable handles) {
-        requested.request(handles, slotsBehindPending(), stepsSeen + pendingSteps);
+        requested.request(handles, queue.slotsBehindPending(), queue.enqueued());
     }
 
     @Override
@@ -419,13 +259,13 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void readVelocities(HandleTable handles, float[] to) {
         settle();
-        readback.velocities(handles, slots, to);
+        readback.velocities(handles, home.slots, to);
     }
 
     @Override
     public void report(ContactEvents events) {
         settle();
-        ReportReader next = events == null ? null : new ReportReader(session, events, arrays, stepsSeen);
+        ReportReader next = events == null ? null : new ReportReader(session, events, arrays, queue.seen());
         if (stages.reporting() != null) {
             load(tuned, isEdged, null);
         }
@@ -433,6 +273,7 @@ public final class DevicePipeline implements Pipeline {
             reader.close();
         }
         reader = next;
+        queue.use(stages, reader);
     }
 
     @Override
@@ -450,7 +291,7 @@ public final class DevicePipeline implements Pipeline {
         if (reader.hasRequest() && !reader.finishRequest()) {
             settle();
         }
-        reader.request(stepsSeen + pendingSteps);
+        reader.request(queue.enqueued());
     }
 
     @Override
@@ -468,19 +309,19 @@ public final class DevicePipeline implements Pipeline {
     @Override
     public void confine(Bounds from, Bounds to) {
         settle();
-        commands.confine(from, to, slots);
+        commands.confine(from, to, home.slots);
     }
 
     @Override
     public long hash() {
         settle();
-        return new StateTransfer(arrays, slots, cachedContacts).hash();
+        return new StateTransfer(arrays, home.slots, home.cachedContacts).hash();
     }
 
     @Override
     public void save(SavedState into) {
         settle();
-        new StateTransfer(arrays, slots, cachedContacts).save(into);
+        new StateTransfer(arrays, home.slots, home.cachedContacts).save(into);
     }
 
     @Override
@@ -489,7 +330,7 @@ public final class DevicePipeline implements Pipeline {
         if (from.circles > arrays.slotCapacity() || from.impulses > arrays.contactCapacity()) {
             stats.keep();
         }
-        arrays.ensureSlots(from.circles, slots);
+        arrays.ensureSlots(from.circles, home.slots);
         arrays.ensureIds(from.ids);
         arrays.ensureContacts(from.impulses);
         links = new StateTransfer.Links(from, arrays);
@@ -500,10 +341,10 @@ public final class DevicePipeline implements Pipeline {
         settle();
         StateTransfer.load(from, arrays, links);
         links = null;
-        slots = from.circles;
+        home.slots = from.circles;
         commands.slotsInOrder();
-        circles = from.circles;
-        cachedContacts = from.impulses;
+        home.circles = from.circles;
+        home.cachedContacts = from.impulses;
         stats.loaded();
     }
 

@@ -15,7 +15,7 @@ import io.github.circles2d.world.device.plan.Stages;
 import io.github.circles2d.world.device.plan.Steps;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRow;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import java.nio.IntBuffer;
 
 /**
@@ -57,6 +57,9 @@ final class ReportReader implements AutoCloseable {
 
     private HostBuffer read;
 
+    /** Events of the batch, as it is, that {@link #read} has or is about to have; 0 if it has none. */
+    private int readAhead;
+
     /** Null until events are requested, as what they arrive in. */
     private CopyQueue copies;
 
@@ -95,14 +98,14 @@ final class ReportReader implements AutoCloseable {
     }
 
     /** Takes down what of the steps to come is reported; none are pending. */
-    void learn(StepConstants k) {
+    void learn(StepReports k) {
         recording = k.recording;
         sensed = k.sensing;
         seekingVersion = k.seekingVersion;
     }
 
     /** Whether steps report what was taken down. */
-    boolean areOf(StepConstants k) {
+    boolean areOf(StepReports k) {
         return recording == k.recording && sensed == k.sensing && seekingVersion == k.seekingVersion;
     }
 
@@ -122,7 +125,7 @@ final class ReportReader implements AutoCloseable {
     }
 
     /** Makes ready for the steps to come, whose kernels are loaded and bound; none are pending. */
-    void prepare(StepConstants k, Stages stages, Status status) {
+    void prepare(StepReports k, Stages stages, Status status) {
         if (!isActive()) {
             events.bringHere();
             return;
@@ -179,6 +182,15 @@ final class ReportReader implements AutoCloseable {
         stages.events().decide(circles);
     }
 
+    /** Has the events of the batch read together with the status, which the caller reads next: a wait of its own costs more. */
+    void readAhead() {
+        if (isActive() && batchBegun && requestedHalf == NONE) {
+            readAhead = guess();
+            read = roomFor(read, readAhead);
+            deciding.decided(half).readLater(read, bytes(readAhead));
+        }
+    }
+
     /**
      * Publishes the events of steps.
      *
@@ -205,6 +217,7 @@ final class ReportReader implements AutoCloseable {
             requestedHalf = NONE;
         }
         batchBegun = false;
+        readAhead = 0;
     }
 
     /**
@@ -225,6 +238,7 @@ final class ReportReader implements AutoCloseable {
 
     /** Makes the room that the last step lacked for its events, and has them decided once more. */
     private void makeUp(Status status, int stepsMade, Stages stages, Plan plan, int circles) {
+        readAhead = 0; // it has the steps before alone
         while (status.has(StatusWord.EVENTS_LACK)) {
             int newcomers = status.get(StatusWord.NEWCOMERS);
             int wanted = Math.max(status.get(StatusWord.DRAFTS), newcomers);
@@ -258,9 +272,13 @@ final class ReportReader implements AutoCloseable {
             return;
         }
         DeviceBuffer decided = deciding.decided(which);
-        int guess = guess();
-        read = roomFor(read, guess);
-        decided.read(0, read, 0, bytes(guess));
+        int guess = readAhead;
+        readAhead = 0;
+        if (guess == 0) {
+            guess = guess();
+            read = roomFor(read, guess);
+            decided.read(0, read, 0, bytes(guess));
+        }
         int count = read.ints().get(EventArrays.HEADER_EVENTS);
         if (count > guess) {
             HostBuffer few = read;

@@ -141,7 +141,7 @@ final class StateTransfer {
         for (int c = 0; c < from.impulses; c++) {
             int lo = slotOf[from.lo[c]];
             entries[at(c, CachedImpulse.AT_HIGHER_ID)] = from.hi[c];
-            entries[at(c, CachedImpulse.AT_IMPULSE)] = Float.floatToRawIntBits(from.lambda[c]);
+            entries[at(c, CachedImpulse.AT_IMPULSE)] = Float.floatToRawIntBits(from.normalImpulse[c]);
             entries[at(c, CachedImpulse.AT_NEXT)] = firstCached[lo];
             firstCached[lo] = c;
         }

@@ -4,10 +4,8 @@ import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.KindTable;
 import io.github.circles2d.world.circles.SavedTouches;
-import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
-import io.github.circles2d.world.model.Limits;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import java.nio.IntBuffer;
 
 /**
@@ -15,10 +13,10 @@ import java.nio.IntBuffer;
  * does, {@link RemotePairs}. A pipeline in Java tells it of the pairs in touch, {@link #concerns} and {@link #endStep}; a device hands over
  * the events that it has decided, {@link #publishDecided}.
  *
- * <p>{@link TouchTracker} follows pairs, {@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds,
+ * <p>{@link TouchTracker} follows pairs, {@link PairPlace} knows where pairs are, {@link EventQueue} keeps events until they are taken, {@link KnownCircles} has handles and kinds,
  * {@link TouchSnapshots} saves and restores, and {@link TouchingList} lists pairs.
  *
- * <p>A wall is the partner of a circle too, under a code above all ids.
+ * <p>A wall is the partner of a circle too, under a {@link WallCode}.
  */
 public final class ContactEvents {
     /** Type: a pair begins to touch. */
@@ -57,19 +55,7 @@ public final class ContactEvents {
     private final TouchingList touching;
     private final TouchSnapshots snapshots = new TouchSnapshots(pairs, step, reported, circles);
 
-    /** The pairs on a device; null if there is none that decides. */
-    private RemotePairs remote;
-
-    /** Whether all pairs are here; some are not while only a device knows them. */
-    private boolean here = true;
-
-    /** Whether all pairs are on the device, as they are here or as its last step left them. */
-    private boolean there;
-
-    /** The circles that the commands remove for which there is room. */
-    private int[] removed = new int[0];
-
-    private int removedCount;
+    private final PairPlace place;
 
     /** Nothing is reported. */
     public ContactEvents() {
@@ -79,17 +65,8 @@ public final class ContactEvents {
     /** As if many steps had been made. */
     ContactEvents(int stamp) {
         tracker = new TouchTracker(reported, circles, pairs, step, stamp);
+        place = new PairPlace(tracker);
         touching = new TouchingList(tracker, pairs, circles);
-    }
-
-    /** The code of a wall: axis 0 or 1, side 1 for the lower wall and -1 for the upper. */
-    public static int wall(int axis, float side) {
-        return Limits.CIRCLES + 2 * axis + (side > 0f ? 0 : 1);
-    }
-
-    /** Whether an int is the code of a wall. */
-    public static boolean isWallCode(int code) {
-        return code >= Limits.CIRCLES && code < Limits.CIRCLES + 4;
     }
 
     // ---- what is reported
@@ -98,11 +75,6 @@ public final class ContactEvents {
     /** Whether anything is reported. */
     public boolean isOn() {
         return reported.isOn();
-    }
-
-    /** Whether there is a wall: circles that come to the end of coordinates, on an axis without walls, are not reported. */
-    static boolean hasWall(Bounds arena, int code) {
-        return (code - Limits.CIRCLES < 2 ? arena.edgeX() : arena.edgeY()) == AxisEdge.WALL;
     }
 
     /** The arena of the last step. */
@@ -151,16 +123,16 @@ public final class ContactEvents {
     }
 
     /** Tells a step what of it is reported. */
-    public void prepare(KindTable kinds, StepConstants step) {
+    public void prepare(KindTable kinds, StepReports reports) {
         reported.resolve(kinds, circles);
         boolean records = reported.solids() || reported.wallsOfCircles();
-        step.setReports(records, reported.senses(), reported.seeking(), reported.seekingVersion());
+        reports.set(records, reported.senses(), reported.seeking(), reported.seekingVersion());
     }
 
     /** Makes room for {@link #report}. */
     public void makeRoom(HandleTable handles) {
         circles.ensure(handles.end());
-        bringHere();
+        place.bringHere();
     }
 
     /** Makes room for {@link #reportPair}. */
@@ -196,7 +168,7 @@ public final class ContactEvents {
     }
 
     private void changed(boolean was, HandleTable handles) {
-        there = false;
+        place.changedHere();
         if (!isOn()) {
             tracker.clear();
             step.clear();
@@ -231,25 +203,10 @@ public final class ContactEvents {
             ids = Math.max(ids, commands.id(c) + 1);
         }
         circles.ensure(ids);
-        removedCount = 0;
+        place.keepAll();
         if (circles.markRemoved(commands)) {
-            listRemoved(commands);
-            if (!here) {
-                tracker.clear();
-                remote.fetchOf(removed, removedCount);
-            }
+            place.fetchOfRemoved(commands);
             tracker.makeRoomForRemoved();
-        }
-    }
-
-    private void listRemoved(Commands commands) {
-        if (removed.length < commands.count()) {
-            removed = new int[commands.count() + (commands.count() >> 1)];
-        }
-        for (int c = 0; c < commands.count(); c++) {
-            if (commands.operation(c) == Commands.REMOVE) {
-                removed[removedCount++] = commands.id(c);
-            }
         }
     }
 
@@ -276,17 +233,8 @@ public final class ContactEvents {
         if (waiting) {
             tracker.endRemoved();
         }
-        if (removedCount > 0) {
-            forgetRemoved();
-        }
+        place.forgetRemoved();
         circles.learn(commands, handles);
-    }
-
-    private void forgetRemoved() {
-        if (there) {
-            remote.forgetOf(removed, removedCount);
-        }
-        removedCount = 0;
     }
 
     // ---- pairs that only a device knows
@@ -298,17 +246,12 @@ public final class ContactEvents {
      * @param pairsElsewhere null if this object does; all pairs are here
      */
     public void setRemote(RemotePairs pairsElsewhere) {
-        remote = pairsElsewhere;
-        there = false;
+        place.setRemote(pairsElsewhere);
     }
 
     /** Brings all pairs here; they stay on the device, too. */
     public void bringHere() {
-        if (!here) {
-            tracker.clear();
-            remote.fetchAll();
-            here = true;
-        }
+        place.bringHere();
     }
 
     /**
@@ -330,20 +273,17 @@ public final class ContactEvents {
 
     /** Whether all pairs are on the device; else they are here. */
     public boolean areThere() {
-        return there;
+        return place.areThere();
     }
 
     /** Takes note that the pairs that are here are on the device too. */
     public void sent() {
-        there = true;
+        place.sent();
     }
 
     /** Takes note that a step changes the pairs, which are on the device. */
     public void leave() {
-        if (here) {
-            here = false;
-            tracker.clear();
-        }
+        place.leave();
     }
 
     /** Number of pairs that touch, which are here. */
@@ -394,13 +334,24 @@ public final class ContactEvents {
     // ---- a step in Java
     // ----------------------------------------------------------------------------------------------
 
-    /**
-     * The number of a pair that touched in the last step, or {@link #NONE}.
-     *
-     * @param guess a number that it may have, or any other
-     */
-    public int find(int guess, int lower, int higher) {
-        return pairs.find(guess, lower, higher);
+    /** The number of a pair that touched in the last step, or {@link #NONE}. */
+    public int find(int lower, int higher) {
+        return pairs.find(lower, higher);
+    }
+
+    /** What stands for the number of a pair whose hit goes on; of what this returns, the number again. Below {@link #NONE}. */
+    public static int going(int pair) {
+        return -2 - pair;
+    }
+
+    /** Counts how often pairs have been numbered anew. Until it does, {@link #isNumber} tells which numbers still hold. */
+    public int numbering() {
+        return pairs.numbering;
+    }
+
+    /** Whether a number that a pair had after a step still is one; if not, {@link #find} tells. */
+    public boolean isNumber(int pair) {
+        return pair < pairs.count;
     }
 
     /**
@@ -416,13 +367,31 @@ public final class ContactEvents {
         return tracker.concerns(pair, lower, higher, touches, approach, impulse, threshold);
     }
 
+    /** Whether a touch is a hit; threshold as in {@link #concerns}. */
+    public boolean isHit(float approach, float impulse, float threshold) {
+        return tracker.isHit(approach, impulse, threshold);
+    }
+
     /**
-     * Ends a step that has told of every pair in touch.
+     * Whether records do not tell of every pair of circles that touched. Then {@link #stamp} has to be called for each pair that still
+     * does, before {@link #endStep}; {@link #concerns} calls it.
+     */
+    public boolean misses(TouchRecords... records) {
+        return tracker.misses(records);
+    }
+
+    /** Tells that a pair still touches. Several threads may call this at once, of different pairs. */
+    public void stamp(int pair) {
+        tracker.stamp(pair);
+    }
+
+    /**
+     * Ends a step.
      *
-     * @param records those that {@link #concerns} asked for, in any order
+     * @param records those of all threads, in any order
      */
     public void endStep(TouchRecords... records) {
-        there = false;
+        place.changedHere();
         tracker.endStep(records);
         publish(1);
     }
@@ -440,34 +409,9 @@ public final class ContactEvents {
     // ---- for the caller
     // ----------------------------------------------------------------------------------------------
 
-    /** Takes note that steps have been asked for, of which there will be events. */
-    public void asked(int count) {
-        queue.asked(count);
-    }
-
-    /** The events of all steps since events were taken last. They stay as they are until the next call; no request is left. */
-    public EventRows take() {
-        return queue.take();
-    }
-
-    /** Requests the events of the steps that have been asked for. */
-    public void request() {
-        queue.request();
-    }
-
-    /** Whether events have been requested and not been taken. */
-    public boolean isRequested() {
-        return queue.isRequested();
-    }
-
-    /** Whether there are the events of all steps of the request. */
-    public boolean haveArrived() {
-        return queue.haveArrived();
-    }
-
-    /** The events of the request, which have arrived. They stay as they are until events are taken again. */
-    public EventRows takeRequested() {
-        return queue.takeRequested();
+    /** The events that have not been taken. */
+    public EventQueue queue() {
+        return queue;
     }
 
     /**
@@ -477,7 +421,7 @@ public final class ContactEvents {
      * @return how many pairs there are
      */
     public int list(int kindA, int kindB, long[] handles) {
-        bringHere();
+        place.bringHere();
         return touching.list(kindA, kindB, handles);
     }
 
@@ -493,7 +437,7 @@ public final class ContactEvents {
     public void save(SavedTouches into) {
         into.clear();
         if (isOn()) {
-            bringHere();
+            place.bringHere();
             snapshots.save(into, tracker.open());
         }
     }
@@ -514,8 +458,7 @@ public final class ContactEvents {
      * @param handles those of the state
      */
     public void load(SavedTouches from, HandleTable handles) {
-        here = true;
-        there = false;
+        place.replace();
         queue.drop();
         tracker.clear();
         step.clear();

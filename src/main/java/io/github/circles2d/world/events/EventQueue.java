@@ -4,7 +4,7 @@ import io.github.circles2d.world.model.Bounds;
 import java.nio.IntBuffer;
 
 /** The events of the steps that have been made, until the caller takes them; all of them, or those of the steps of a request. */
-final class EventQueue {
+public final class EventQueue {
     private static final long NOT_REQUESTED = -1;
 
     private EventRows events = new EventRows();
@@ -29,12 +29,12 @@ final class EventQueue {
     }
 
     /** Takes note that steps have been asked for. */
-    void asked(int count) {
+    public void asked(int count) {
         asked += count;
     }
 
     /** All events. They stay as they are until the next call; no request is left. */
-    EventRows take() {
+    public EventRows take() {
         EventRows next = taken;
         taken = events;
         events = next;
@@ -46,22 +46,22 @@ final class EventQueue {
     }
 
     /** Requests the events of the steps that have been asked for. */
-    void request() {
+    public void request() {
         requested = asked;
     }
 
     /** Whether events have been requested and not been taken. */
-    boolean isRequested() {
+    public boolean isRequested() {
         return requested != NOT_REQUESTED;
     }
 
     /** Whether there are the events of all steps of the request. */
-    boolean haveArrived() {
+    public boolean haveArrived() {
         return steps >= requested;
     }
 
     /** The events of the request, which have arrived. They stay as they are until events are taken again. */
-    EventRows takeRequested() {
+    public EventRows takeRequested() {
         long ofRequest = requested;
         long stepsNow = steps;
         long askedNow = asked;

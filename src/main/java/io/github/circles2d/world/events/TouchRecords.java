@@ -3,7 +3,10 @@ package io.github.circles2d.world.events;
 import io.github.circles2d.world.model.Bounds;
 import java.util.Arrays;
 
-/** Records of touching pairs of a step, for {@link ContactEvents#endStep}. Each thread fills a list. */
+/**
+ * Tells {@link ContactEvents#endStep} of a step: records of touching pairs, which pairs have ended, and how many it tells of. Each thread
+ * fills a list.
+ */
 public final class TouchRecords {
     /** Floats of what happened: those of an event. */
     public static final int VALUES = 6;
@@ -24,21 +27,60 @@ public final class TouchRecords {
     private int[] higher = new int[0];
     private float[] values = new float[0];
 
+    /** By record: the number of its pair, or {@link ContactEvents#NONE}; of a pair whose hit goes on, see {@link ContactEvents#going}. */
+    private int[] pair = new int[0];
+
+    /** Pairs of circles that touched in the step before and that this list tells of: that they still do, or do no more. */
+    private int told;
+
+    private int[] ended = new int[0];
+    private int endedCount;
+
     /** No records. */
     public TouchRecords() {}
 
     /** Forgets all records. */
     public void clear() {
         count = 0;
+        told = 0;
+        endedCount = 0;
+    }
+
+    /** Tells that pairs of circles that touched in the step before still do; a record may tell more of a pair. */
+    public void stay(int pairs) {
+        told += pairs;
+    }
+
+    /** Tells that a pair of circles that touched in the step before does no more. */
+    public void end(int number) {
+        if (endedCount == ended.length) {
+            ended = Arrays.copyOf(ended, Math.max(64, 2 * endedCount));
+        }
+        ended[endedCount++] = number;
+        told++;
+    }
+
+    int told() {
+        return told;
+    }
+
+    int endedCount() {
+        return endedCount;
+    }
+
+    int ended(int k) {
+        return ended[k];
     }
 
     /**
      * Adds the record of a pair.
      *
+     * @param number its number, or {@link ContactEvents#NONE} if it did not touch in the step before
      * @param vn normal speed after the step
      * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
      */
     public void add(
+            int number,
             int lowerId,
             int higherId,
             float approach,
@@ -53,8 +95,10 @@ public final class TouchRecords {
             int longer = Math.max(64, 2 * count);
             lower = Arrays.copyOf(lower, longer);
             values = Arrays.copyOf(values, STRIDE * longer);
+            pair = Arrays.copyOf(pair, longer);
             higher = Arrays.copyOf(higher, longer);
         }
+        pair[count] = number;
         lower[count] = lowerId;
         higher[count] = higherId;
         int at = STRIDE * count++;
@@ -73,6 +117,15 @@ public final class TouchRecords {
         int at = STRIDE * record;
         values[at + POINT_X] = arena.placeX(values[at + POINT_X]);
         values[at + POINT_Y] = arena.placeY(values[at + POINT_Y]);
+    }
+
+    /** The number that the pair of a record has; after the step, that which it has got in it. */
+    public int pair(int record) {
+        return pair[record];
+    }
+
+    void setPair(int record, int number) {
+        pair[record] = number;
     }
 
     int lower(int record) {
@@ -107,6 +160,7 @@ public final class TouchRecords {
     /** Adds the values of an event, and returns its number. */
     int addValues(float[] from, int at) {
         add(
+                ContactEvents.NONE,
                 0,
                 0,
                 from[at + APPROACH],
@@ -143,6 +197,6 @@ public final class TouchRecords {
 
     /** Memory of the arrays. */
     public long bytes() {
-        return 4L * (lower.length + higher.length + values.length);
+        return 4L * (lower.length + higher.length + values.length + pair.length + ended.length);
     }
 }

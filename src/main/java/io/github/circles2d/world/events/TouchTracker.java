@@ -4,9 +4,9 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.TouchRule;
 
 /**
- * Follows the pairs that touch from step to step, and makes events of them. It is told of all pairs in touch in a step, {@link
- * #concerns}, and takes the records of those that something happened to, {@link #endStep}. A pair that it does not hear of has ended.
- * {@code kernels/world/stages/Events.cl} does the same on a device.
+ * Follows the pairs that touch from step to step, and makes events of them. It is told of the pairs that touched and still do or do no
+ * more, and takes the records of those that something happened to, {@link #endStep}. A pair that it does not hear of has ended. Mostly it
+ * hears of all: then nothing is read or written of the pairs to which nothing happened. {@code kernels/world/stages/Events.cl} does the same on a device.
  */
 final class TouchTracker {
     static final int FIRST_STAMP = 1;
@@ -73,13 +73,14 @@ final class TouchTracker {
     /** The types that are reported of a pair: the one place that decides. */
     int typesOf(int lower, int higher) {
         if (EventOrder.isWall(higher)) {
-            return ContactEvents.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
+            return WallCode.hasWall(arena, higher) ? reported.wallTypes(circles.kind(lower)) : 0;
         }
         return typesOfCircles(lower, higher);
     }
 
     /** Forgets the pairs that are not reported any more. */
     void forgetUnreported() {
+        pairs.numbering++;
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             if (typesOf(pairs.lower(pair), pairs.higher(pair)) == 0) {
                 pairs.remove(pair);
@@ -120,17 +121,40 @@ final class TouchTracker {
         if (reported.dependsOnKinds() && typesOf(lower, higher) == 0) {
             return false; // a kind has changed: it ends, and nobody is told
         }
-        pairs.stamp(pair, now);
+        stamp(pair);
         return pairs.open(pair) != TouchingPairs.NONE || isHit(approach, impulse, threshold);
     }
 
-    private boolean isHit(float approach, float impulse, float threshold) {
+    /** Marks a pair as one that touches in this step. */
+    void stamp(int pair) {
+        pairs.stamp(pair, now);
+    }
+
+    /** See {@link ContactEvents#isHit}. */
+    boolean isHit(float approach, float impulse, float threshold) {
         return impulse > 0f && (hitSpeed >= 0f ? approach >= hitSpeed : approach * approach > threshold);
+    }
+
+    /** See {@link ContactEvents#misses}. */
+    boolean misses(TouchRecords... records) {
+        int told = 0;
+        for (TouchRecords list : records) {
+            told += list.told();
+        }
+        return told != pairs.count - pairs.walls;
     }
 
     /** Ends a step. */
     void endStep(TouchRecords... records) {
+        boolean misses = misses(records);
+        boolean ends = misses || pairs.walls > 0;
         stillOpen.clear();
+        for (TouchRecords list : records) {
+            for (int k = 0; k < list.endedCount(); k++) {
+                pairs.stamp(list.ended(k), TouchingPairs.ENDED);
+                ends = true;
+            }
+        }
         for (TouchRecords list : records) {
             for (int r = 0; r < list.count; r++) {
                 if (arena.wraps()) {
@@ -139,23 +163,40 @@ final class TouchTracker {
                 take(list, r);
             }
         }
+        if (ends) {
+            end(misses);
+        }
+        TouchRecords complete = open;
+        open = stillOpen;
+        stillOpen = complete;
+        if (now == Integer.MAX_VALUE) {
+            pairs.stampAll(TouchingPairs.NEVER);
+            now = FIRST_STAMP;
+        } else {
+            now++;
+        }
+    }
+
+    /**
+     * Ends the pairs that touch no more.
+     *
+     * @param misses whether pairs may have ended of which nobody has told; all that go on have their stamps
+     */
+    private void end(boolean misses) {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
-            if (pairs.stamp(pair) != now) {
+            int stamp = pairs.stamp(pair);
+            if (misses || EventOrder.isWall(pairs.higher(pair)) ? stamp != now : stamp == TouchingPairs.ENDED) {
                 addOpenHit(pair, EventRow.HIT);
                 add(pair, EventRow.END);
                 pairs.remove(pair);
             }
         }
-        TouchRecords complete = open;
-        open = stillOpen;
-        stillOpen = complete;
-        now = now == Integer.MAX_VALUE ? FIRST_STAMP : now + 1;
     }
 
     private void take(TouchRecords list, int r) {
         int lower = list.lower(r);
         int higher = list.higher(r);
-        int pair = pairs.find(lower, higher);
+        int pair = list.pair(r);
         if (pair == TouchingPairs.NONE) {
             pair = pairs.add(
                     lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
@@ -173,6 +214,7 @@ final class TouchTracker {
         } else if (isHit) {
             add(pair, EventRow.HIT, list, r);
         }
+        list.setPair(r, pairs.open(pair) == TouchingPairs.NONE ? pair : ContactEvents.going(pair));
     }
 
     private void addOpenHit(int pair, int rank) {

@@ -12,6 +12,9 @@ final class TouchingPairs {
     /** The stamp of no step. */
     static final int NEVER = 0;
 
+    /** The stamp of a pair that has been told to touch no more. */
+    static final int ENDED = -1;
+
     private static final int STRIDE = 4;
     private static final int LOWER = 0;
 
@@ -27,6 +30,12 @@ final class TouchingPairs {
     private static final int LEAST_PAIRS = 64;
 
     int count;
+
+    /** How many of them are with walls. */
+    int walls;
+
+    /** Counts how often numbers have been given to other pairs than those of new or gone circles, or of ended touches. */
+    int numbering;
 
     /** By hash, of which there are a power of two: the first pair of the chain, or NONE. */
     private int[] first = {NONE};
@@ -61,6 +70,8 @@ final class TouchingPairs {
     }
 
     void clear() {
+        numbering++;
+        walls = 0;
         if (count > 0) {
             Arrays.fill(first, NONE);
             count = 0;
@@ -91,6 +102,13 @@ final class TouchingPairs {
         rows[STRIDE * pair + OPEN] = hit;
     }
 
+    /** Sets the stamps of all pairs. */
+    void stampAll(int step) {
+        for (int pair = 0; pair < count; pair++) {
+            stamp(pair, step);
+        }
+    }
+
     /** The number of a pair, or NONE. */
     int find(int lowerId, int higherId) {
         int pair = first[hash(lowerId, higherId)];
@@ -98,11 +116,6 @@ final class TouchingPairs {
             pair = next[pair];
         }
         return pair;
-    }
-
-    /** The same; guess is a number that the pair may have, or any other. */
-    int find(int guess, int lowerId, int higherId) {
-        return guess >= 0 && guess < count && is(guess, lowerId, higherId) ? guess : find(lowerId, higherId);
     }
 
     private boolean is(int pair, int lowerId, int higherId) {
@@ -132,12 +145,14 @@ final class TouchingPairs {
         rows[row + HIGHER] = higherId;
         rows[row + STAMP] = NEVER;
         rows[row + OPEN] = NONE;
+        walls += EventOrder.isWall(higherId) ? 1 : 0;
         chain(pair);
         return pair;
     }
 
     /** Removes a pair; the last one takes its number. */
     void remove(int pair) {
+        walls -= EventOrder.isWall(higher(pair)) ? 1 : 0;
         link(pair, next[pair]);
         int last = --count;
         if (pair != last) {

@@ -3,7 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
-import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
@@ -70,7 +70,7 @@ final class Candidates {
         }
         int id = state.id[slot];
         int otherId = state.id[other];
-        return CircleMath.keeps(CircleMath.pairHash(Math.min(id, otherId), Math.max(id, otherId)), fewer);
+        return Cells.keeps(Cells.pairHash(Math.min(id, otherId), Math.max(id, otherId)), fewer);
     }
 
     /** Counts a contact for its circles, which are of one level; no other worker has any of the same. Returns the greater number. */

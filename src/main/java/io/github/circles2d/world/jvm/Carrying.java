@@ -8,6 +8,8 @@ import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.Paths;
+import io.github.circles2d.world.model.TimeOfImpact;
 import io.github.circles2d.world.model.Tuning;
 
 /**
@@ -56,7 +58,7 @@ final class Carrying {
 
     /** Whether a static circle moves so far in the step that it pushes one of a radius along. */
     boolean pushes(int slot, float r) {
-        return CircleMath.isFast(grid.path[slot], r);
+        return Paths.isFast(grid.path[slot], r);
     }
 
     /**
@@ -78,7 +80,7 @@ final class Carrying {
         float pyo = state.plan[CircleRow.vector(other) + Y];
         float dx = state.differenceX(slot, other);
         float dy = state.differenceY(slot, other);
-        float t = CircleMath.timeOfCarry(dx, dy, px, py, pxo, pyo, free, ro, r + ro);
+        float t = TimeOfImpact.timeOfCarry(dx, dy, px, py, pxo, pyo, free, ro, r + ro);
         boolean carries = pushes(slot, ro) ? t <= 1f : t < 1f && !contactHas(slot, other, dx, dy, px - pxo, py - pyo);
         if (!carries) {
             return;

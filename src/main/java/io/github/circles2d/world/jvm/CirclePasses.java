@@ -22,15 +22,20 @@ import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.Motion;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.model.Walls;
+import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
 
 /** The circles' part of stage Solver: gravity, walls, motion. {@link Constraints} has the formulas of walls. */
@@ -81,14 +86,14 @@ final class CirclePasses {
             if (kinds != null) {
                 int row = state.motionRow(slot);
                 float factor = kinds[row + KindMotion.DAMPING_FACTOR];
-                vx = CircleMath.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
-                vy = CircleMath.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
-                float share = CircleMath.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
+                vx = Motion.beforeImpulse(m[s + VX], state.gainX(slot, k), factor);
+                vy = Motion.beforeImpulse(m[s + VY], state.gainY(slot, k), factor);
+                float share = Motion.shareWithin(vx, vy, kinds[row + KindMotion.GREATEST_SPEED]);
                 vx = share * vx;
                 vy = share * vy;
             }
-            float nextX = CircleMath.limitSpeed(vx + w * load[s + IMPULSE_X]);
-            float nextY = CircleMath.limitSpeed(vy + w * load[s + IMPULSE_Y]);
+            float nextX = Motion.limitSpeed(vx + w * load[s + IMPULSE_X]);
+            float nextY = Motion.limitSpeed(vy + w * load[s + IMPULSE_Y]);
             m[s + VX] = nextX;
             m[s + VY] = nextY;
             load[s + BEFORE_X] = vx;
@@ -97,12 +102,12 @@ final class CirclePasses {
                     Branchless.isNotZero(wallX) | Branchless.isNotZero(wallY), 1f, load[s + LOADED_NEXT]);
 
             float r = circle[s + RADIUS];
-            float sideX = CircleMath.wallSide(circle[s + X], minX, maxX);
-            float sideY = CircleMath.wallSide(circle[s + Y], minY, maxY);
-            float gapX = CircleMath.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
-            float gapY = CircleMath.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
-            float impulseX = CircleMath.wallImpulse(wallX, sideX);
-            float impulseY = CircleMath.wallImpulse(wallY, sideY);
+            float sideX = Walls.wallSide(circle[s + X], minX, maxX);
+            float sideY = Walls.wallSide(circle[s + Y], minY, maxY);
+            float gapX = Walls.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
+            float gapY = Walls.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
+            float impulseX = Walls.wallImpulse(wallX, sideX);
+            float impulseY = Walls.wallImpulse(wallY, sideY);
             int clear = Constraints.staysClear(gapX, impulseX, sideX * nextX, sideX * vx, h, inverseH)
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
@@ -140,10 +145,10 @@ final class CirclePasses {
         float r = state.circle[s + RADIUS];
         float loaded = state.load[s + LOADED];
         float restitution = traits[s + RESTITUTION];
-        float side = CircleMath.wallSide(base, min, max);
+        float side = Walls.wallSide(base, min, max);
         int wall = WallMotion.of(axis, side);
-        float ahead = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
-        float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
+        float ahead = Walls.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
+        float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
         float v = m[s + VX + axis] + side * impulse;
         float beforeImpulses = side * state.load[s + BEFORE_X + axis];
         if (Constraints.staysClear(ahead, impulse, side * v, beforeImpulses, k.h, k.inverseH) != 0) {
@@ -157,7 +162,7 @@ final class CirclePasses {
         float vn = side * v - speed;
         float before = beforeImpulses - speed;
         float threshold =
-                CircleMath.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
+                Bounce.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         float pushSpeed = k.pushRate * (2f * r);
         float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
         state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
@@ -180,8 +185,8 @@ final class CirclePasses {
                     k.wallImpulseScale);
             applied = next - impulse;
         } else if (visit == Constraints.BOUNCE) {
-            applied = CircleMath.freeBounce(restitution, vn, WALL_MASS);
-            m[s + DX + axis] -= CircleMath.leftBehind(gap, vn, side * applied, k.dt, r);
+            applied = Bounce.freeBounce(restitution, vn, WALL_MASS);
+            m[s + DX + axis] -= Bounce.leftBehind(gap, vn, side * applied, k.dt, r);
         }
         m[s + VX + axis] = v + side * applied;
         traits[s + WALL_X + axis] = side * next;
@@ -207,8 +212,8 @@ final class CirclePasses {
         for (int slot = from; slot < to; slot++) {
             int s = CircleRow.of(slot);
             float w = traits[s + INVERSE_MASS];
-            m[s + VX] = CircleMath.limitSpeed(m[s + VX]);
-            m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
+            m[s + VX] = Motion.limitSpeed(m[s + VX]);
+            m[s + VY] = Motion.limitSpeed(m[s + VY]);
             float dx = m[s + DX] + m[s + VX] * k.h;
             float dy = m[s + DY] + m[s + VY] * k.h;
             float allowance = clamp[s + ALLOWANCE];
@@ -247,10 +252,8 @@ final class CirclePasses {
                     m[s + DX] = keepInside(circle[s + X], dx, m[s + DX], margin, X, minX, maxX, k, sub);
                     m[s + DY] = keepInside(circle[s + Y], dy, m[s + DY], margin, Y, minY, maxY, k, sub);
                 }
-                m[s + VX] = CircleMath.stopAtFarWall(
-                        m[s + VX], dx, m[s + DX], CircleMath.wallSide(circle[s + X], minX, maxX));
-                m[s + VY] = CircleMath.stopAtFarWall(
-                        m[s + VY], dy, m[s + DY], CircleMath.wallSide(circle[s + Y], minY, maxY));
+                m[s + VX] = Walls.stopAtFarWall(m[s + VX], dx, m[s + DX], Walls.wallSide(circle[s + X], minX, maxX));
+                m[s + VY] = Walls.stopAtFarWall(m[s + VY], dy, m[s + DY], Walls.wallSide(circle[s + Y], minY, maxY));
                 relaxWall(slot, X, minX, maxX, k, sub);
                 relaxWall(slot, Y, minY, maxY, k, sub);
             }
@@ -259,8 +262,8 @@ final class CirclePasses {
 
     /** Whether a circle has a gap to both walls of an axis, neither of which cuts its displacement. */
     private static boolean isClear(float base, float d, float r, float min, float max) {
-        return CircleMath.wallGap(base, d, r, 1f, min, max) > 0f
-                && CircleMath.wallGap(base, d, r, -1f, min, max) > 0f
+        return Walls.wallGap(base, d, r, 1f, min, max) > 0f
+                && Walls.wallGap(base, d, r, -1f, min, max) > 0f
                 && base + d >= min + r
                 && base + d <= max - r;
     }
@@ -287,13 +290,13 @@ final class CirclePasses {
             state.motion[s + DY] = pathY;
         } else if (allowance < 0f) {
             float limit = state.motionClamp[s + LIMIT];
-            float along = CircleMath.alongPath(dx, dy, pathX, pathY);
+            float along = Paths.alongPath(dx, dy, pathX, pathY);
             float x = along > limit ? dx - (along - limit) * pathX : dx;
             float y = along > limit ? dy - (along - limit) * pathY : dy;
-            float share = CircleMath.least(CircleMath.nearest(x, y, pathX, pathY), limit);
+            float share = CircleMath.min(Paths.nearest(x, y, pathX, pathY), limit);
             setWithin(s, share * pathX, share * pathY, x, y, along > 0f ? -Tuning.ASIDE * allowance : -allowance);
         } else {
-            float share = CircleMath.nearest(dx, dy, pathX, pathY);
+            float share = Paths.nearest(dx, dy, pathX, pathY);
             setWithin(s, share * pathX, share * pathY, dx, dy, allowance);
         }
     }
@@ -302,7 +305,7 @@ final class CirclePasses {
     private void setWithin(int s, float x, float y, float dx, float dy, float allowance) {
         float offX = dx - x;
         float offY = dy - y;
-        float off = CircleMath.norm(offX, offY);
+        float off = CircleMath.length(offX, offY);
         boolean within = !(off > allowance);
         float keep = within ? 1f : allowance / off;
         state.motion[s + DX] = within ? dx : x + keep * offX;
@@ -316,10 +319,10 @@ final class CirclePasses {
         float[] traits = state.traits;
         float base = state.circle[s + X + axis];
         float r = state.circle[s + RADIUS];
-        float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, m[s + DX + axis], r, side, min, max)
+        float side = Walls.wallSide(base, min, max);
+        float gap = Walls.wallGap(base, m[s + DX + axis], r, side, min, max)
                 + k.walls.behind(WallMotion.of(axis, side), sub);
-        float impulse = CircleMath.wallImpulse(traits[s + WALL_X + axis], side);
+        float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
         if (Constraints.isIdle(gap, impulse, bounce) == 0) {
             float v = m[s + VX + axis];
@@ -339,14 +342,14 @@ final class CirclePasses {
         float restitution = traits[s + RESTITUTION];
         float radii = 2f * state.circle[s + RADIUS];
         float threshold =
-                CircleMath.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
+                Bounce.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
         int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, threshold);
         if (visit == Constraints.SOLVE) {
             float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);
             m[s + VX + axis] = v + side * (next - impulse);
             traits[s + WALL_X + axis] = bounce > 0f ? 0f : side * next;
         } else if (visit == Constraints.BOUNCE) {
-            m[s + VX + axis] = v + side * CircleMath.freeBounce(restitution, vn, WALL_MASS);
+            m[s + VX + axis] = v + side * Bounce.freeBounce(restitution, vn, WALL_MASS);
         }
     }
 
@@ -363,14 +366,14 @@ final class CirclePasses {
             float margin = state.margin(s);
             float x = circle[s + X] + m[s + DX];
             float y = circle[s + Y] + m[s + DY];
-            float keptX = CircleMath.bounded(x, minX + margin, maxX - margin);
-            float keptY = CircleMath.bounded(y, minY + margin, maxY - margin);
+            float keptX = CircleMath.clamp(x, minX + margin, maxX - margin);
+            float keptY = CircleMath.clamp(y, minY + margin, maxY - margin);
             m[s + DX] = keptX == x ? CircleMath.lostByRounding(circle[s + X], m[s + DX], x) : 0f;
             m[s + DY] = keptY == y ? CircleMath.lostByRounding(circle[s + Y], m[s + DY], y) : 0f;
             circle[s + X] = keptX;
             circle[s + Y] = keptY;
-            m[s + VX] = CircleMath.limitSpeed(m[s + VX]);
-            m[s + VY] = CircleMath.limitSpeed(m[s + VY]);
+            m[s + VX] = Motion.limitSpeed(m[s + VX]);
+            m[s + VY] = Motion.limitSpeed(m[s + VY]);
         }
         if (state.wraps) {
             bringInside(from, to, k.arena);
@@ -388,13 +391,13 @@ final class CirclePasses {
 
     private void bringInside(int at, int atDisplacement, float min, float last, float period) {
         float x = state.circle[at];
-        float laps = CircleMath.laps(x, min, period);
+        float laps = Wrapping.laps(x, min, period);
         if (laps != 0f) {
             float away = -(laps * period);
             float near = x + away;
             float rest = state.motion[atDisplacement] + CircleMath.lostByRounding(x, away, near);
             float sum = near + rest;
-            float inside = CircleMath.bounded(sum, min, last);
+            float inside = CircleMath.clamp(sum, min, last);
             state.motion[atDisplacement] = inside == sum ? CircleMath.lostByRounding(near, rest, sum) : 0f;
             state.circle[at] = inside;
         }

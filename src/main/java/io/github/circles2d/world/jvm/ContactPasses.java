@@ -1,7 +1,5 @@
 package io.github.circles2d.world.jvm;
 
-import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
-import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
 import static io.github.circles2d.world.jvm.ContactRow.BOUNCE_SPEED;
 import static io.github.circles2d.world.jvm.ContactRow.FLIGHT_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
@@ -16,8 +14,6 @@ import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
 import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
 import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
-import static io.github.circles2d.world.model.CircleRow.DX;
-import static io.github.circles2d.world.model.CircleRow.DY;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.LOADED;
@@ -25,31 +21,21 @@ import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.Constraints;
 import io.github.circles2d.world.model.StepConstants;
-import io.github.circles2d.world.model.Tuning;
 
 /**
  * The contacts' part of stage Solver: the passes over a range of contacts, one after the other. {@link Constraints} has the formulas.
  */
-final class ContactPasses {
-    /** Contacts that the relaxing pass works on at a time. */
-    private static final int BLOCK = 256;
-
-    private final State state;
-    private final Contacts contacts;
-
+final class ContactPasses extends RelaxingPass {
     /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
     Touches touches;
 
-    /** Contacts of a block that are still to do something with. */
-    private final int[] listed = new int[BLOCK];
-
     ContactPasses(State state, Contacts contacts) {
-        this.state = state;
-        this.contacts = contacts;
+        super(state, contacts);
     }
 
     /** Measures contacts for the first sub-step, and adds their impulses to the sums of their circles. */
@@ -73,26 +59,8 @@ final class ContactPasses {
         warmStart(a, b, nx, ny, impulse, carries);
     }
 
-    /** Measures a contact: separation, and the normal where there is a direction. */
-    void measure(int c) {
-        float[] q = contacts.contact;
-        float[] m = state.motion;
-        int o = ContactRow.of(c);
-        int a = contacts.pair[ContactRow.a(c)];
-        int b = contacts.pair[ContactRow.b(c)];
-        float dx = CircleMath.difference(q[o + BASE_X], m[a + DX], m[b + DX]);
-        float dy = CircleMath.difference(q[o + BASE_Y], m[a + DY], m[b + DY]);
-        float d = CircleMath.norm(dx, dy);
-        float radii = q[o + RADII];
-        if (d > Tuning.COINCIDENT * radii) {
-            q[o + NORMAL_X] = dx / d;
-            q[o + NORMAL_Y] = dy / d;
-        }
-        q[o + SEPARATION] = d - radii;
-    }
-
     private static float normalVelocity(float[] motion, int a, int b, float nx, float ny) {
-        return CircleMath.along(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
+        return CircleMath.dot(nx, ny, motion[b + VX] - motion[a + VX], motion[b + VY] - motion[a + VY]);
     }
 
     /** Adds a contact's impulse to the sums of its circles, and marks them as loaded if it carries. */
@@ -145,7 +113,7 @@ final class ContactPasses {
                 if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && c != asked) {
                     return c;
                 }
-                float before = CircleMath.along(
+                float before = CircleMath.dot(
                         nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
                 bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold, pushSpeed);
             }
@@ -194,7 +162,7 @@ final class ContactPasses {
         float restitution = q[o + RESTITUTION];
         int visit = Constraints.visitOf(restitution, 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
         if (visit == Constraints.BOUNCE) {
-            float impulse = CircleMath.freeBounce(restitution, vn - halfFall, q[o + MASS]);
+            float impulse = Bounce.freeBounce(restitution, vn - halfFall, q[o + MASS]);
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
             apply(a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + INV_MASS_A], q[o + INV_MASS_B], impulse);
@@ -213,34 +181,8 @@ final class ContactPasses {
         m[b + VY] += ny * (invMassB * impulse);
     }
 
-    /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
-    void relax(int from, int to, StepConstants k, boolean last) {
-        for (int block = from; block < to; block += BLOCK) {
-            int open = measureAll(block, Math.min(to, block + BLOCK));
-            int carrying = relaxOpen(open, k);
-            if (last) {
-                storeImpulses(carrying);
-            } else {
-                warmStart(carrying);
-            }
-        }
-    }
-
-    /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
-    private int measureAll(int from, int to) {
-        float[] q = contacts.contact;
-        int open = 0;
-        for (int c = from; c < to; c++) {
-            measure(c);
-            int o = ContactRow.of(c);
-            listed[open] = c;
-            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
-        }
-        return open;
-    }
-
-    /** Relaxes the contacts that are listed, and lists those of them that carry; returns their number. */
-    private int relaxOpen(int open, StepConstants k) {
+    @Override
+    int relaxOpen(int open, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         float[] m = state.motion;
@@ -286,7 +228,8 @@ final class ContactPasses {
         return carrying;
     }
 
-    private void warmStart(int carrying) {
+    @Override
+    void warmStart(int carrying) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         for (int n = 0; n < carrying; n++) {
@@ -297,13 +240,8 @@ final class ContactPasses {
         }
     }
 
-    /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
-    private void storeImpulses(int carrying) {
-        for (int n = 0; n < carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
-            if (impulse > 0f) {
-                contacts.storeImpulse(listed[n], impulse);
-            }
-        }
+    @Override
+    void store(int c, float normalImpulse) {
+        contacts.storeImpulse(c, normalImpulse);
     }
 }

@@ -24,7 +24,7 @@ final class ContactRow {
     static final int INV_MASS_A = 4;
     static final int INV_MASS_B = 5;
 
-    /** Square of the speed; see {@link io.github.circles2d.world.model.CircleMath#flightThreshold}. */
+    /** Square of the speed; see {@link io.github.circles2d.world.model.Bounce#flightThreshold}. */
     static final int FLIGHT_THRESHOLD = 6;
 
     static final int NORMAL_X = 7;

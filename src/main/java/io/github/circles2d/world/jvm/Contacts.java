@@ -15,6 +15,8 @@ import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
 
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
@@ -68,6 +70,9 @@ public final class Contacts {
 
     /** Whether contacts have been listed in this step. */
     private boolean begun;
+
+    /** Steps so far that have listed contacts. */
+    private long steps;
 
     /** Whether there was a crowd in the last step. */
     private boolean wereCrowded;
@@ -239,9 +244,10 @@ public final class Contacts {
         ensureContacts(sum + cross.count());
         if (!begun) {
             begun = true;
+            steps++;
             impulseCache.begin(count);
             if (touches != null) {
-                touches.begin();
+                touches.begin(steps);
             }
         }
         rowStart[levels.rows] = (int) sum;
@@ -341,30 +347,30 @@ public final class Contacts {
         float radii = circle[a + CircleRow.RADIUS] + circle[b + CircleRow.RADIUS];
         float dx = state.differenceX(lower, higher);
         float dy = state.differenceY(lower, higher);
-        float restitution = CircleMath.greatest(traits[a + CircleRow.RESTITUTION], traits[b + CircleRow.RESTITUTION]);
+        float restitution = CircleMath.max(traits[a + CircleRow.RESTITUTION], traits[b + CircleRow.RESTITUTION]);
         float invMassA = traits[a + CircleRow.INVERSE_MASS];
         float invMassB = traits[b + CircleRow.INVERSE_MASS];
         contact[o + BASE_X] = dx;
         contact[o + BASE_Y] = dy;
         contact[o + RADII] = radii;
         contact[o + RESTITUTION] = restitution;
-        contact[o + RESTITUTION_THRESHOLD] = CircleMath.bounceThreshold(
+        contact[o + RESTITUTION_THRESHOLD] = Bounce.bounceThreshold(
                 radii, restitution, constants.thresholdRate, constants.restRate, constants.fixedThreshold);
         contact[o + INV_MASS_A] = invMassA;
         contact[o + INV_MASS_B] = invMassB;
         contact[o + MASS] = 1f / (invMassA + invMassB);
-        contact[o + FLIGHT_THRESHOLD] = CircleMath.flightThreshold(
+        contact[o + FLIGHT_THRESHOLD] = Bounce.flightThreshold(
                 radii, restitution, constants.thresholdRate, constants.flightRestRate, constants.fixedThreshold);
         if (!(dx * dx + dy * dy > 0.25f * (radii * radii))) {
-            part(o, CircleMath.pairHash((int) (ids >>> 32), (int) ids));
+            part(o, Cells.pairHash((int) (ids >>> 32), (int) ids));
         }
     }
 
     /** Gives a contact a normal for the case that its circles turn out to have one centre. */
     private void part(int o, int hash) {
-        float px = CircleMath.partingX(hash);
-        float py = CircleMath.partingY(hash);
-        float norm = CircleMath.norm(px, py);
+        float px = Cells.partingX(hash);
+        float py = Cells.partingY(hash);
+        float norm = CircleMath.length(px, py);
         contact[o + NORMAL_X] = px / norm;
         contact[o + NORMAL_Y] = py / norm;
     }
@@ -382,9 +388,9 @@ public final class Contacts {
         // Of the circle that is not static; if neither is, halfFall is 0.
         int falling = invMassOfLower == 0f ? higherSlot(c) : lowerSlot(c);
         int o = ContactRow.of(c);
-        float fall = CircleMath.along(
+        float fall = CircleMath.dot(
                 contact[o + NORMAL_X], contact[o + NORMAL_Y], state.gainX(falling, k), state.gainY(falling, k));
-        return CircleMath.halfFall(fall, invMassOfLower, invMassOfHigher);
+        return Bounce.halfFall(fall, invMassOfLower, invMassOfHigher);
     }
 
     /** The contacts of circles of different levels. */

@@ -18,9 +18,12 @@ import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.TimeOfImpact;
 import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Continuous collision: keeps fast circles from passing through others, and makes them meet as rigid circles would. A circle is
@@ -148,11 +151,11 @@ public final class ContinuousCollision {
         float px = state.plan[CircleRow.vector(slot) + X];
         float py = state.plan[CircleRow.vector(slot) + Y];
         WallMotion m = k.walls;
-        float tx = CircleMath.timeOfWall(
+        float tx = TimeOfImpact.timeOfWall(
                 state.circle[s + X], px, r, b.minX(), b.maxX(), m.travelFor(0, r), m.travelFor(1, r));
-        float ty = CircleMath.timeOfWall(
+        float ty = TimeOfImpact.timeOfWall(
                 state.circle[s + Y], py, r, b.minY(), b.maxY(), m.travelFor(2, r), m.travelFor(3, r));
-        return CircleMath.greatest(CircleMath.least(tx, ty), 0f);
+        return CircleMath.max(CircleMath.min(tx, ty), 0f);
     }
 
     private void start(int from, int to, StepConstants k) {
@@ -180,10 +183,10 @@ public final class ContinuousCollision {
                     for (int slot = grid.start[bucket]; slot < end; slot++) {
                         float x = state.plan[CircleRow.vector(slot) + X];
                         float y = state.plan[CircleRow.vector(slot) + Y];
-                        lowX = CircleMath.least(x, lowX);
-                        highX = CircleMath.greatest(x, highX);
-                        lowY = CircleMath.least(y, lowY);
-                        highY = CircleMath.greatest(y, highY);
+                        lowX = CircleMath.min(x, lowX);
+                        highX = CircleMath.max(x, highX);
+                        lowY = CircleMath.min(y, lowY);
+                        highY = CircleMath.max(y, highY);
                     }
                 }
                 int k = RANGE_STRIDE * (firstBlock + row * columns + column);
@@ -236,11 +239,11 @@ public final class ContinuousCollision {
             if (reach > reaches.farIn(level)) {
                 break;
             }
-            float margin = CircleMath.sightMargin(state.circle[s + RADIUS], grid.path[slot], levels.top[level]);
-            float left = CircleMath.least(x, x + px) - margin;
-            float right = CircleMath.greatest(x, x + px) + margin;
-            float low = CircleMath.least(y, y + py) - margin;
-            float high = CircleMath.greatest(y, y + py) + margin;
+            float margin = Paths.sightMargin(state.circle[s + RADIUS], grid.path[slot], levels.top[level]);
+            float left = CircleMath.min(x, x + px) - margin;
+            float right = CircleMath.max(x, x + px) + margin;
+            float low = CircleMath.min(y, y + py) - margin;
+            float high = CircleMath.max(y, y + py) + margin;
             if (levels.folded[level]) {
                 near.begin(level, left, right, low, high, true);
                 while (near.next()) {
@@ -283,8 +286,8 @@ public final class ContinuousCollision {
             float dx = circle[CircleRow.of(other) + X] - x;
             float dy = circle[CircleRow.of(other) + Y] - y;
             if (state.wraps) {
-                dx = CircleMath.shortWay(dx, state.periodX);
-                dy = CircleMath.shortWay(dy, state.periodY);
+                dx = Wrapping.shortWay(dx, state.periodX);
+                dy = Wrapping.shortWay(dy, state.periodY);
             }
             if (PairRule.isNear(dx, dy, own, reach[other]) != 0
                     && other != slot
@@ -339,15 +342,15 @@ public final class ContinuousCollision {
             int level = levels.used[l];
             float top = levels.top[level];
             float path = state.isStatic(slot)
-                    ? CircleMath.carriedPath(grid.path[slot], grid.longestPath(), top)
+                    ? Paths.carriedPath(grid.path[slot], grid.longestPath(), top)
                     : grid.path[slot];
-            float margin = CircleMath.sightMargin(r, path, top);
+            float margin = Paths.sightMargin(r, path, top);
             int columns = levels.columnCount[level];
             int rows = levels.rowCount[level];
             float edge = levels.inverseEdge[level];
-            float below = CircleMath.least(y, y + py) - margin;
+            float below = CircleMath.min(y, y + py) - margin;
             int r0 = levels.rowFrom(below, level);
-            int r1 = levels.rowTo(below, CircleMath.greatest(y, y + py) + margin, level);
+            int r1 = levels.rowTo(below, CircleMath.max(y, y + py) + margin, level);
             // A static circle may cross the arena: it looks at its path piece by piece, unless its rows meet again on
             // the ring.
             boolean byPieces = state.isStatic(slot) && levels.bounds.edgeY() == AxisEdge.WALL && r1 - r0 < rows;
@@ -356,8 +359,8 @@ public final class ContinuousCollision {
                 int end = Math.min(v + rowsAtOnce, byPieces ? r1 + 1 : r0 + rows);
                 float low = byPieces ? levels.minY + v / edge - margin : Float.NEGATIVE_INFINITY;
                 float high = byPieces ? levels.minY + end / edge + margin : Float.POSITIVE_INFINITY;
-                float left = CircleMath.leastBetween(x, px, y, py, low, high) - margin;
-                float right = CircleMath.greatestBetween(x, px, y, py, low, high) + margin;
+                float left = Paths.leastBetween(x, px, y, py, low, high) - margin;
+                float right = Paths.greatestBetween(x, px, y, py, low, high) + margin;
                 int c0 = levels.columnFrom(left, level);
                 int c1 = levels.columnTo(left, right, level);
                 if (c1 - c0 < columns && r1 - r0 < rows) {
@@ -387,7 +390,7 @@ public final class ContinuousCollision {
                 int columnsOfBlock = inBlock(column, columns, c1 - u);
                 int k = RANGE_STRIDE * (firstBlock + (row >> BLOCK_LOG << (w - BLOCK_LOG)) + (column >> BLOCK_LOG));
                 if (state.isStatic(slot)
-                        || CircleMath.differ(
+                        || Paths.differ(
                                 px,
                                 py,
                                 range[k + LOW_X],
@@ -442,28 +445,28 @@ public final class ContinuousCollision {
         }
         float r = circle[s + RADIUS];
         float ro = circle[o + RADIUS];
-        boolean stands = state.isStatic(other);
-        if (!stands && !CircleMath.sweeps(r, ro)) {
+        boolean isStatic = state.isStatic(other);
+        if (!isStatic && !Paths.sweeps(r, ro)) {
             return;
         }
         float dx = state.differenceX(slot, other);
         float dy = state.differenceY(slot, other);
-        if (stands && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
+        if (isStatic && PairRule.isNear(dx, dy, r + grid.path[slot], ro) != 0) {
             restrain(slot, Tuning.CLAMP_ALLOWANCE * r, false);
         }
         // first what most pairs fail
-        float t = CircleMath.timeOfImpact(dx, dy, ux, uy, r + ro);
-        if (!(t < 1f) || stands && carrying.pushes(other, r)) {
+        float t = TimeOfImpact.timeOfImpact(dx, dy, ux, uy, r + ro);
+        if (!(t < 1f) || isStatic && carrying.pushes(other, r)) {
             return;
         }
         if (PairRule.isNear(dx, dy, grid.speculativeDistance[slot], grid.speculativeDistance[other]) != 0
                 && !CircleMath.isLonger(ux, uy, (0.5f * Tuning.CAP) * (r + ro))) {
             return;
         }
-        float slack = stands ? Tuning.MARGIN : Tuning.HOLD;
+        float slack = isStatic ? Tuning.MARGIN : Tuning.HOLD;
         if (PairRule.isNear(dx, dy, r + slack * r, ro + slack * ro) != 0) {
-            hold(slot, t, CircleMath.holdAllowance(r, grid.path[slot], ro, stands), stands);
-        } else if (stands) {
+            hold(slot, t, Paths.holdAllowance(r, grid.path[slot], ro, isStatic), isStatic);
+        } else if (isStatic) {
             if (grid.path[other] == 0f) {
                 shorten(slot, t);
             }
@@ -498,28 +501,28 @@ public final class ContinuousCollision {
 
     /** The share of its path that a circle goes if no static one takes it along. */
     private float freeShare(int slot) {
-        return CircleMath.least(Float.intBitsToFloat(timeOfImpact[slot]), Float.intBitsToFloat(near[slot]));
+        return CircleMath.min(Float.intBitsToFloat(timeOfImpact[slot]), Float.intBitsToFloat(near[slot]));
     }
 
     /** Ends the path of a circle where it touches one that it has a contact with, and says how far it may leave it. */
-    private void hold(int slot, float t, float most, boolean stands) {
+    private void hold(int slot, float t, float most, boolean isStatic) {
         lower(near, slot, t);
-        restrain(slot, most, stands);
+        restrain(slot, most, isStatic);
     }
 
-    private void restrain(int slot, float most, boolean stands) {
+    private void restrain(int slot, float most, boolean isStatic) {
         int seen = SharedInts.get(allowance, slot);
-        int next = restrained(seen, most, stands);
+        int next = restrained(seen, most, isStatic);
         while (next != seen && !SharedInts.compareAndSet(allowance, slot, seen, next)) {
             seen = SharedInts.get(allowance, slot);
-            next = restrained(seen, most, stands);
+            next = restrained(seen, most, isStatic);
         }
     }
 
-    private static int restrained(int bits, float most, boolean stands) {
+    private static int restrained(int bits, float most, boolean isStatic) {
         float allowance = Float.intBitsToFloat(bits);
-        float least = CircleMath.least(most, Math.abs(allowance));
-        return Float.floatToRawIntBits(stands || allowance < 0f ? -least : least);
+        float least = CircleMath.min(most, Math.abs(allowance));
+        return Float.floatToRawIntBits(isStatic || allowance < 0f ? -least : least);
     }
 
     private void shorten(int slot, float t) {
@@ -559,7 +562,7 @@ public final class ContinuousCollision {
             float r = state.circle[s + RADIUS];
             float limit = Float.intBitsToFloat(near[slot]);
             float allowed = limit < 1f ? Float.intBitsToFloat(allowance[slot]) : Tuning.CLAMP_ALLOWANCE * r;
-            float own = CircleMath.least(CircleMath.least(free, limit), carrying.time(slot));
+            float own = CircleMath.min(CircleMath.min(free, limit), carrying.time(slot));
             boolean carried = carrying.isCarried(slot);
             boolean stops = free < limit || carrying.time(slot) < 1f;
             if (carried || stops) {
@@ -576,7 +579,7 @@ public final class ContinuousCollision {
                 py = limit * py;
             }
             if (stops) {
-                grid.speculativeDistance[slot] = CircleMath.speculativeDistance(r, 0f);
+                grid.speculativeDistance[slot] = Paths.speculativeDistance(r, 0f);
                 state.motion[s + VX] -= (1f - own) * (state.gainX(slot, k) * k.subSteps);
                 state.motion[s + VY] -= (1f - own) * (state.gainY(slot, k) * k.subSteps);
             }

@@ -30,6 +30,7 @@ import static io.github.circles2d.world.model.CircleRow.RADIUS;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.Constraints;
@@ -43,26 +44,15 @@ import io.github.circles2d.world.model.StepConstants;
  * <p>A normal points from the circle of the lower id to the other. Times the side of its contact, which is 1 or -1, it points from the
  * light circle to the heavy one.
  */
-final class CrossPasses {
-    /** Contacts that the relaxing pass works on at a time. */
-    private static final int BLOCK = 256;
-
-    private final State state;
-    private final Contacts contacts;
+final class CrossPasses extends RelaxingPass {
     private final HeavyCircles heavyCircles;
-    private final ContactPasses passes;
     private final int worker;
 
     /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
     Touches touches;
 
-    /** Contacts of a block that are still to do something with. */
-    private final int[] listed = new int[BLOCK];
-
-    CrossPasses(State state, Contacts contacts, ContactPasses passes, int worker) {
-        this.state = state;
-        this.contacts = contacts;
-        this.passes = passes;
+    CrossPasses(State state, Contacts contacts, int worker) {
+        super(state, contacts);
         this.worker = worker;
         heavyCircles = contacts.cross().heavyCircles;
     }
@@ -72,11 +62,11 @@ final class CrossPasses {
         float[] q = contacts.contact;
         float[] m = state.motion;
         for (int c = from; c < to; c++) {
-            passes.measure(c);
+            measure(c);
             int o = ContactRow.of(c);
             int a = contacts.pair[ContactRow.a(c)];
             int b = contacts.pair[ContactRow.b(c)];
-            float vn = CircleMath.along(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
+            float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addImpulse(c, impulse);
             if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
@@ -130,7 +120,7 @@ final class CrossPasses {
             float restitution = q[o + RESTITUTION];
             float impulse = q[o + NORMAL_IMPULSE];
             float pushSpeed = k.pushRate * q[o + RADII];
-            float vn = CircleMath.along(
+            float vn = CircleMath.dot(
                     nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             float bounce = 0f;
             // without restitution it stays so, and none flies: this only spares the reads
@@ -142,7 +132,7 @@ final class CrossPasses {
                     q[o + BOUNCE_SPEED] = 0f;
                     continue;
                 }
-                float before = CircleMath.along(
+                float before = CircleMath.dot(
                         q[o + NORMAL_X],
                         q[o + NORMAL_Y],
                         load[b + BEFORE_X] - load[a + BEFORE_X],
@@ -240,7 +230,7 @@ final class CrossPasses {
         float[] q = contacts.contact;
         int o = ContactRow.of(c);
         // it is no pile that pushes the heavy circle, so its mass is not split
-        float impulse = CircleMath.freeBounce(q[o + RESTITUTION], vn, 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]));
+        float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]));
         apply(c, impulse);
         if (touches != null) {
             touches.add(c, impulse);
@@ -267,34 +257,8 @@ final class CrossPasses {
         sums[HeavyCircles.sum(heavy) + GAIN_Y] += CrossRule.toFixed(ny * ofHeavy, scale);
     }
 
-    /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
-    void relax(int from, int to, StepConstants k, boolean last) {
-        for (int block = from; block < to; block += BLOCK) {
-            int open = measureAll(block, Math.min(to, block + BLOCK));
-            int carrying = relaxOpen(open, k);
-            if (last) {
-                storeImpulses(carrying);
-            } else {
-                warmStart(carrying);
-            }
-        }
-    }
-
-    /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
-    private int measureAll(int from, int to) {
-        float[] q = contacts.contact;
-        int open = 0;
-        for (int c = from; c < to; c++) {
-            passes.measure(c);
-            int o = ContactRow.of(c);
-            listed[open] = c;
-            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
-        }
-        return open;
-    }
-
-    /** Relaxes the contacts that are listed, and lists those of them that carry; returns their number. */
-    private int relaxOpen(int open, StepConstants k) {
+    @Override
+    int relaxOpen(int open, StepConstants k) {
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
         int[] heavyAndSide = contacts.heavyAndSide;
@@ -318,7 +282,7 @@ final class CrossPasses {
             float impulse = q[o + NORMAL_IMPULSE];
             float invMassOfLight = q[o + INV_MASS_A];
             float invMassOfHeavy = q[o + INV_MASS_B];
-            float vn = CircleMath.along(
+            float vn = CircleMath.dot(
                     nx, ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
             if (q[o + RESTITUTION] > 0f && impulse == 0f) {
                 float loaded = load[pair[ContactRow.a(c)] + LOADED] + load[pair[ContactRow.b(c)] + LOADED];
@@ -350,21 +314,16 @@ final class CrossPasses {
         return carrying;
     }
 
-    private void warmStart(int carrying) {
+    @Override
+    void warmStart(int carrying) {
         for (int n = 0; n < carrying; n++) {
-            int c = listed[n];
-            addImpulse(c, contacts.contact[ContactRow.of(c) + NORMAL_IMPULSE]);
-            load(c);
+            addImpulse(listed[n], contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE]);
+            load(listed[n]);
         }
     }
 
-    /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
-    private void storeImpulses(int carrying) {
-        for (int n = 0; n < carrying; n++) {
-            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
-            if (impulse > 0f) {
-                contacts.storeCrossImpulse(listed[n], impulse);
-            }
-        }
+    @Override
+    void store(int c, float normalImpulse) {
+        contacts.storeCrossImpulse(c, normalImpulse);
     }
 }

@@ -10,11 +10,15 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.Motion;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
 
@@ -155,8 +159,8 @@ public final class Grid {
             sheetKeyBefore[slot] = levels.sheetKey(x, y, atLevel) + isStatic;
             return bucket(x, y, atLevel);
         }
-        int cellX = CircleMath.cell(x, levels.minX, levels.inverseEdge[atLevel]);
-        int cellY = CircleMath.cell(y, levels.minY, levels.inverseEdge[atLevel]);
+        int cellX = Cells.cell(x, levels.minX, levels.inverseEdge[atLevel]);
+        int cellY = Cells.cell(y, levels.minY, levels.inverseEdge[atLevel]);
         int sheetX = cellX / levels.columnCount[atLevel];
         int sheetY = cellY / levels.rowCount[atLevel];
         sheetKeyBefore[slot] = levels.sheetKey(atLevel, sheetX, sheetY) + isStatic;
@@ -235,46 +239,46 @@ public final class Grid {
             int s = CircleRow.of(slot);
             float r = circle[s + RADIUS];
             boolean isStatic = state.traits[s + INVERSE_MASS] == 0f;
-            float px = CircleMath.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
-            float py = CircleMath.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
-            float length = CircleMath.norm(px, py);
+            float px = Motion.plan(motion[s + VX], constants.dt, isStatic ? 0f : constants.fallX);
+            float py = Motion.plan(motion[s + VY], constants.dt, isStatic ? 0f : constants.fallY);
+            float length = CircleMath.length(px, py);
             if (kinds != null && !isStatic) {
                 int row = state.motionRow(slot);
                 float falls = kinds[row + KindMotion.FALLS];
                 float time = kinds[row + KindMotion.TIME];
-                px = CircleMath.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
-                py = CircleMath.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
-                float most = CircleMath.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
+                px = Motion.plan(motion[s + VX], time, state.gainX(slot, constants) * constants.h * falls);
+                py = Motion.plan(motion[s + VY], time, state.gainY(slot, constants) * constants.h * falls);
+                float most = Motion.shareWithin(px, py, kinds[row + KindMotion.LONGEST_PATH]);
                 px = most * px;
                 py = most * py;
-                length = CircleMath.norm(px, py);
+                length = CircleMath.length(px, py);
             }
             if (state.wraps) {
-                float within = CircleMath.least(
-                        CircleMath.shareOfPeriod(px, state.periodX), CircleMath.shareOfPeriod(py, state.periodY));
+                float within = CircleMath.min(
+                        Wrapping.shareOfPeriod(px, state.periodX), Wrapping.shareOfPeriod(py, state.periodY));
                 px = within * px;
                 py = within * py;
-                length = CircleMath.norm(px, py);
+                length = CircleMath.length(px, py);
             }
             if (isStatic) {
                 // it stops at the bounds
                 px = CircleMath.within(circle[s + X], px, b.minX(), b.maxX());
                 py = CircleMath.within(circle[s + Y], py, b.minY(), b.maxY());
-                length = CircleMath.norm(px, py);
+                length = CircleMath.length(px, py);
             } else if (length > r) {
-                px = CircleMath.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
-                py = CircleMath.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
-                length = CircleMath.norm(px, py);
+                px = Paths.besideWalls(circle[s + X], px, r, b.minX(), b.maxX());
+                py = Paths.besideWalls(circle[s + Y], py, r, b.minY(), b.maxY());
+                length = CircleMath.length(px, py);
             }
-            float share = isStatic ? 1f : CircleMath.travelShare(length, r);
+            float share = isStatic ? 1f : Paths.travelShare(length, r);
             plan[2 * slot] = share * px;
             plan[2 * slot + 1] = share * py;
             level[slot] = (byte) levels.level(r);
             path[slot] = share * length;
-            speculativeDistance[slot] = CircleMath.speculativeDistance(r, path[slot]);
-            some |= CircleMath.isFast(path[slot], isStatic ? least : r);
+            speculativeDistance[slot] = Paths.speculativeDistance(r, path[slot]);
+            some |= Paths.isFast(path[slot], isStatic ? least : r);
             moving |= isStatic && length > 0f;
-            longest = isStatic ? longest : CircleMath.greatest(path[slot], longest);
+            longest = isStatic ? longest : CircleMath.max(path[slot], longest);
         }
         if (some) {
             fast = true;

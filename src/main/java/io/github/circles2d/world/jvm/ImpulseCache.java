@@ -140,7 +140,7 @@ final class ImpulseCache {
     /** Takes over saved impulses, for which there is room; the circles have been taken over before. */
     void load(SavedState from) {
         for (int c = 0; c < from.impulses; c++) {
-            store(c, state.slotOf[from.lo[c]], from.hi[c], from.lambda[c]);
+            store(c, state.slotOf[from.lo[c]], from.hi[c], from.normalImpulse[c]);
         }
     }
 

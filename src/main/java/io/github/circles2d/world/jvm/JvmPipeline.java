@@ -3,7 +3,6 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
@@ -14,6 +13,9 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
+import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.shared.Pipeline;
 import java.nio.FloatBuffer;
 import java.util.Map;
 
@@ -40,6 +42,8 @@ public final class JvmPipeline implements Pipeline {
 
     /** What the workers are to do, and with what. */
     StepConstants constants;
+
+    private StepReports reports;
 
     private int steps;
 
@@ -86,17 +90,18 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
-    public void step(StepConstants stepConstants, GridLevels shape, int count) {
+    public void step(StepInput input, GridLevels shape, int count) {
         levels.copy(shape);
-        constants = stepConstants;
+        constants = input.constants;
+        reports = input.reports;
         steps = count;
         state.wraps = constants.arena.wraps();
         state.periodX = constants.arena.periodX();
         state.periodY = constants.arena.periodY();
         state.filtering = constants.filtering;
-        state.responses = constants.responses;
-        state.kindMotion = constants.driving ? constants.kindMotion : null;
-        Touches touches = recorder == null ? null : recorder.touches(constants);
+        state.responses = input.responses.table;
+        state.kindMotion = constants.driving ? input.motion.rows : null;
+        Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
         solver.record(touches);
         team.run(Math.max(1, Math.min(team.most(), state.n / leastShare)), work);
@@ -122,7 +127,7 @@ public final class JvmPipeline implements Pipeline {
         contacts.ensure();
         sweep.ensure();
         if (recorder != null) {
-            recorder.ensure(constants);
+            recorder.ensure(reports);
         }
     }
 
@@ -130,7 +135,7 @@ public final class JvmPipeline implements Pipeline {
         grid.build(worker, constants);
         end(worker, GRID);
         if (recorder != null) {
-            recorder.begin(worker, constants);
+            recorder.begin(worker, reports);
         }
         sweep.sweep(worker, constants);
         end(worker, SWEEP);
@@ -150,7 +155,7 @@ public final class JvmPipeline implements Pipeline {
         end(worker, CONTACTS);
         solver.solve(worker, constants);
         if (recorder != null) {
-            recorder.end(worker, constants);
+            recorder.end(worker, constants, reports);
         }
         end(worker, SOLVER);
     }

@@ -19,8 +19,13 @@ final class PairFilter {
         return !state.filtering || response(state, state.id[slot], state.id[other]) == PairTable.SOLID;
     }
 
-    /** Whether two circles, by their ids, are of one group and so ignore each other. */
-    static boolean areOfOneGroup(State state, int id, int otherId) {
+    /** Whether the circles of two slots may be noticed, if their kinds say so: not two static ones, nor two of one group. */
+    static boolean maySense(State state, int slot, int other) {
+        return !(state.isStatic(slot) && state.isStatic(other))
+                && !areOfOneGroup(state, state.id[slot], state.id[other]);
+    }
+
+    private static boolean areOfOneGroup(State state, int id, int otherId) {
         int group = state.fields.getInt(CircleField.GROUP, id);
         return group != 0 && group == state.fields.getInt(CircleField.GROUP, otherId);
     }

@@ -6,10 +6,10 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.jvm.threads.SharedInts;
 import io.github.circles2d.world.jvm.threads.Team;
-import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairRule;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.Reach;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -97,7 +97,7 @@ final class ReachGrid {
             float r = state.circle[s + RADIUS];
             boolean isStatic = state.isStatic(slot);
             reach[slot] = Reach.of(r, grid.path[slot], isStatic);
-            if (!(reach[slot] > far) || isStatic || !CircleMath.isFast(grid.path[slot], r)) {
+            if (!(reach[slot] > far) || isStatic || !Paths.isFast(grid.path[slot], r)) {
                 continue;
             }
             int k = Reach.classOf(reach[slot], topExponent);

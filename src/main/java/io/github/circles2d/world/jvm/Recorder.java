@@ -5,10 +5,12 @@ import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 
 /** Records what a step reports, and hands it over: what contacts and walls do, and which pairs are sensed. */
 final class Recorder {
     private final State state;
+    private final Contacts contacts;
     private final Team team;
     private final ContactEvents events;
     private final Touches touches;
@@ -19,57 +21,63 @@ final class Recorder {
 
     Recorder(State state, Grid grid, GridLevels levels, Contacts contacts, Team team, ContactEvents events) {
         this.state = state;
+        this.contacts = contacts;
         this.team = team;
         this.events = events;
-        touches = new Touches(state, contacts, team, events);
         sensing = new Sensing(state, grid, levels, team, events);
         records = new TouchRecords[team.most()];
         for (int worker = 0; worker < records.length; worker++) {
             records[worker] = new TouchRecords();
         }
+        touches = new Touches(state, contacts, team, events, records);
     }
 
     /** What records contacts and walls in such a step; null if nothing does. */
-    Touches touches(StepConstants k) {
-        return k.recording ? touches : null;
+    Touches touches(StepReports reports) {
+        return reports.recording ? touches : null;
     }
 
-    void ensure(StepConstants k) {
-        if (k.recording && touches.walls != null) {
+    void ensure(StepReports reports) {
+        for (TouchRecords each : records) {
+            each.clear();
+        }
+        if (reports.recording && touches.walls != null) {
             touches.walls.ensure();
         }
-        if (k.sensing) {
-            sensing.ensure(k);
+        if (reports.sensing) {
+            sensing.ensure(reports);
         }
     }
 
     /** Begins a step, once the circles lie in the order of the grid. */
-    void begin(int worker, StepConstants k) {
-        if (k.sensing) {
+    void begin(int worker, StepReports reports) {
+        if (reports.sensing) {
             sensing.begin(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
     }
 
     /** Ends a step. */
-    void end(int worker, StepConstants k) {
-        TouchRecords own = records[worker];
+    void end(int worker, StepConstants k, StepReports reports) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);
-        own.clear();
-        if (k.recording) {
-            touches.endStep(worker, own, from, to, k);
+        if (reports.recording) {
+            touches.endStep(worker, from, to, k);
         }
-        if (k.sensing) {
-            sensing.find(worker, own, from, to, k);
+        if (reports.sensing) {
+            sensing.find(worker, records[worker], from, to, k);
+        }
+        team.sync(worker);
+        if (reports.recording && events.misses(records)) {
+            touches.stamp(team.part(contacts.count, worker), team.part(contacts.count, worker + 1));
         }
         team.sync(worker);
         if (worker == 0) {
-            for (int idle = team.size(); idle < records.length; idle++) {
-                records[idle].clear();
-            }
             events.endStep(records);
         }
         team.sync(worker);
+        if (reports.recording) {
+            touches.learn(worker);
+        }
     }
 
     /** Memory of the arrays. */

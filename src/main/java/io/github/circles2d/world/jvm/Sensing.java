@@ -15,6 +15,8 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.model.Wrapping;
 
 /**
  * Finds the pairs that are only sensed and touched in a step, behind its last sub-step, if they are reported; {@link SensorRule} says
@@ -37,6 +39,9 @@ final class Sensing {
     /** By kind: whether it looks for another, even if it is slow. */
     private final boolean[] seeks = new boolean[PairTable.KINDS];
 
+    /** By pair of kinds, who looks for whom. */
+    private int[] seeking;
+
     private int version = -1;
 
     Sensing(State state, Grid grid, GridLevels levels, Team team, ContactEvents events) {
@@ -46,8 +51,8 @@ final class Sensing {
         this.events = events;
     }
 
-    void ensure(StepConstants k) {
-        learn(k);
+    void ensure(StepReports reports) {
+        learn(reports);
         if (start.length < CircleRow.vector(state.capacity())) {
             start = new float[CircleRow.vector(state.capacity())];
         }
@@ -62,16 +67,17 @@ final class Sensing {
     }
 
     /** Learns who looks for whom. */
-    private void learn(StepConstants k) {
-        if (version == k.seekingVersion) {
+    private void learn(StepReports reports) {
+        seeking = reports.seeking;
+        if (version == reports.seekingVersion) {
             return;
         }
-        version = k.seekingVersion;
+        version = reports.seekingVersion;
         for (int kind = 0; kind < PairTable.KINDS; kind++) {
             takesPart[kind] = false;
             seeks[kind] = false;
             for (int other = 0; other < PairTable.KINDS; other++) {
-                int row = PairTable.get(k.seeking, kind, other);
+                int row = PairTable.get(seeking, kind, other);
                 takesPart[kind] |= row != SensorRule.NONE;
                 seeks[kind] |= row == SensorRule.SEEKS || row == SensorRule.BOTH_SEEK;
             }
@@ -94,16 +100,16 @@ final class Sensing {
 
     private float pathX(int slot) {
         float path = state.circle[CircleRow.of(slot) + X] - start[CircleRow.vector(slot) + X];
-        return state.wraps ? CircleMath.shortWay(path, state.periodX) : path;
+        return state.wraps ? Wrapping.shortWay(path, state.periodX) : path;
     }
 
     private float pathY(int slot) {
         float path = state.circle[CircleRow.of(slot) + Y] - start[CircleRow.vector(slot) + Y];
-        return state.wraps ? CircleMath.shortWay(path, state.periodY) : path;
+        return state.wraps ? Wrapping.shortWay(path, state.periodY) : path;
     }
 
     private float path(int slot) {
-        return CircleMath.norm(pathX(slot), pathY(slot));
+        return CircleMath.length(pathX(slot), pathY(slot));
     }
 
     private boolean isFast(int slot) {
@@ -120,10 +126,10 @@ final class Sensing {
         for (int l = 0; l < levels.usedCount; l++) {
             int level = levels.used[l];
             float margin = SensorRule.margin(r, path, levels.top[level]);
-            float left = CircleMath.least(x, toX) - margin;
-            float below = CircleMath.least(y, toY) - margin;
-            float right = CircleMath.greatest(x, toX) + margin;
-            float above = CircleMath.greatest(y, toY) + margin;
+            float left = CircleMath.min(x, toX) - margin;
+            float below = CircleMath.min(y, toY) - margin;
+            float right = CircleMath.max(x, toX) + margin;
+            float above = CircleMath.max(y, toY) + margin;
             near.begin(level, left, right, below, above, !state.isStatic(slot));
             while (near.next()) {
                 lookAt(records, slot, near.from, near.to, path, k);
@@ -135,12 +141,11 @@ final class Sensing {
         int kind = kind(slot);
         boolean isFast = isFast(slot);
         for (int other = from; other < to; other++) {
-            int row = PairTable.get(k.seeking, kind, kind(other));
+            int row = PairTable.get(seeking, kind, kind(other));
             if (row != SensorRule.NONE
                     && other != slot
                     && (isFast || row != SensorRule.FOUND)
-                    && !(state.isStatic(slot) && state.isStatic(other))
-                    && !PairFilter.areOfOneGroup(state, state.id[slot], state.id[other])
+                    && PairFilter.maySense(state, slot, other)
                     && SensorRule.finds(
                             row, isFast, path, state.id[slot], isFast(other), path(other), state.id[other])) {
                 boolean isLower = state.id[slot] < state.id[other];

@@ -64,7 +64,7 @@ public final class Solver {
         shares = new Share[team.most()];
         for (int worker = 0; worker < passes.length; worker++) {
             passes[worker] = new ContactPasses(state, contacts);
-            crossPasses[worker] = new CrossPasses(state, contacts, passes[worker], worker);
+            crossPasses[worker] = new CrossPasses(state, contacts, worker);
             shares[worker] = new Share(grid, levels, contacts.cross());
         }
         heavyCircles = contacts.cross().heavyCircles;
@@ -252,7 +252,7 @@ public final class Solver {
                 mover.integrateVelocities(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
-            solveAll(worker, k);
+            passOverAll(worker, false, sub, k);
             if (crosses) {
                 solveCross(worker, k);
             }
@@ -260,7 +260,7 @@ public final class Solver {
                 mover.integratePositions(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
-            relaxAll(worker, sub, k);
+            passOverAll(worker, true, sub, k);
             if (crosses) {
                 relaxCross(worker, k, last);
             }
@@ -271,15 +271,18 @@ public final class Solver {
         team.sync(worker);
     }
 
-    /** The levels share no circle but in cross contacts, so all of them run at the same time. */
-    private void solveAll(int worker, StepConstants k) {
+    /**
+     * A pass over the contacts of circles of one level. The levels share no circle but in cross contacts, so all of them run at the same
+     * time.
+     */
+    private void passOverAll(int worker, boolean relaxes, int sub, StepConstants k) {
         for (int l = 0; l < levels.usedCount; l++) {
             int from = bands.first(levels.used[l], worker);
             int to = bands.first(levels.used[l], worker + 1);
             for (int row = from; row < to; row += 2) {
-                solve(worker, levels.used[l], row, k);
+                pass(worker, levels.used[l], row, relaxes, sub, k);
                 if (row > from) {
-                    solve(worker, levels.used[l], row - 1, k);
+                    pass(worker, levels.used[l], row - 1, relaxes, sub, k);
                 }
             }
         }
@@ -287,31 +290,18 @@ public final class Solver {
         for (int l = 0; l < levels.usedCount; l++) {
             int to = bands.first(levels.used[l], worker + 1);
             if (bands.first(levels.used[l], worker) < to) {
-                solve(worker, levels.used[l], to - 1, k);
+                pass(worker, levels.used[l], to - 1, relaxes, sub, k);
             }
         }
         team.sync(worker);
     }
 
-    private void relaxAll(int worker, int sub, StepConstants k) {
-        for (int l = 0; l < levels.usedCount; l++) {
-            int from = bands.first(levels.used[l], worker);
-            int to = bands.first(levels.used[l], worker + 1);
-            for (int row = from; row < to; row += 2) {
-                relax(worker, levels.used[l], row, sub, k);
-                if (row > from) {
-                    relax(worker, levels.used[l], row - 1, sub, k);
-                }
-            }
+    private void pass(int worker, int level, int row, boolean relaxes, int sub, StepConstants k) {
+        if (relaxes) {
+            relax(worker, level, row, sub, k);
+        } else {
+            solve(worker, level, row, k);
         }
-        team.sync(worker);
-        for (int l = 0; l < levels.usedCount; l++) {
-            int to = bands.first(levels.used[l], worker + 1);
-            if (bands.first(levels.used[l], worker) < to) {
-                relax(worker, levels.used[l], to - 1, sub, k);
-            }
-        }
-        team.sync(worker);
     }
 
     // ---- cross contacts
@@ -332,7 +322,7 @@ public final class Solver {
         for (int l = 0; l < share.count; l++) {
             crossPasses[worker].solve(firstCross(share, l), endCross(share, l), k);
             if (touches != null) {
-                touches.afterSolve(firstCross(share, l), endCross(share, l), k);
+                touches.afterSolve(worker, firstCross(share, l), endCross(share, l), k);
             }
         }
         team.sync(worker);
@@ -398,7 +388,7 @@ public final class Solver {
     private void solve(int worker, int level, int row, StepConstants k) {
         passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
         if (touches != null) {
-            touches.afterSolve(firstContact(level, row), firstContact(level, row + 1), k);
+            touches.afterSolve(worker, firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 

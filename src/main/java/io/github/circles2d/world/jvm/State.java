@@ -22,7 +22,10 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.Motion;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Walls;
+import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
 
 /**
@@ -81,7 +84,7 @@ public final class State {
     /** Within a step: what moves circles of kinds, by {@code KindMotion}; null if gravity alone moves all circles. */
     float[] kindMotion;
 
-    /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain CircleMath#shortWay the short way}. */
+    /** Within a step: whether an axis wraps, so that differences have to be taken {@linkplain Wrapping#shortWay the short way}. */
     boolean wraps;
 
     /** Within a step: the period along x; infinite if x does not wrap. */
@@ -218,8 +221,8 @@ public final class State {
                 case Commands.RESTITUTION -> traits[s + RESTITUTION] = a;
                 case Commands.IMPULSE -> {
                     float w = traits[s + INVERSE_MASS];
-                    motion[s + VX] = CircleMath.afterImpulse(motion[s + VX], w, a);
-                    motion[s + VY] = CircleMath.afterImpulse(motion[s + VY], w, b);
+                    motion[s + VX] = Motion.afterImpulse(motion[s + VX], w, a);
+                    motion[s + VY] = Motion.afterImpulse(motion[s + VY], w, b);
                 }
                 case Commands.DEPART -> depart(s, a, b, records, k);
                 case Commands.ARRIVE -> arrive(s, a, b);
@@ -235,8 +238,8 @@ public final class State {
         float periodY = Float.intBitsToFloat(records[k + Commands.FIFTH]);
         traits[s + WALL_X] = motion[s + VX];
         traits[s + WALL_Y] = motion[s + VY];
-        motion[s + VX] = CircleMath.travelSpeed(circle[s + X], x, dt, periodX);
-        motion[s + VY] = CircleMath.travelSpeed(circle[s + Y], y, dt, periodY);
+        motion[s + VX] = Motion.travelSpeed(circle[s + X], x, dt, periodX);
+        motion[s + VY] = Motion.travelSpeed(circle[s + Y], y, dt, periodY);
     }
 
     private void arrive(int s, float x, float y) {
@@ -311,19 +314,19 @@ public final class State {
 
     private float gain(int slot, float gravityGain, CircleField force, StepConstants k) {
         float w = traits[CircleRow.of(slot) + INVERSE_MASS];
-        return CircleMath.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
+        return Motion.gain(gravityGain, fields.getFloat(force, id[slot]), w, k.h);
     }
 
     /** How much greater the x of one slot is than that of another. */
     float differenceX(int slot, int other) {
         float d = circle[CircleRow.of(other) + X] - circle[CircleRow.of(slot) + X];
-        return wraps ? CircleMath.shortWay(d, periodX) : d;
+        return wraps ? Wrapping.shortWay(d, periodX) : d;
     }
 
     /** How much greater the y of one slot is than that of another. */
     float differenceY(int slot, int other) {
         float d = circle[CircleRow.of(other) + Y] - circle[CircleRow.of(slot) + Y];
-        return wraps ? CircleMath.shortWay(d, periodY) : d;
+        return wraps ? Wrapping.shortWay(d, periodY) : d;
     }
 
     /** Whether a circle has an infinite mass. */
@@ -354,8 +357,8 @@ public final class State {
     }
 
     private static float confined(float x, float fromMin, float min, float fromMax, float max, float margin) {
-        float low = min + CircleMath.marginAtWall(fromMin, min, margin);
-        return CircleMath.bounded(x, low, max - CircleMath.marginAtWall(fromMax, max, margin));
+        float low = min + Walls.marginAtWall(fromMin, min, margin);
+        return CircleMath.clamp(x, low, max - Walls.marginAtWall(fromMax, max, margin));
     }
 
     /** Saves the circle of a slot as circle k. */

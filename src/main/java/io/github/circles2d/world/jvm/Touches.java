@@ -16,6 +16,7 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
@@ -27,6 +28,11 @@ import java.util.Arrays;
  */
 final class Touches {
     private static final int STRIDE = 4;
+    private static final int BLOCK = 256;
+
+    /** In place of the number of a pair that has to be looked for. */
+    private static final int UNKNOWN = Integer.MAX_VALUE;
+
     private static final boolean[] ALL = new boolean[0];
 
     // A row: what an event says of a contact, and of the sub-step its approach speed and what no contact keeps.
@@ -50,31 +56,48 @@ final class Touches {
     /** Null if walls are not reported. */
     final WallTouches walls;
 
-    /** By worker: the contacts that it has told of, and that need a record; and how many. */
+    /** By worker: what it tells of the step. */
+    private final TouchRecords[] records;
+
+    /** By worker: the contacts that need a record; and how many. */
     private final int[][] listed;
 
     private final int[] count;
 
+    /** By worker: the contacts of a block that touch so fast that their places are to be noted. */
+    private final int[][] fast;
+
     /** By contact: whether it is reported; without elements where all contacts are. */
     private boolean[] wanted = new boolean[0];
 
-    /** By contact: the number that its pair had among those that touched when it was told of; also of the step before. */
+    /**
+     * By contact: the number of its pair, {@link ContactEvents#going} of that if its hit goes on, or {@link ContactEvents#NONE} if it does
+     * not touch. Within the step as it was before, and at its end as it is from then on.
+     */
     private int[] number = new int[0];
 
+    /** The same of the contacts of the step before. */
     private int[] numberBefore = new int[0];
+
+    /** The last step that has been recorded, as the contacts count them, and the numbering of its pairs. */
+    private long step = -1;
+
+    private int numbering;
 
     private float[] rows = new float[0];
 
     /** By contact: where it touches. Noted within the step only if it is fast, so contacts at rest leave it alone. */
     private float[] places = new float[0];
 
-    Touches(State state, Contacts contacts, Team team, ContactEvents events) {
+    Touches(State state, Contacts contacts, Team team, ContactEvents events, TouchRecords[] records) {
         this.state = state;
         this.contacts = contacts;
         this.events = events;
+        this.records = records;
         walls = events.hasWalls() ? new WallTouches(state, events) : null;
         listed = new int[team.most()][64];
         count = new int[team.most()];
+        fast = new int[team.most()][BLOCK];
     }
 
     void ensure(int many) {
@@ -93,16 +116,21 @@ final class Touches {
         }
     }
 
-    /** Begins a step: what is known of contacts is of the step before. */
-    void begin() {
+    /** Begins a step: what is known of contacts is of the step before, if that has been recorded. */
+    void begin(long nextStep) {
         int[] before = numberBefore;
         numberBefore = number;
         number = before;
+        if (nextStep != step + 1 || numbering != events.numbering()) {
+            Arrays.fill(numberBefore, UNKNOWN);
+        }
+        step = nextStep;
+        numbering = events.numbering();
     }
 
     /** Takes note which contact of the step before a contact goes on from, or -1. */
     void follow(int c, int before) {
-        number[c] = before < 0 || before >= numberBefore.length ? ContactEvents.NONE : numberBefore[before];
+        number[c] = before < 0 || before >= numberBefore.length ? UNKNOWN : numberBefore[before];
     }
 
     /** Begins a step for contacts. */
@@ -116,6 +144,19 @@ final class Touches {
             long ids = contacts.ids(c);
             wanted[c] = events.typesOfCircles((int) (ids >>> 32), (int) ids) != 0;
         }
+        for (int c = from; c < to; c++) {
+            if (!events.isNumber(pair(c))) {
+                long ids = contacts.ids(c);
+                int pair = events.find((int) (ids >>> 32), (int) ids);
+                boolean goesOn = pair != ContactEvents.NONE && events.openHit(pair) != ContactEvents.NONE;
+                number[c] = goesOn ? ContactEvents.going(pair) : pair;
+            }
+        }
+    }
+
+    /** The number of the pair of a contact, or {@link ContactEvents#NONE}. */
+    private int pair(int c) {
+        return number[c] >= ContactEvents.NONE ? number[c] : ContactEvents.going(number[c]);
     }
 
     /** An impulse that has acted, or will, and that the contact does not keep as its normal impulse. */
@@ -124,64 +165,129 @@ final class Touches {
     }
 
     /** Looks at contacts after the biased pass. */
-    void afterSolve(int from, int to, StepConstants k) {
+    void afterSolve(int worker, int from, int to, StepConstants k) {
+        for (int block = from; block < to; block += BLOCK) {
+            placeAll(worker, afterSolve(fast[worker], block, Math.min(to, block + BLOCK), k.dt));
+        }
+    }
+
+    /** The same of a block; lists the contacts whose place is to be noted, and returns their number. */
+    private int afterSolve(int[] fastOnes, int from, int to, float dt) {
+        // no call in the loop, or the compiler reads all fields again for each contact
         float[] q = contacts.contact;
+        int[] pair = contacts.pair;
         float[] load = state.load;
+        float[] r = rows;
+        boolean[] some = wanted;
+        boolean all = some == ALL;
+        int many = 0;
         for (int c = from; c < to; c++) {
-            if (isUnwanted(c)) {
+            if (!all && !some[c]) {
                 continue;
             }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
-            int a = contacts.pair[ContactRow.a(c)];
-            int b = contacts.pair[ContactRow.b(c)];
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
             float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
             float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
-            float before = CircleMath.along(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
-            float approach = TouchRule.approach(before);
-            float impulse = q[o + NORMAL_IMPULSE] + rows[t + IMPULSE_NOW];
-            rows[t + APPROACH_NOW] = approach;
-            note(o, t, a, impulse, q[o + SEPARATION], k.dt);
+            float vn = CircleMath.dot(q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], beforeX, beforeY);
+            float approach = TouchRule.approach(vn);
+            float impulse = q[o + NORMAL_IMPULSE] + r[t + IMPULSE_NOW];
+            float before = r[t + APPROACH];
+            float greatest = TouchRule.greatest(before, approach, impulse, q[o + SEPARATION]);
+            r[t + APPROACH_NOW] = approach;
+            r[t + APPROACH] = greatest;
+            if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
+                fastOnes[many++] = c;
+            }
         }
+        return many;
     }
 
     /** Looks at contacts after the relaxing pass. */
     void afterRelax(int worker, int from, int to, StepConstants k, boolean last) {
+        for (int block = from; block < to; block += BLOCK) {
+            placeAll(worker, afterRelax(fast[worker], block, Math.min(to, block + BLOCK), k.dt));
+        }
+        if (last) {
+            tell(worker, from, to, k);
+        }
+    }
+
+    private int afterRelax(int[] fastOnes, int from, int to, float dt) {
         float[] q = contacts.contact;
+        float[] r = rows;
+        boolean[] some = wanted;
+        boolean all = some == ALL;
+        int many = 0;
         for (int c = from; c < to; c++) {
-            if (isUnwanted(c)) {
+            if (!all && !some[c]) {
                 continue;
             }
             int o = ContactRow.of(c);
             int t = STRIDE * c;
-            float impulse = rows[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
-            rows[t + IMPULSE_NOW] = 0f;
-            rows[t + IMPULSE] += impulse;
-            note(o, t, contacts.pair[ContactRow.a(c)], impulse, Float.MAX_VALUE, k.dt);
-        }
-        if (last) {
-            for (int c = from; c < to; c++) {
-                int o = ContactRow.of(c);
-                if (!isUnwanted(c)
-                        && TouchRule.staysInTouch(rows[STRIDE * c + APPROACH], q[o + SEPARATION], q[o + RADII])
-                        && isConcern(c, k)) {
-                    list(worker, c);
-                }
+            float impulse = r[t + IMPULSE_NOW] + q[o + NORMAL_IMPULSE];
+            float approach = r[t + APPROACH_NOW];
+            float before = r[t + APPROACH];
+            float greatest = TouchRule.greatest(before, approach, impulse, Float.MAX_VALUE);
+            r[t + IMPULSE_NOW] = 0f;
+            r[t + IMPULSE] += impulse;
+            r[t + APPROACH] = greatest;
+            if (TouchRule.isFast(approach, dt, q[o + RADII]) && greatest > before) {
+                fastOnes[many++] = c;
             }
+        }
+        return many;
+    }
+
+    /** Notes where contacts touch that may be elsewhere after the step. */
+    private void placeAll(int worker, int many) {
+        for (int n = 0; n < many; n++) {
+            int c = fast[worker][n];
+            int a = contacts.pair[ContactRow.a(c)];
+            place(ContactRow.of(c), STRIDE * c, a, state.motion[a + DX], state.motion[a + DY]);
         }
     }
 
-    /** Tells of a pair; returns whether it needs a record. */
-    private boolean isConcern(int c, StepConstants k) {
-        int t = STRIDE * c;
-        float separation = contacts.contact[ContactRow.of(c) + SEPARATION];
-        boolean touches = TouchRule.touches(rows[t + APPROACH], separation);
-        long ids = contacts.ids(c);
-        int lower = (int) (ids >>> 32);
-        int higher = (int) ids;
-        int pair = events.find(number[c], lower, higher);
-        number[c] = pair;
-        return events.concerns(pair, lower, higher, touches, approach(c), rows[t + IMPULSE], threshold(c, k));
+    /** Tells which pairs still touch and which do no more, and lists the contacts that need a record. */
+    private void tell(int worker, int from, int to, StepConstants k) {
+        float[] q = contacts.contact;
+        TouchRecords own = records[worker];
+        int stay = 0;
+        for (int c = from; c < to; c++) {
+            if (isUnwanted(c)) {
+                number[c] = ContactEvents.NONE;
+                continue;
+            }
+            int o = ContactRow.of(c);
+            int t = STRIDE * c;
+            float approach = rows[t + APPROACH];
+            float separation = q[o + SEPARATION];
+            if (number[c] == ContactEvents.NONE) {
+                if (TouchRule.touches(approach, separation)) {
+                    list(worker, c);
+                }
+            } else if (TouchRule.staysInTouch(approach, separation, q[o + RADII])) {
+                stay++;
+                if (number[c] < ContactEvents.NONE || events.isHit(approach(c), rows[t + IMPULSE], threshold(c, k))) {
+                    list(worker, c);
+                }
+            } else {
+                own.end(pair(c));
+                number[c] = ContactEvents.NONE;
+            }
+        }
+        own.stay(stay);
+    }
+
+    /** Tells of each pair that still touches, if some may have ended of which nobody has told. */
+    void stamp(int from, int to) {
+        for (int c = from; c < to; c++) {
+            if (number[c] != ContactEvents.NONE) {
+                events.stamp(pair(c));
+            }
+        }
     }
 
     private boolean isUnwanted(int c) {
@@ -189,12 +295,12 @@ final class Touches {
     }
 
     private float approach(int c) {
-        return CircleMath.greatest(rows[STRIDE * c + APPROACH], 0f);
+        return CircleMath.max(rows[STRIDE * c + APPROACH], 0f);
     }
 
     private float threshold(int c, StepConstants k) {
         float radii = contacts.contact[ContactRow.of(c) + RADII];
-        return CircleMath.bounceThreshold(radii, 0f, k.thresholdRate, k.restRate, k.fixedThreshold);
+        return Bounce.bounceThreshold(radii, 0f, k.thresholdRate, k.restRate, k.fixedThreshold);
     }
 
     private void list(int worker, int c) {
@@ -202,17 +308,6 @@ final class Touches {
             listed[worker] = Arrays.copyOf(listed[worker], 2 * count[worker]);
         }
         listed[worker][count[worker]++] = c;
-    }
-
-    /** Notes the approach speed of the sub-step if the surfaces touch, and where, if that may be elsewhere after the step. */
-    private void note(int o, int t, int a, float impulse, float separation, float dt) {
-        float approach = rows[t + APPROACH_NOW];
-        float before = rows[t + APPROACH];
-        float greatest = TouchRule.greatest(before, approach, impulse, separation);
-        rows[t + APPROACH] = greatest;
-        if (TouchRule.isFast(approach, dt, contacts.contact[o + RADII]) && greatest > before) {
-            place(o, t, a, state.motion[a + DX], state.motion[a + DY]);
-        }
     }
 
     private void place(int o, int t, int a, float dx, float dy) {
@@ -226,15 +321,22 @@ final class Touches {
         places[t + POINT_Y] = TouchRule.point(circle[a + Y], dy, ny, circle[a + RADIUS], separation);
     }
 
-    /** Ends a step: records the pairs that need it, and a part of the slots at walls. */
-    void endStep(int worker, TouchRecords own, int fromSlot, int toSlot, StepConstants k) {
+    /** Ends a step: records the pairs that need it, and tells of a part of the slots at walls. */
+    void endStep(int worker, int fromSlot, int toSlot, StepConstants k) {
         for (int n = 0; n < count[worker]; n++) {
-            record(own, listed[worker][n], k);
+            record(records[worker], listed[worker][n], k);
+        }
+        if (walls != null) {
+            walls.endStep(records[worker], fromSlot, toSlot, k);
+        }
+    }
+
+    /** Learns what numbers the pairs have got that were recorded. */
+    void learn(int worker) {
+        for (int n = 0; n < count[worker]; n++) {
+            number[listed[worker][n]] = records[worker].pair(n);
         }
         count[worker] = 0;
-        if (walls != null) {
-            walls.endStep(own, fromSlot, toSlot, k);
-        }
     }
 
     private void record(TouchRecords own, int c, StepConstants k) {
@@ -247,10 +349,11 @@ final class Touches {
         if (!TouchRule.isFast(approach(c), k.dt, q[o + RADII])) {
             place(o, t, a, 0f, 0f);
         }
-        float vn = CircleMath.along(
+        float vn = CircleMath.dot(
                 q[o + ContactRow.NORMAL_X], q[o + ContactRow.NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
         long ids = contacts.ids(c);
         own.add(
+                pair(c),
                 (int) (ids >>> 32),
                 (int) ids,
                 approach(c),

@@ -9,11 +9,13 @@ import static io.github.circles2d.world.model.CircleRow.X;
 
 import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.TouchRecords;
-import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.events.WallCode;
+import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.TouchRule;
 import io.github.circles2d.world.model.WallMotion;
+import io.github.circles2d.world.model.Walls;
 
 /**
  * Records what walls do to circles in a step. The impulse of a visit is what it adds to the velocity. A visit in which an impulse
@@ -30,7 +32,7 @@ final class WallTouches {
     /** Where the circle was along the wall when it approached fastest. */
     private static final int PLACE = 2;
 
-    /** By {@link CircleMath#wallSide}. */
+    /** By {@link Walls#wallSide}. */
     private static final int SIDE = 3;
 
     private final State state;
@@ -122,13 +124,13 @@ final class WallTouches {
         int t = row(slot, axis);
         float base = state.circle[s + X + axis];
         float r = state.circle[s + RADIUS];
-        float side = CircleMath.wallSide(base, min, max);
-        float gap = CircleMath.wallGap(base, state.motion[s + DX + axis], r, side, min, max);
+        float side = Walls.wallSide(base, min, max);
+        float gap = Walls.wallGap(base, state.motion[s + DX + axis], r, side, min, max);
         boolean touched = rows[t + APPROACH] >= 0f;
         if (!touched && !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
             return;
         }
-        float threshold = CircleMath.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
+        float threshold = Bounce.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
         if (touched) {
             float impulse = state.circle[s + MASS] * rows[t + IMPULSE];
             tell(
@@ -164,13 +166,14 @@ final class WallTouches {
             StepConstants k) {
         int s = CircleRow.of(slot);
         int id = state.id[slot];
-        int wall = ContactEvents.wall(axis, side);
-        int pair = events.find(ContactEvents.NONE, id, wall);
+        int wall = WallCode.of(axis, side);
+        int pair = events.find(id, wall);
         if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
             float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
             float vn = side * state.motion[s + VX + axis] - speed;
             boolean isX = axis == 0;
             records.add(
+                    pair,
                     id,
                     wall,
                     approach,

@@ -43,17 +43,15 @@ public final class CircleRow {
 
     private CircleRow() {}
 
-    /** Where the row of a slot begins. */
     public static int of(int slot) {
         return STRIDE * slot;
     }
 
-    /** The slot of a row. */
     public static int slot(int row) {
         return row >> 2;
     }
 
-    /** Where the vector of a slot begins, in arrays with two floats per circle. */
+    /** In arrays of two floats a circle. */
     public static int vector(int slot) {
         return 2 * slot;
     }

@@ -158,7 +158,7 @@ public final class Constraints {
      */
     private static float pushOut(float separation, float pushSpeed, float deepRate, float biasRate) {
         float deep = deepRate * separation + Tuning.DEEP_OFFSET * pushSpeed;
-        return CircleMath.greatest(biasRate * separation, CircleMath.least(-pushSpeed, deep));
+        return CircleMath.max(biasRate * separation, CircleMath.min(-pushSpeed, deep));
     }
 
     /** The normal impulse after a visit without bias, which takes the speed of the push-out away again. */

@@ -1,9 +1,6 @@
 package io.github.circles2d.world.model;
 
-/**
- * Impulses away from a point. The host alone computes them, from positions that are the same everywhere, so they have no second text
- * in OpenCL C.
- */
+/** Impulses away from a point. The host alone computes them, so OpenCL C has no second text. */
 public final class Explosion {
     private float x;
     private float y;
@@ -15,19 +12,9 @@ public final class Explosion {
     private float impulseX;
     private float impulseY;
 
-    /** Without an impulse. */
     public Explosion() {}
 
-    /**
-     * Checks and takes the numbers of an explosion.
-     *
-     * @param px x of the point
-     * @param py y of the point
-     * @param within how far from the point a circle's edge may be for the whole impulse
-     * @param strength the impulse
-     * @param beyond over which distance the impulse then falls to 0
-     * @param bounds the arena: where an axis wraps, impulses go the short way round
-     */
+    /** The impulse is whole up to a distance of within to the edge of a circle, and falls to 0 over a distance of beyond. */
     public void set(float px, float py, float within, float strength, float beyond, Bounds bounds) {
         Limits.within("x of the explosion", px, -Limits.COORDINATE, Limits.COORDINATE);
         Limits.within("y of the explosion", py, -Limits.COORDINATE, Limits.COORDINATE);
@@ -43,35 +30,27 @@ public final class Explosion {
         falloff = beyond;
     }
 
-    /**
-     * Whether a circle gets an impulse; then {@link #impulseX} and {@link #impulseY} have it.
-     *
-     * @param circles rows of x, y, radius and mass
-     * @param row where the circle's row begins
-     * @return false for circles out of reach, for static ones, and if the centre is the point itself
-     */
+    /** Whether a circle gets an impulse; then {@link #impulseX} and {@link #impulseY} have it. Not if its centre is the point. */
     public boolean reaches(float[] circles, int row) {
-        float dx = CircleMath.shortWay(circles[row + CircleRow.X] - x, periodX);
-        float dy = CircleMath.shortWay(circles[row + CircleRow.Y] - y, periodY);
-        float distance = CircleMath.norm(dx, dy);
-        float gap = CircleMath.greatest(distance - circles[row + CircleRow.RADIUS], 0f);
+        float dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
+        float dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);
+        float distance = CircleMath.length(dx, dy);
+        float gap = CircleMath.max(distance - circles[row + CircleRow.RADIUS], 0f);
         float reach = radius + falloff;
         boolean whole = gap <= radius;
         if (!whole && !(gap < reach) || distance == 0f || CircleMath.inverseMass(circles[row + CircleRow.MASS]) == 0f) {
             return false;
         }
-        float share = whole ? 1f : CircleMath.least((reach - gap) / falloff, 1f);
+        float share = whole ? 1f : CircleMath.min((reach - gap) / falloff, 1f);
         impulseX = impulse * share * (dx / distance);
         impulseY = impulse * share * (dy / distance);
         return true;
     }
 
-    /** The impulse along x of the circle that was asked about last. */
     public float impulseX() {
         return impulseX;
     }
 
-    /** The impulse along y of the circle that was asked about last. */
     public float impulseY() {
         return impulseY;
     }

@@ -1,47 +1,33 @@
 package io.github.circles2d.world.model;
 
 /**
- * The shape of the grids: one per level of radii, each on a torus. A level is a size class, which spans a factor of two, or two of
- * them if the smaller does not outnumber the larger by far. Fewer levels mean fewer stages, but many small circles in a grid for a
- * few large ones would have many neighbours. The host decides from the bounds, the greatest radius and the number of circles of
- * each size class; the shape is the same for every back end.
+ * The shape of the grids: one per level, each on a torus. A level is a size class of radii, a factor of two wide, or two if the
+ * smaller class does not outnumber the larger by far: many small circles in a grid for few large ones have many neighbours.
  *
- * <p>A level's torus has W columns and H rows of buckets. The cell (cx, cy) lies in column cx mod W and row cy mod H: far cells
- * may share a bucket, which costs time and nothing else, because the distance of two circles decides. So memory is bounded by the
- * number of circles, however small they are and however large the arena is: rounded up to powers of two, W and H are at
- * least 4, no more than the arena needs, and their product is at most twice the number of circles.
+ * <p>A torus has W columns and H rows of buckets; the cell (cx, cy) lies in column cx mod W and row cy mod H. Cells may share a
+ * bucket, which costs time alone, since the distance of circles decides. So memory is bounded by the circles: as powers of two, W
+ * and H are at least 4, and their product at most twice the number of circles. In an arena more than four times as wide as the
+ * torus, W is twice a prime, and H twice another: with powers of two, a lattice of circles would lie in a few buckets.
  *
- * <p>W (or H) is this power of two if the arena has at most four times as many columns (or rows): then few cells share a
- * bucket. In a wider arena it is twice a prime, and another prime for rows than for columns. With powers of two, a square
- * lattice of circles that are 128 cells apart would lie in a few buckets. With two primes, a square lattice does only if its
- * spacing is a multiple of both primes; if it is a multiple of one, the other prime is the least number of buckets in use.
- * Other patterns remain, as in every torus: a line of circles goes round in a few buckets.
+ * <p>The torus lies on the arena in sheets: that of a cell is column div W and row div H. A level of many sheets is {@link
+ * #folded}: its buckets are in the order of {@link #sheetKey}, and static circles come last in a sheet. {@link RingCells} has axes
+ * without walls.
  *
- * <p>So a bucket keeps the circles of different cells apart. The torus lies on the arena in sheets: the sheet of a cell is its column
- * div W and its row div H. A level of many sheets is {@link #folded}: there a bucket has its circles in the order of {@link #sheetKey}.
- * A circle looks at the sheet of a cell alone, or at the whole bucket if that has {@link #FEW}. Static circles come last in a sheet, of
- * any level, and a static circle stops where they begin.
- *
- * <p>This is for axes with walls. An open axis counts as infinitely wide. Along an axis that wraps, the arena is a whole number
- * of times as many cells wide as the torus has columns, so that the torus goes round where space does; {@link RingCells} has
- * both.
- *
- * <p>In memory, a row of buckets begins at a multiple of the power of two. For OpenCL, groups of contacts are numbered so that
- * those of one colour are consecutive: the group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and is number
- * (oy / 2)(V / 2) + ox / 2 within its colour, where V is that power of two.
+ * <p>A row of buckets begins at a multiple of V, W as a power of two. The group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and
+ * number (oy / 2)(V / 2) + ox / 2 in it.
  */
 public final class GridLevels {
-    /** Number of size classes, and so of levels at most: with factors of two, they span all radii that a world takes. */
+    /** Size classes: factors of two, over all radii that a world takes. */
     public static final int COUNT = 20;
 
     private static final int LEAST_SIDE_LOG = 2;
 
     private static final int GREATEST_SIDE_LOG = 15;
 
-    /** A circle that is not static looks at a bucket of no more circles as a whole, which is faster than to look for its sheet. */
+    /** A bucket of no more circles is looked at as a whole, which is faster than to look for the sheet. */
     public static final int FEW = 2;
 
-    /** A number of sheets: they never begin again. */
+    /** A number of sheets that never begin again. */
     public static final int ENDLESS = 0;
 
     /** What a sheet along x counts in {@link #sheetKey}. Odd, and without a pattern in common with that along y: two sheets of one
@@ -52,89 +38,71 @@ public final class GridLevels {
     /** The same along y. */
     public static final int SHEET_Y_FACTOR = 0x85ebca77;
 
-    /** How many times as many columns (or rows) as the torus an arena has before it is made for lattices and lines. */
     private static final int WRAPS = 4;
 
-    /** Sides below this are powers of two in any case. */
     private static final int LEAST_PRIME_SIDE_LOG = 4;
 
-    /** By log2 of the next power of two, from {@link #LEAST_PRIME_SIDE_LOG} on: columns of the torus in a wide arena. */
+    /** By log2 of the next power of two, from {@link #LEAST_PRIME_SIDE_LOG} on. */
     private static final int[] PRIME_COLUMNS = {
         2 * 7, 2 * 13, 2 * 31, 2 * 61, 2 * 127, 2 * 251, 2 * 509, 2 * 1021, 2 * 2039, 2 * 4093, 2 * 8191, 2 * 16381
     };
 
-    /** The same for rows. */
     private static final int[] PRIME_ROWS = {
         2 * 5, 2 * 11, 2 * 29, 2 * 59, 2 * 113, 2 * 241, 2 * 503, 2 * 1019, 2 * 2029, 2 * 4091, 2 * 8179, 2 * 16369
     };
 
-    /** Level of each size class ({@link CircleMath#sizeClass}): the number of the class itself, or of the next larger one. */
+    /** By size class: the class, or the next larger one. All other arrays are by level. */
     public final int[] levelOf = new int[COUNT];
 
-    /** Circles of each level. */
     final int[] population = new int[COUNT];
 
-    /** 1 / edge of a cell, by level. */
     public final float[] inverseEdge = new float[COUNT];
 
-    /** log2 of the number of columns, rounded up to a power of two, by level. */
+    /** log2 of the columns, rounded up. */
     public final int[] columnsLog = new int[COUNT];
 
-    /** log2 of the number of rows, rounded up to a power of two, by level. */
     public final int[] rowsLog = new int[COUNT];
 
-    /** Number of columns of the torus, by level. */
     public final int[] columnCount = new int[COUNT];
 
-    /** Number of rows of the torus, by level. */
     public final int[] rowCount = new int[COUNT];
 
-    /** Columns that circles can be in, by level: less than all of them where the torus is larger than the arena. */
+    /** Columns that circles can be in: fewer if the torus is larger than the arena. */
     public final int[] columnsUsed = new int[COUNT];
 
-    /** Rows that circles can be in, by level. */
     public final int[] rowsUsed = new int[COUNT];
 
-    /** Number of the first bucket, and of the first group, of each level. */
+    /** The first bucket, and the first group. */
     public final int[] first = new int[COUNT];
 
-    /** Number of the first row of buckets of each level, where the rows of all levels are counted as their buckets are. */
     public final int[] firstRow = new int[COUNT];
 
-    /** Numbers of the levels that have circles, finest first: the order in which their buckets are numbered. */
+    /** The levels that have circles, finest first: the order of their buckets. */
     public final int[] used = new int[COUNT];
 
-    /** Greatest radius of each level. */
+    /** Greatest radius. */
     public final float[] top = new float[COUNT];
 
-    /** Units or cells per length along x, by level: of an axis without walls by {@link RingCells}. */
+    /** Of an axis without walls: units or cells per length, by {@link RingCells}. */
     public final float[] scaleX = new float[COUNT];
 
-    /** The same along y. */
     public final float[] scaleY = new float[COUNT];
 
-    /** Units of a cell along x, by level, if x is open. */
+    /** Of an open axis: units of a cell. */
     public final int[] unitsX = new int[COUNT];
 
-    /** The same along y. */
     public final int[] unitsY = new int[COUNT];
 
-    /**
-     * Whether many far cells share a bucket, by level: along some axis the torus goes round more than {@link #WRAPS} times. Otherwise a
-     * bucket has few circles unless they lie close anyway, and to keep them apart would cost more than to look at them.
-     */
+    /** Whether many cells share a bucket. If not, to keep them apart costs more than to look at them. */
     public final boolean[] folded = new boolean[COUNT];
 
-    /** Number of sheets along x after which they begin again, by level; {@link #ENDLESS} but for an axis that wraps. */
+    /** {@link #ENDLESS} but for an axis that wraps. */
     public final int[] sheetsX = new int[COUNT];
 
-    /** The same along y. */
     public final int[] sheetsY = new int[COUNT];
 
-    /** Whether any circle is static. */
     public boolean hasStatics;
 
-    /** Where the levels are. */
     public Bounds bounds = new Bounds(0, 0, 1, 1);
 
     public int usedCount;
@@ -144,17 +112,9 @@ public final class GridLevels {
     public float minY;
     public float rmax;
 
-    /** No levels, until they are laid out. */
     public GridLevels() {}
 
-    /**
-     * Lays the grids out.
-     *
-     * @param bounds the arena
-     * @param greatestRadius greatest radius of all circles
-     * @param counts number of circles of each size class
-     * @param someStatic whether any circle is static
-     */
+    /** Lays the grids out for so many circles of each size class. */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts, boolean someStatic) {
         this.bounds = bounds;
         hasStatics = someStatic;
@@ -221,8 +181,7 @@ public final class GridLevels {
                 || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), level, rowCount[level], sheetsY[level]);
     }
 
-    /** Cells along an axis: any number if it is open, and an even one if it wraps, so that the colours of groups fit at the seam.
-     */
+    /** An even number if the axis wraps, so that the colours of groups fit at the seam. */
     private static float cells(float extent, float edge, AxisEdge at) {
         return switch (at) {
             case WALL -> extent / edge;
@@ -257,7 +216,7 @@ public final class GridLevels {
 
     private boolean isFolded(AxisEdge edge, float min, float max, int level, int side, int sheets) {
         return switch (edge) {
-            case WALL -> CircleMath.cell(max, min, inverseEdge[level]) >= WRAPS * side;
+            case WALL -> Cells.cell(max, min, inverseEdge[level]) >= WRAPS * side;
             case OPEN -> true;
             case WRAP -> sheets > WRAPS;
         };
@@ -269,20 +228,18 @@ public final class GridLevels {
                 : primes[sideLog - LEAST_PRIME_SIDE_LOG];
     }
 
-    /** Cells from the one of the lower wall to the one of the upper, where there are as many: no base is outside the walls. */
     private int cellsUsed(float max, float min, int level, int side) {
-        return Math.min(CircleMath.cell(max, min, inverseEdge[level]), side - 1) + 1;
+        return Math.min(Cells.cell(max, min, inverseEdge[level]), side - 1) + 1;
     }
 
     /**
-     * A cell is at least as wide as the greatest distance at which two of its level are listed, plus what the rounding of
-     * coordinates can move two circles apart: then whatever a circle may touch lies in 3 x 3 cells.
+     * At least the greatest distance of a contact, and what rounding can move circles apart: 3 x 3 cells have all that a circle may
+     * touch.
      */
     private static float edge(float greatestRadius, Bounds bounds) {
         return 2f * speculativeDistance(greatestRadius) + bounds.magnitude() * 0x1p-20f;
     }
 
-    /** What a circle of a level looks from its centre at most, and what the rounding of coordinates can move two circles apart. */
     public float reach(int level) {
         return speculativeDistance(top[level]) + bounds.magnitude() * 0x1p-20f;
     }
@@ -299,7 +256,6 @@ public final class GridLevels {
         return side;
     }
 
-    /** Takes the shape of another. */
     public void copy(GridLevels other) {
         System.arraycopy(other.levelOf, 0, levelOf, 0, COUNT);
         System.arraycopy(other.population, 0, population, 0, COUNT);
@@ -335,33 +291,30 @@ public final class GridLevels {
         return buckets;
     }
 
-    /** Number of groups of contacts: as many as buckets; if there are several levels, one for each circle more. */
+    /** As many as buckets; if there are several levels, one for each circle more. */
     public int groups(int circles) {
         return usedCount == 1 ? buckets : buckets + circles;
     }
 
-    /** Level of a radius. */
     public int level(float r) {
-        return levelOf[CircleMath.sizeClass(r, rmax)];
+        return levelOf[Cells.sizeClass(r, rmax)];
     }
 
-    /** The column of the torus of a coordinate. */
     public int column(float x, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? onRing(CircleMath.cell(x, minX, inverseEdge[level]), columnCount[level])
+                ? onRing(Cells.cell(x, minX, inverseEdge[level]), columnCount[level])
                 : RingCells.onRing(RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]), columnCount[level]);
     }
 
-    /** The row of the torus of a coordinate. */
     public int row(float y, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? onRing(CircleMath.cell(y, minY, inverseEdge[level]), rowCount[level])
+                ? onRing(Cells.cell(y, minY, inverseEdge[level]), rowCount[level])
                 : RingCells.onRing(RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level]);
     }
 
-    /** Whether the circles of a bucket are in the order of sheets, or of whether they are static: else of their ids alone. */
+    /** Whether buckets are in another order than that of ids. */
     public boolean haveSheets() {
         boolean some = hasStatics;
         for (int l = 0; l < usedCount; l++) {
@@ -370,67 +323,59 @@ public final class GridLevels {
         return some;
     }
 
-    /** The sheet of a coordinate along x. */
     public int sheetX(float x, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(x, minX, inverseEdge[level]) / columnCount[level]
+                ? Cells.cell(x, minX, inverseEdge[level]) / columnCount[level]
                 : RingCells.sheet(
                         RingCells.cell(edge, x, minX, scaleX[level], unitsX[level]),
                         columnCount[level],
                         sheetsX[level]);
     }
 
-    /** The sheet of a coordinate along y. */
     public int sheetY(float y, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(y, minY, inverseEdge[level]) / rowCount[level]
+                ? Cells.cell(y, minY, inverseEdge[level]) / rowCount[level]
                 : RingCells.sheet(
                         RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level], sheetsY[level]);
     }
 
-    /** The sheet that is at (0), behind (1) or before (-1) another, of so many or {@link #ENDLESS}. */
+    /** The sheet at (0), behind (1) or before (-1) another. */
     public static int sheetBeside(int sheet, int offset, int sheets) {
         return sheets == ENDLESS ? sheet + offset : neighbour(sheet, offset, sheets);
     }
 
-    /**
-     * What the circles of a bucket are ordered by: an even number for each sheet, or 0 in a level that is not folded. Static circles have
-     * the odd number behind it. Two sheets seldom have one key, which costs time and nothing else.
-     */
+    /** An even number for each sheet, 0 if the level is not folded; static circles have the odd one behind it. */
     public int sheetKey(int level, int sheetX, int sheetY) {
         return folded[level] ? 2 * (sheetX * SHEET_X_FACTOR + sheetY * SHEET_Y_FACTOR) : 0;
     }
 
-    /** The same of the sheet of a place. */
     public int sheetKey(float x, float y, int level) {
         return folded[level] ? sheetKey(level, sheetX(x, level), sheetY(y, level)) : 0;
     }
 
-    /** The column of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
+    /** The column where a range begins; {@link #onRing} gives that of the torus. */
     public int columnFrom(float x, int level) {
-        return bounds.edgeX() == AxisEdge.WALL ? CircleMath.cell(x, minX, inverseEdge[level]) : column(x, level);
+        return bounds.edgeX() == AxisEdge.WALL ? Cells.cell(x, minX, inverseEdge[level]) : column(x, level);
     }
 
-    /** The column where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
+    /** Where the range ends: at most as many behind it as the torus has. */
     public int columnTo(float from, float to, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(to, minX, inverseEdge[level])
+                ? Cells.cell(to, minX, inverseEdge[level])
                 : last(edge, from, to, minX, scaleX[level], unitsX[level], columnCount[level]);
     }
 
-    /** The row of a coordinate where a range begins; {@link #onRing} gives that of the torus. */
     public int rowFrom(float y, int level) {
-        return bounds.edgeY() == AxisEdge.WALL ? CircleMath.cell(y, minY, inverseEdge[level]) : row(y, level);
+        return bounds.edgeY() == AxisEdge.WALL ? Cells.cell(y, minY, inverseEdge[level]) : row(y, level);
     }
 
-    /** The row where a range ends that begins at a coordinate; behind the first one by as many as the torus has, or fewer. */
     public int rowTo(float from, float to, int level) {
         AxisEdge edge = bounds.edgeY();
         return edge == AxisEdge.WALL
-                ? CircleMath.cell(to, minY, inverseEdge[level])
+                ? Cells.cell(to, minY, inverseEdge[level])
                 : last(edge, from, to, minY, scaleY[level], unitsY[level], rowCount[level]);
     }
 
@@ -440,18 +385,16 @@ public final class GridLevels {
         return RingCells.onRing(first, side) + (int) Math.min(more, side);
     }
 
-    /** The column (or row) of the torus of a cell's column (or row). */
     public static int onRing(int cell, int side) {
         return cell < side ? cell : cell % side;
     }
 
-    /** The column (or row) of the torus that is at (0), behind (1) or before (-1) another. */
+    /** The column at (0), behind (1) or before (-1) another. */
     public static int neighbour(int column, int offset, int side) {
         int moved = column + offset;
         return moved < 0 ? side - 1 : moved < side ? moved : 0;
     }
 
-    /** Number of the bucket before which a row of buckets begins. */
     public int rowStart(int level, int row) {
         return first[level] + (row << columnsLog[level]);
     }

@@ -1,23 +1,18 @@
 package io.github.circles2d.world.model;
 
 /**
- * How the walls travel in a step: from where they were in the step before to where they are now. A wall that comes in is swept
- * over the sub-steps. One that goes out is where it will be from the start, so that circles may be put there. Both have the velocity
- * of the way that they go in the step. Lengths and speeds are inward ones: positive if the wall comes in.
- *
- * <p>The arrays have an element per wall, by {@link #of}.
+ * How walls travel in a step. One that comes in does so over the sub-steps; one that goes out is there from the start, so that
+ * circles may be put there. Both have the velocity of the way. Lengths and speeds are positive inwards; arrays are by {@link #of}.
  */
 public final class WallMotion {
-    /** Walls. */
     public static final int COUNT = 4;
 
-    /** What a wall moves in the step. */
+    /** In the step. */
     public final float[] travel = new float[COUNT];
 
-    /** What a wall that comes in moves in a sub-step; 0 for others. */
-    public final float[] sweep = new float[COUNT];
+    /** In a sub-step; 0 if the wall goes out. */
+    public final float[] advance = new float[COUNT];
 
-    /** The speed of a wall. */
     public final float[] speed = new float[COUNT];
 
     private boolean moves;
@@ -25,24 +20,12 @@ public final class WallMotion {
 
     WallMotion() {}
 
-    /**
-     * The number of a wall.
-     *
-     * @param axis 0 for x, 1 for y
-     * @param side 1 for the lower wall, -1 for the upper, by {@link CircleMath#wallSide}
-     */
+    /** Of axis 0 or 1 and a {@link Walls#wallSide}. */
     public static int of(int axis, float side) {
         return 2 * axis + (side > 0f ? 0 : 1);
     }
 
-    /**
-     * Where walls start that are set to new places. One that is set farther than any circle is large has no motion: it jumps.
-     *
-     * @param from where they were in the last step
-     * @param to where they are now
-     * @param greatestRadius of all circles; 0 if there is none
-     * @return for each wall where it was, or where it is if it jumps
-     */
+    /** Where walls start. One that is set farther than any circle is large jumps: it starts where it is. */
     public static Bounds start(Bounds from, Bounds to, float greatestRadius) {
         boolean walledX = to.edgeX() == AxisEdge.WALL;
         boolean walledY = to.edgeY() == AxisEdge.WALL;
@@ -69,39 +52,35 @@ public final class WallMotion {
             if (travel[wall] == 0f) {
                 travel[wall] = 0f; // not -0, which would change the sign of a velocity of 0
             }
-            sweep[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
-            speed[wall] = CircleMath.limitSpeed(travel[wall] / dt);
+            advance[wall] = travel[wall] > 0f ? travel[wall] / steps : 0f;
+            speed[wall] = Motion.limitSpeed(travel[wall] / dt);
             moves |= travel[wall] != 0f;
         }
     }
 
-    /** Whether any wall moves in the step. */
     public boolean any() {
         return moves;
     }
 
     /** How far a wall is behind its last place at the end of a sub-step. */
     public float behind(int wall, int subStep) {
-        return sweep[wall] * (subSteps - 1 - subStep);
+        return advance[wall] * (subSteps - 1 - subStep);
     }
 
-    /** Whether a circle feels the velocity of a wall: for smaller ones the wall jumps, and they have been brought inside. */
+    /** For smaller circles the wall jumps, and they have been brought inside. */
     private boolean carries(int wall, float r) {
         return Math.abs(travel[wall]) <= r;
     }
 
-    /** The speed of a wall for a circle. */
     public float speedFor(int wall, float r) {
         return carries(wall, r) ? speed[wall] : 0f;
     }
 
-    /** What a wall moves in a sub-step, for a circle. */
     public float sweepFor(int wall, float r) {
-        return carries(wall, r) ? sweep[wall] : 0f;
+        return carries(wall, r) ? advance[wall] : 0f;
     }
 
-    /** What a wall that comes in moves in the step, for a circle; 0 for others. */
     public float travelFor(int wall, float r) {
-        return carries(wall, r) ? CircleMath.greatest(travel[wall], 0f) : 0f;
+        return carries(wall, r) ? CircleMath.max(travel[wall], 0f) : 0f;
     }
 }

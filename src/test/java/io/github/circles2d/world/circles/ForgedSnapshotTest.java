@@ -7,6 +7,7 @@ import io.github.circles2d.Events;
 import io.github.circles2d.Response;
 import io.github.circles2d.World;
 import io.github.circles2d.WorldScenes;
+import io.github.circles2d.opencl.TestScale;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.util.Random;
@@ -15,7 +16,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Snapshots that somebody has written with a check that fits: refused, or a world as sound as any other. */
 class ForgedSnapshotTest {
-    private static final int FORGERIES = 20_000;
+    private static final int FORGERIES = TestScale.of(5_000, 20_000);
     private static final int[] HOSTILE = {
         Float.floatToRawIntBits(Float.NaN),
         Float.floatToRawIntBits(Float.POSITIVE_INFINITY),

@@ -11,7 +11,14 @@ import io.github.circles2d.opencl.Session;
 import io.github.circles2d.opencl.TestDevices;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.WorldSource;
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Motion;
+import io.github.circles2d.world.model.Paths;
+import io.github.circles2d.world.model.TimeOfImpact;
+import io.github.circles2d.world.model.Walls;
+import io.github.circles2d.world.model.Wrapping;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -28,11 +35,21 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Every function of {@link CircleMath}, called on a device and in Java with the same inputs. The functions are
+ * Every function of {@link #FORMULAS}, called on a device and in Java with the same inputs. The functions are
  * found by reflection, so one without a twin of the same name in kernels/world/shared fails, unless {@link #TWINS} says what
  * does its work there.
  */
 class CircleMathOnDevicesTest {
+    private static final List<Class<?>> FORMULAS = List.of(
+            CircleMath.class,
+            Wrapping.class,
+            Motion.class,
+            Paths.class,
+            TimeOfImpact.class,
+            Cells.class,
+            Bounce.class,
+            Walls.class);
+
     /** Sets of arguments per function. */
     private static final int FEW_INPUTS = 1 << 15;
 
@@ -66,6 +83,11 @@ class CircleMathOnDevicesTest {
 
     /** Expressions in place of calls of a function of the same name; p0, p1 and so on: arguments. */
     private static final Map<String, String> TWINS = Map.of(
+            "length", "lengthf(p0, p1)",
+            "min", "minf(p0, p1)",
+            "max", "maxf(p0, p1)",
+            "clamp", "clampf(p0, p1, p2)",
+            "dot", "dotf(p0, p1, p2, p3)",
             "difference", "p0 + (p2 - p1)",
             "freeBounce", "-(1.0f + p0) * p1 * p2",
             "bounceThreshold", "bounceThreshold(&k, p0, p1, p2)",
@@ -113,7 +135,9 @@ class CircleMathOnDevicesTest {
 
     private static List<Method> functions() {
         List<Method> functions = new ArrayList<>();
-        for (Method method : CircleMath.class.getDeclaredMethods()) {
+        for (Method method : FORMULAS.stream()
+                .flatMap(each -> Arrays.stream(each.getDeclaredMethods()))
+                .toList()) {
             if (Modifier.isStatic(method.getModifiers())
                     && !Modifier.isPrivate(method.getModifiers())
                     && !method.isSynthetic()) {

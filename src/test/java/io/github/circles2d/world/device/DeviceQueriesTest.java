@@ -5,9 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
-import io.github.circles2d.world.CategoryFilter;
 import io.github.circles2d.world.DeviceSearches;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
@@ -19,6 +17,8 @@ import io.github.circles2d.world.queries.BruteForce;
 import io.github.circles2d.world.queries.CastSearch;
 import io.github.circles2d.world.queries.QueryShape;
 import io.github.circles2d.world.queries.RemoteSearch;
+import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.shared.Pipeline;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;

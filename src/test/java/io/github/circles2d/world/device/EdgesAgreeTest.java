@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.device.plan.Plans;
 import io.github.circles2d.world.device.plan.Tiles;
@@ -16,7 +16,9 @@ import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Tuning;
+import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,12 +26,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Worlds with axes that are open or wrap have the same bits on every device, by every plan, and for any number of threads. */
 class EdgesAgreeTest {
-    private static final AxisEdge[][] EDGES = {
-        {AxisEdge.WRAP, AxisEdge.WRAP},
-        {AxisEdge.OPEN, AxisEdge.OPEN},
+    private static final AxisEdge[][] ALL_EDGES = {
         {AxisEdge.WRAP, AxisEdge.WALL},
-        {AxisEdge.OPEN, AxisEdge.WRAP}
+        {AxisEdge.OPEN, AxisEdge.WRAP},
+        {AxisEdge.WRAP, AxisEdge.WRAP},
+        {AxisEdge.OPEN, AxisEdge.OPEN}
     };
+
+    private static final AxisEdge[][] EDGES = Arrays.copyOf(ALL_EDGES, TestScale.of(2, ALL_EDGES.length));
 
     static Iterable<Device> devices() {
         return TestDevices.all();
@@ -38,7 +42,7 @@ class EdgesAgreeTest {
     private static Pipeline[] pipelines(Device device) {
         List<Pipeline> pipelines = new ArrayList<>();
         pipelines.add(new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false));
-        pipelines.add(new JvmPipeline(3, 1, 0, false));
+        pipelines.add(new JvmPipeline(TestScale.of(2, 3), 1, 0, false));
         pipelines.add(Pipelines.of(device, Plans.COLOURS));
         if (Tiles.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.TILES));
@@ -86,11 +90,11 @@ class EdgesAgreeTest {
                 for (AxisEdge[] edges : EDGES) {
                     twins.loadInPlace(scene, edges[0], edges[1]);
                     twins.report(ContactEvents.ALL);
-                    for (int k = 0; k < 8; k++) {
+                    for (int k = 0; k < TestScale.of(5, 8); k++) {
                         for (int changes = 0; changes < 30; changes++) {
                             twins.change(scene, random);
                         }
-                        twins.step(k % 7 == 6 ? 0.3f : 1 / 60f, 1 + k % 3);
+                        twins.step(k % 7 == TestScale.of(3, 6) ? 0.3f : 1 / 60f, 1 + k % 3);
                         events += twins.assertSameEvents(scene.name() + " after change " + k);
                         if (k == 4) {
                             twins.exchange();
@@ -131,7 +135,8 @@ class EdgesAgreeTest {
     @MethodSource("devices")
     void axesOfFewCellsHaveTheSameBits(Device device) {
         float cell = 2 * (1 + Tuning.MARGIN + Tuning.CAP);
-        for (int cells : new int[] {4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 34}) {
+        for (int cells :
+                TestScale.EXHAUSTIVE ? new int[] {4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 34} : new int[] {4, 10, 18}) {
             float side = (cells + 0.5f) * cell;
             SplittableRandom random = new SplittableRandom(cells);
             try (Twins twins =

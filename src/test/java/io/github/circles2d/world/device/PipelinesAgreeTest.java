@@ -2,16 +2,17 @@ package io.github.circles2d.world.device;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.scenes.HardScenes;
 import io.github.circles2d.scenes.Scene;
 import io.github.circles2d.scenes.Scenes;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.circles.Commands;
-import io.github.circles2d.world.device.plan.PersistentGpu;
 import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.ResidentGroups;
 import io.github.circles2d.world.device.plan.Tiles;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.shared.Pipeline;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
@@ -33,7 +34,7 @@ class PipelinesAgreeTest {
         if (Tiles.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.TILES));
         }
-        if (PersistentGpu.fits(device)) {
+        if (ResidentGroups.fit(device)) {
             pipelines.add(Pipelines.of(device, Plans.PERSISTENT_GPU));
         }
         return pipelines.toArray(Pipeline[]::new);
@@ -51,7 +52,7 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        compareScenes(device, 10, 1);
+        compareScenes(device, 4, 1);
     }
 
     @ParameterizedTest
@@ -117,7 +118,12 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void fastCirclesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        compare(device, Scenes.billiards(1000), 20, 3, Scenes.billiards(1000).timeStep());
+        compare(
+                device,
+                Scenes.billiards(1000),
+                TestScale.of(7, 20),
+                3,
+                Scenes.billiards(1000).timeStep());
         compare(device, Scenes.gas(1250, 2), 6, 3, 1f);
         compare(device, Scenes.mixed(1250, 2), 6, 3, 1f);
         compare(device, Scenes.bouncy(1), 6, 3, 1f);
@@ -161,11 +167,11 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void extremeCirclesOfOneSizeHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        for (int subSteps : new int[] {1, 4, 5}) {
+        for (int subSteps : TestScale.EXHAUSTIVE ? new int[] {1, 4, 5} : new int[] {1, 5}) {
             Scene scene = Scenes.thesis(1250, 6);
             try (Twins twins = Twins.load(scene, subSteps, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(subSteps);
-                for (int k = 0; k < 12; k++) {
+                for (int k = 0; k < TestScale.of(4, 12); k++) {
                     for (int changes = 0; changes < 400; changes++) {
                         makeExtreme(twins, random.nextInt(scene.size()), random);
                     }
@@ -185,10 +191,10 @@ class PipelinesAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(600, 6), Scenes.mixed(600, 6), Scenes.onePoint(200, 6)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(7);
-                for (int k = 0; k < 70; k++) {
+                for (int k = 0; k < TestScale.of(20, 70); k++) {
                     twins.step(1 / 60f, 1);
                 }
-                twins.assertEqual(scene.name() + " after 70 steps");
+                twins.assertEqual(scene.name() + " after many steps");
                 for (float dt : new float[] {1 / 60f, 1 / 120f, 1 / 120f, 1 / 240f, 0.5f, 0.5f, 1 / 60f, 1 / 60f}) {
                     twins.step(dt, 2);
                     twins.step(dt, 1);
@@ -226,7 +232,7 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
-        compareChanges(device, 21);
+        compareChanges(device, 11);
     }
 
     @ParameterizedTest
@@ -262,7 +268,7 @@ class PipelinesAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(11);
-                for (int k = 0; k < 40; k++) {
+                for (int k = 0; k < TestScale.of(12, 40); k++) {
                     twins.moveWalls(random, 1.5f * scene.radius(0));
                     if (k % 10 == 9) {
                         twins.exchange();
@@ -298,7 +304,7 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
-        compareRequests(device, 40);
+        compareRequests(device, 21);
     }
 
     @ParameterizedTest
@@ -343,7 +349,7 @@ class PipelinesAgreeTest {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 5), Scenes.mixed(1250, 5)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(7);
-                for (int k = 0; k < 20; k++) {
+                for (int k = 0; k < TestScale.of(8, 20); k++) {
                     twins.step(scene.timeStep(), 1 + k % 3);
                     twins.change(scene, random);
                     twins.exchange();

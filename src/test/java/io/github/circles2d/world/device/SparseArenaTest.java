@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.TestDevices;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.jvm.JvmPipeline;
 import io.github.circles2d.world.jvm.SparseArena;
 import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.shared.Pipeline;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

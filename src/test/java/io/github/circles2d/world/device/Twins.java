@@ -3,11 +3,10 @@ package io.github.circles2d.world.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.scenes.Scene;
-import io.github.circles2d.world.BulkChanges;
 import io.github.circles2d.world.Figures;
-import io.github.circles2d.world.Pipeline;
 import io.github.circles2d.world.Simulation;
 import io.github.circles2d.world.SimulationScenes;
+import io.github.circles2d.world.changes.BulkChanges;
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.KindField;
@@ -21,6 +20,7 @@ import io.github.circles2d.world.model.AxisEdge;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.shared.Pipeline;
 import java.nio.ByteBuffer;
 import java.nio.FloatBuffer;
 import java.util.ArrayList;
@@ -139,6 +139,13 @@ final class Twins implements AutoCloseable {
                     simulation.circles().setKind(handles[id], kind);
                 }
             }
+        }
+    }
+
+    /** Lets circles of two kinds pass through each other, and sense that. */
+    void sense(int kindA, int kindB) {
+        for (Simulation simulation : simulations) {
+            simulation.kinds().setSetting(kindA, kindB, KindTable.RESPONSE + PairTable.SENSE);
         }
     }
 

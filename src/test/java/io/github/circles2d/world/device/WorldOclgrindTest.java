@@ -10,8 +10,10 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -41,25 +43,54 @@ class WorldOclgrindTest {
             "^kernel (?:__attribute__\\S*\\(\\w+, 1, 1\\)\\)\\) )?void\\s+(\\w+)|^TILE_KERNEL (\\w+)",
             Pattern.MULTILINE);
 
+    /** By size and world: the kernels that ran in one that has passed. */
+    private static final Map<String, List<String>> RAN = new ConcurrentHashMap<>();
+
     /** In the lines of each report. They are read from the output, since a log begins anew with each context. */
     private static final String[] REPORTS = {"Kernel: ", "Oclgrind - ", "OCLGRIND"};
 
+    /** The stages by colours and the queries. */
     @Test
-    void noWorldKernelRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
+    void noStageRacesLeavesItsBuffersOrReadsWhatNobodyWrote() throws Exception {
         assertThat(run(
                         "small",
-                        "PERSISTENT_GPU",
                         "COLOURS",
+                        "a table of pairs that grows",
                         "changes",
-                        "queries",
-                        "crowd",
-                        "levels in a crowd",
                         "fast",
-                        "TILES",
-                        "edges",
+                        "levels in an arena that is not folded",
+                        "queries"))
+                .containsAll(kernelsIn("queries"))
+                .contains(
+                        "scan_starts",
+                        "grid_gather",
+                        "contacts_countByLevel",
+                        "solver_solve",
+                        "continuousCollision_look",
+                        "events_add",
+                        "events_move",
+                        "sensing_find");
+    }
+
+    @Test
+    @Tag("exhaustive")
+    void norDoesAnyKernelOfAWorld() throws Exception {
+        assertThat(run(
+                        "small",
+                        "crowd",
                         "levels of tiles",
-                        "levels of PERSISTENT_GPU"))
-                .containsAll(kernelsInFiles());
+                        "levels in a crowd",
+                        "PERSISTENT_GPU",
+                        "levels of PERSISTENT_GPU",
+                        "TILES",
+                        "COLOURS",
+                        "a table of pairs that grows",
+                        "edges",
+                        "changes",
+                        "fast",
+                        "levels in an arena that is not folded",
+                        "queries"))
+                .containsAll(kernelsIn(""));
     }
 
     /** Without worlds of several levels by tiles, which would take minutes. */
@@ -104,8 +135,17 @@ class WorldOclgrindTest {
         }
     }
 
-    /** Returns the kernels that ran, none of which was reported. */
+    /** Returns the kernels that ran, none of which was reported. No world is run twice. */
     private static List<String> run(String driver, String world, String size) throws IOException {
+        List<String> kernels = RAN.get(size + " " + world);
+        if (kernels == null) {
+            kernels = runWorld(driver, world, size);
+            RAN.put(size + " " + world, kernels);
+        }
+        return kernels;
+    }
+
+    private static List<String> runWorld(String driver, String world, String size) throws IOException {
         ForkedJvm.Result result = new ForkedJvm()
                 .option("-Djavacl.cacheBinaries=false")
                 .environment("OCL_ICD_VENDORS", driver)
@@ -126,9 +166,10 @@ class WorldOclgrindTest {
                 .toList();
     }
 
-    private static Set<String> kernelsInFiles() throws IOException {
+    /** The kernels in the files of a folder of the world's. */
+    private static Set<String> kernelsIn(String folder) throws IOException {
         Set<String> kernels = new TreeSet<>();
-        try (Stream<Path> files = Files.walk(Path.of("kernels", "world"))) {
+        try (Stream<Path> files = Files.walk(Path.of("kernels", "world", folder))) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {
                 Matcher matcher = KERNEL.matcher(Files.readString(file));
                 while (matcher.find()) {
@@ -136,18 +177,7 @@ class WorldOclgrindTest {
                 }
             }
         }
-        // Other tests have worlds for these: more pairs than Oclgrind can look at, pairs that the host sends, which it
-        // calls unwritten, and
-        // circles of several levels in an arena that is not folded.
-        kernels.removeAll(Set.of("events_move", "events_add", "contacts_countByLevel"));
-        assertThat(kernels)
-                .contains(
-                        "scan_starts",
-                        "grid_gather",
-                        "solver_solve",
-                        "solver_solveTile",
-                        "continuousCollision_look",
-                        "persistentGpu_steps");
+        assertThat(kernels).isNotEmpty();
         return kernels;
     }
 }

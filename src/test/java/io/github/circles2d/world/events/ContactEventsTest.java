@@ -23,10 +23,10 @@ class ContactEventsTest {
     /** A step in which the two circles touch, or not. */
     private void step(ContactEvents events, boolean touch) {
         records.clear();
-        events.asked(1);
-        int pair = events.find(ContactEvents.NONE, 0, 1);
+        events.queue().asked(1);
+        int pair = events.find(0, 1);
         if (touch && events.concerns(pair, 0, 1, true, 0, 0, 1)) {
-            records.add(0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
+            records.add(pair, 0, 1, 0, 0, 1, 0, 0, 0, 0, 1);
         }
         events.endStep(records);
     }
@@ -46,25 +46,25 @@ class ContactEventsTest {
             for (int k = 0; k < 7; k++) {
                 step(events, k >= 1 && k < 5);
             }
-            assertThat(types(events.take())).isEqualTo("1@1 4@5 ");
+            assertThat(types(events.queue().take())).isEqualTo("1@1 4@5 ");
         }
     }
 
     @Test
     void aRequestBeyondTheStepsOfAnIntWaitsForItsLastStep() {
         ContactEvents events = ofTwoCircles(1);
-        events.asked(Integer.MAX_VALUE);
+        events.queue().asked(Integer.MAX_VALUE);
         events.emptySteps(Integer.MAX_VALUE);
-        events.asked(2);
-        events.request();
-        assertThat(events.haveArrived()).isFalse();
+        events.queue().asked(2);
+        events.queue().request();
+        assertThat(events.queue().haveArrived()).isFalse();
         events.emptySteps(1);
-        assertThat(events.haveArrived()).isFalse();
+        assertThat(events.queue().haveArrived()).isFalse();
         events.emptySteps(1);
-        assertThat(events.haveArrived()).isTrue();
+        assertThat(events.queue().haveArrived()).isTrue();
         step(events, true);
-        assertThat(types(events.takeRequested())).isEmpty();
-        assertThat(types(events.take())).isEqualTo("1@0 ");
+        assertThat(types(events.queue().takeRequested())).isEmpty();
+        assertThat(types(events.queue().take())).isEqualTo("1@0 ");
     }
 
     @Test
@@ -73,6 +73,6 @@ class ContactEventsTest {
         events.emptySteps(Integer.MAX_VALUE);
         events.emptySteps(10);
         step(events, true);
-        assertThat(types(events.take())).isEqualTo("1@" + Integer.MAX_VALUE + " ");
+        assertThat(types(events.queue().take())).isEqualTo("1@" + Integer.MAX_VALUE + " ");
     }
 }

@@ -3,8 +3,12 @@ package io.github.circles2d.world.jvm;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Motion;
+import io.github.circles2d.world.model.Paths;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Wrapping;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
@@ -33,18 +37,18 @@ final class AllPairs {
         StepConstants k = pipeline.constants;
         for (int i = 0; i < s.circles; i++) {
             float r = s.circle[4 * i + 2];
-            float px = CircleMath.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
-            float py = CircleMath.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
+            float px = Motion.plan(s.motion[4 * i + 2], k.dt, isStatic(i) ? 0 : k.fallX);
+            float py = Motion.plan(s.motion[4 * i + 3], k.dt, isStatic(i) ? 0 : k.fallY);
             if (isStatic(i)) {
                 px = CircleMath.within(s.circle[4 * i], px, k.bounds.minX(), k.bounds.maxX());
                 py = CircleMath.within(s.circle[4 * i + 1], py, k.bounds.minY(), k.bounds.maxY());
             }
-            float path = CircleMath.norm(px, py);
-            float most = CircleMath.speculativeDistance(r, path);
+            float path = CircleMath.length(px, py);
+            float most = Paths.speculativeDistance(r, path);
             speculativeDistance[i] = pipeline.grid.speculativeDistance[slotOf.get(s.id[i])];
-            assertThat(speculativeDistance[i]).isBetween(CircleMath.speculativeDistance(r, 0), most);
-            if (isStatic(i) || !CircleMath.isFast(path, r)) {
-                assertThat(speculativeDistance[i]).isIn(CircleMath.speculativeDistance(r, 0), most);
+            assertThat(speculativeDistance[i]).isBetween(Paths.speculativeDistance(r, 0), most);
+            if (isStatic(i) || !Paths.isFast(path, r)) {
+                assertThat(speculativeDistance[i]).isIn(Paths.speculativeDistance(r, 0), most);
             }
             level[i] = pipeline.levels.level(r);
         }
@@ -60,8 +64,8 @@ final class AllPairs {
     }
 
     private boolean near(int i, int j) {
-        float dx = CircleMath.shortWay(s.circle[4 * j] - s.circle[4 * i], periodX);
-        float dy = CircleMath.shortWay(s.circle[4 * j + 1] - s.circle[4 * i + 1], periodY);
+        float dx = Wrapping.shortWay(s.circle[4 * j] - s.circle[4 * i], periodX);
+        float dy = Wrapping.shortWay(s.circle[4 * j + 1] - s.circle[4 * i + 1], periodY);
         float limit = speculativeDistance[i] + speculativeDistance[j];
         return dx * dx + dy * dy < limit * limit && !(isStatic(i) && isStatic(j));
     }
@@ -79,8 +83,8 @@ final class AllPairs {
         List<Long> pairs = new ArrayList<>();
         for (int i = 0; i < s.circles; i++) {
             for (int j = i + 1; j < s.circles; j++) {
-                int hash = CircleMath.pairHash(s.id[i], s.id[j]);
-                if (near(i, j) && CircleMath.keeps(hash, Math.min(candidates[i], candidates[j]))) {
+                int hash = Cells.pairHash(s.id[i], s.id[j]);
+                if (near(i, j) && Cells.keeps(hash, Math.min(candidates[i], candidates[j]))) {
                     pairs.add((long) s.id[i] << 32 | s.id[j]);
                 }
             }

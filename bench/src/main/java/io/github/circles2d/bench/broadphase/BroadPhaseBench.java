@@ -1,12 +1,12 @@
 package io.github.circles2d.bench.broadphase;
 
 import io.github.circles2d.bench.Devices;
+import io.github.circles2d.bench.measure.Machine;
 import io.github.circles2d.bench.report.BroadPhaseCharts;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import io.github.circles2d.bench.results.Statistics;
-import io.github.circles2d.bench.sweep.Machine;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;

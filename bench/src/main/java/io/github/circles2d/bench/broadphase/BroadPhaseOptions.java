@@ -1,7 +1,7 @@
 package io.github.circles2d.bench.broadphase;
 
 import io.github.circles2d.bench.Devices;
-import io.github.circles2d.bench.sweep.Machine;
+import io.github.circles2d.bench.measure.Machine;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

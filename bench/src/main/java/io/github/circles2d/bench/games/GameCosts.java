@@ -382,7 +382,8 @@ public final class GameCosts implements AutoCloseable {
     private static int size(String text) {
         int n = text.matches("\\d{1,9}") ? Integer.parseInt(text) : 0;
         if (n < 1) {
-            throw new IllegalArgumentException("a number of circles is 1 to 999999999, a feature one of " + FEATURES + ", not '" + text + "'");
+            throw new IllegalArgumentException(
+                    "a number of circles is 1 to 999999999, a feature one of " + FEATURES + ", not '" + text + "'");
         }
         return n;
     }

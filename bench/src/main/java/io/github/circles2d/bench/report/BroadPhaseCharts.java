@@ -1,11 +1,10 @@
 package io.github.circles2d.bench.report;
 
-import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import io.github.circles2d.bench.results.Table;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.XYChart;
@@ -36,24 +35,15 @@ public final class BroadPhaseCharts {
 
     private static XYChart chart(ResultsFolder folder, String scene) {
         XYChart chart = Charts.chart("Broad phases on the scene " + scene, "circles", "ns per circle and step");
-        List<Map<String, String>> rows = folder.table(Kind.BROADPHASE).rows("scene", scene);
+        Table table = folder.table(Kind.BROADPHASE);
         // A time on the wall of a device is no processor time of a thread.
-        List<String> names = rows.stream()
-                .map(row -> row.get("broad_phase"))
+        List<String> names = table.values("broad_phase", "scene", scene).stream()
                 .filter(name -> !name.contains("@"))
-                .distinct()
                 .toList();
         for (String name : names) {
-            List<Integer> sizes = new ArrayList<>();
-            List<Double> nanos = new ArrayList<>();
-            for (Map<String, String> row : rows) {
-                if (row.get("broad_phase").equals(name)) {
-                    int n = Integer.parseInt(row.get("n"));
-                    sizes.add(n);
-                    nanos.add(1e6 * Numbers.parse(row.get("median_ms")) / n);
-                }
-            }
-            Charts.line(chart, name, sizes, nanos, names.indexOf(name), name.startsWith("world"));
+            Map<Integer, Double> nanos = Charts.points(table.rows("scene", scene, "broad_phase", name), "median_ms");
+            nanos.replaceAll((n, millis) -> 1e6 * millis / n);
+            Charts.line(chart, name, nanos, names.indexOf(name), name.startsWith("world"));
         }
         return chart;
     }

@@ -3,6 +3,7 @@ package io.github.circles2d.bench.report;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
+import io.github.circles2d.bench.results.Table;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
@@ -15,10 +16,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
 import org.knowm.xchart.BitmapEncoder;
 import org.knowm.xchart.VectorGraphicsEncoder;
 import org.knowm.xchart.XYChart;
@@ -65,9 +68,7 @@ public final class Charts {
 
     private static void draw(ResultsFolder folder) throws IOException {
         for (String device : Tables.devices(folder)) {
-            if (!folder.table(Kind.STRATEGIES)
-                    .rows("device", device, "mode", "loop", "status", "ok")
-                    .isEmpty()) {
+            if (folder.table(Kind.STRATEGIES).row("device", device, "mode", "loop", "status", "ok") != null) {
                 save(strategies(folder, device), folder.path(), strategiesFile(device));
             }
         }
@@ -114,22 +115,20 @@ public final class Charts {
         String kind = Tables.kind(folder, device);
         XYChart chart = chart("A step of the thesis's engine on " + device, "circles", "ms a step");
         for (int strategy = 0; strategy < 4; strategy++) {
-            List<Integer> sizes = new ArrayList<>();
-            List<Double> millis = new ArrayList<>();
-            List<Integer> thesisSizes = new ArrayList<>();
-            List<Double> thesisMillis = new ArrayList<>();
+            Map<Integer, Double> thesis = new TreeMap<>();
             for (int n : Tables.sizes(folder, device)) {
-                add(Tables.run(folder, device, strategy, n, "loop"), n, sizes, millis);
-                String thesis = Figure3.millis(kind, n, strategy);
-                if (thesis.matches("[0-9]+")) {
-                    thesisSizes.add(n);
-                    thesisMillis.add(Double.valueOf(thesis));
+                String millis = Figure3.millis(kind, n, strategy);
+                if (millis.matches("[0-9]+")) {
+                    thesis.put(n, Double.valueOf(millis));
                 }
             }
-            line(chart, Tables.STRATEGIES.get(strategy), sizes, millis, strategy, false);
+            String number = Integer.toString(strategy);
+            Table table = folder.table(Kind.STRATEGIES);
+            List<Map<String, String>> rows =
+                    table.rows("device", device, "strategy", number, "mode", "loop", "status", "ok");
+            line(chart, Tables.STRATEGIES.get(strategy), points(rows, "mean_ms"), strategy, false);
             String name = "thesis: " + strategy + ", " + Figure3.device(kind);
-            line(chart, name, thesisSizes, thesisMillis, strategy, true);
-            if (chart.getSeriesMap().containsKey(name)) {
+            if (line(chart, name, thesis, strategy, true) > 0) {
                 chart.getSeriesMap().get(name).setMarker(SeriesMarkers.NONE);
             }
         }
@@ -138,27 +137,24 @@ public final class Charts {
 
     private static XYChart peers(ResultsFolder folder, String scene) {
         XYChart chart = chart("A step on the scene " + scene, "circles", "ms a step");
-        List<Map<String, String>> rows = folder.table(Kind.PEERS).rows("scene", scene);
-        List<String> engines =
-                rows.stream().map(row -> row.get("engine")).distinct().collect(Collectors.toList());
-        for (int e = 0; e < engines.size(); e++) {
-            List<Integer> sizes = new ArrayList<>();
-            List<Double> millis = new ArrayList<>();
-            for (Map<String, String> row : rows) {
-                if (row.get("engine").equals(engines.get(e))) {
-                    add(row, Integer.parseInt(row.get("n")), sizes, millis);
-                }
-            }
-            line(chart, engines.get(e), sizes, millis, e, false);
+        Table peers = folder.table(Kind.PEERS);
+        int index = 0;
+        for (String engine : peers.values("engine", "scene", scene)) {
+            line(
+                    chart,
+                    engine,
+                    points(peers.rows("scene", scene, "engine", engine, "status", "ok"), "mean_ms"),
+                    index++,
+                    false);
         }
         return chart;
     }
 
-    private static void add(Map<String, String> run, int n, List<Integer> sizes, List<Double> millis) {
-        if (run != null && run.get("status").equals("ok")) {
-            sizes.add(n);
-            millis.add(Numbers.parse(run.get("mean_ms")));
-        }
+    /** What some rows have in a column, by n. */
+    static Map<Integer, Double> points(List<Map<String, String>> rows, String column) {
+        Map<Integer, Double> points = new TreeMap<>();
+        rows.forEach(row -> points.put(Integer.valueOf(row.get("n")), Numbers.parse(row.get(column))));
+        return points;
     }
 
     static XYChart chart(String title, String xTitle, String yTitle) {
@@ -190,18 +186,50 @@ public final class Charts {
         series.setMarker(MARKERS[index % MARKERS.length]);
     }
 
-    /** A line of the chart; nothing where it has no points. */
-    static void line(XYChart chart, String name, List<Integer> sizes, List<Double> millis, int index, boolean dashed) {
-        if (sizes.isEmpty()) {
-            return;
+    /** Draws a line, unless it has no points or the chart has one of its name; returns how many lines came to the chart. */
+    static int line(XYChart chart, String name, Map<Integer, Double> points, int index, boolean dashed) {
+        if (points.isEmpty() || chart.getSeriesMap().containsKey(name)) {
+            return 0;
         }
-        XYSeries series = chart.addSeries(name, sizes, millis);
+        XYSeries series = chart.addSeries(name, new ArrayList<>(points.keySet()), new ArrayList<>(points.values()));
         mark(series, index);
         float[] dashes = {6, 6};
         series.setLineStyle(
                 dashed
                         ? new BasicStroke(1.5f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dashes, 0)
                         : new BasicStroke(2));
+        return 1;
+    }
+
+    /** Draws World on all machines, and other engines on the first that has some; of lines of one name the first alone. */
+    static XYChart compare(
+            XYChart chart,
+            List<ResultsFolder> folders,
+            Function<ResultsFolder, Map<String, Map<Integer, Double>>> worlds,
+            Function<ResultsFolder, Map<String, Map<Integer, Double>>> others) {
+        int index = 0;
+        for (ResultsFolder folder : folders) {
+            for (Map.Entry<String, Map<Integer, Double>> line :
+                    worlds.apply(folder).entrySet()) {
+                index += line(chart, line.getKey(), line.getValue(), index, false);
+            }
+        }
+        for (ResultsFolder folder : folders) {
+            int before = index;
+            for (Map.Entry<String, Map<Integer, Double>> line :
+                    others.apply(folder).entrySet()) {
+                index += line(chart, line.getKey(), line.getValue(), index, true);
+            }
+            if (index > before) {
+                break;
+            }
+        }
+        return chart;
+    }
+
+    /** Of two lines of one name, the one that is drawn: the first that has points. */
+    static Map<Integer, Double> drawn(Map<Integer, Double> first, Map<Integer, Double> second) {
+        return first.isEmpty() ? second : first;
     }
 
     static void save(XYChart chart, Path folder, String name) throws IOException {
@@ -218,22 +246,21 @@ public final class Charts {
 
     /** Only whole powers of ten get labels: both axes run from one to another. */
     private static void toWholeDecades(XYChart chart) {
-        double[] x = chart.getSeriesMap().values().stream()
-                .flatMapToDouble(series -> Arrays.stream(series.getXData()))
-                .toArray();
-        double[] y = chart.getSeriesMap().values().stream()
-                .flatMapToDouble(series -> Arrays.stream(series.getYData()))
-                .toArray();
+        double[] x = exponents(chart, XYSeries::getXData);
+        double[] y = exponents(chart, XYSeries::getYData);
         chart.getStyler()
-                .setXAxisMin(decade(Arrays.stream(x).min().orElseThrow(), RoundingMode.FLOOR))
-                .setXAxisMax(decade(Arrays.stream(x).max().orElseThrow(), RoundingMode.CEILING))
-                .setYAxisMin(decade(Arrays.stream(y).min().orElseThrow(), RoundingMode.FLOOR))
-                .setYAxisMax(decade(Arrays.stream(y).max().orElseThrow(), RoundingMode.CEILING));
+                .setXAxisMin(Math.pow(10, Math.floor(x[0])))
+                .setXAxisMax(Math.pow(10, Math.ceil(x[1])))
+                .setYAxisMin(Math.pow(10, Math.floor(y[0])))
+                .setYAxisMax(Math.pow(10, Math.ceil(y[1])));
     }
 
-    private static double decade(double value, RoundingMode rounding) {
-        double power = Math.log10(value);
-        return Math.pow(10, rounding == RoundingMode.FLOOR ? Math.floor(power) : Math.ceil(power));
+    /** The decades of the least and the greatest value of all lines. */
+    private static double[] exponents(XYChart chart, Function<XYSeries, double[]> axis) {
+        DoubleSummaryStatistics all = chart.getSeriesMap().values().stream()
+                .flatMapToDouble(series -> Arrays.stream(axis.apply(series)))
+                .summaryStatistics();
+        return new double[] {Math.log10(all.getMin()), Math.log10(all.getMax())};
     }
 
     /** Letters are drawn as outlines, with a dozen digits a coordinate: one digit after the point is enough. */

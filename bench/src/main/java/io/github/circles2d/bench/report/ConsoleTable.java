@@ -15,7 +15,7 @@ public final class ConsoleTable {
         for (String device : Tables.devices(folder)) {
             String title = "Figure 3 of the thesis (" + Figure3.device(Tables.kind(folder, device)) + ") and here ("
                     + device + "): mean ms a step with read-back";
-            print(title, Tables.figure3(folder, device, "loop"), out);
+            print(title, Tables.figure3(folder, device), out);
         }
         print("Slots that the computed indexing maps wrongly", Tables.accuracy(List.of(folder)), out);
         for (String device : Tables.devices(folder)) {
@@ -32,30 +32,21 @@ public final class ConsoleTable {
         for (String scene : List.of("packed", "thesis")) {
             print("Engines on the scene " + scene, Tables.peers(folder, scene), out);
         }
-        printMissing(folder, out);
+        Grid missing = Grid.ofProse("Without a figure");
+        for (Kind kind : List.of(Kind.COPY, Kind.ACCURACY, Kind.STRATEGIES, Kind.TRANSFER, Kind.WORLD, Kind.PEERS)) {
+            for (Map<String, String> row : folder.table(kind).rows()) {
+                if (!Tables.ok(row)) {
+                    missing.add(String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status"));
+                }
+            }
+        }
+        out.print(missing.isEmpty() ? "" : "\n" + missing.text());
     }
 
     private static void print(String title, Grid grid, PrintStream out) {
         if (!grid.isEmpty()) {
-            out.println();
-            out.println(title);
+            out.println("\n" + title);
             out.print(grid.text());
-        }
-    }
-
-    private static void printMissing(ResultsFolder folder, PrintStream out) {
-        boolean titled = false;
-        for (Kind kind : List.of(Kind.COPY, Kind.ACCURACY, Kind.STRATEGIES, Kind.TRANSFER, Kind.WORLD, Kind.PEERS)) {
-            for (Map<String, String> row : folder.table(kind).rows()) {
-                if (!row.get("status").equals("ok")) {
-                    if (!titled) {
-                        out.println();
-                        out.println("Without a figure");
-                        titled = true;
-                    }
-                    out.println(String.join(" ", folder.table(kind).key(row)) + ": " + row.get("status"));
-                }
-            }
         }
     }
 }

@@ -2,7 +2,6 @@ package io.github.circles2d.bench.report;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /** A table of texts with a header, for the console and for Markdown. */
 final class Grid {
@@ -31,22 +30,25 @@ final class Grid {
         rows.add(List.copyOf(row));
     }
 
+    void add(String... row) {
+        add(List.of(row));
+    }
+
     boolean isEmpty() {
         return rows.size() == 1;
     }
 
     /** For a screen: columns padded with spaces, in plain ASCII, since not every console has more. */
     String text() {
+        int[] widths = new int[rows.get(0).size()];
         List<List<String>> ascii = new ArrayList<>();
         for (List<String> row : rows) {
             ascii.add(row.stream()
                     .map(cell -> cell.replace("±", "+/-").replace("µ", "u"))
-                    .collect(Collectors.toList()));
-        }
-        int[] widths = new int[rows.get(0).size()];
-        for (List<String> row : ascii) {
+                    .toList());
             for (int i = 0; i < widths.length; i++) {
-                widths[i] = Math.max(widths[i], row.get(i).length());
+                widths[i] =
+                        Math.max(widths[i], ascii.get(ascii.size() - 1).get(i).length());
             }
         }
         StringBuilder text = new StringBuilder();
@@ -61,14 +63,15 @@ final class Grid {
         return text.toString();
     }
 
-    /** For a Markdown page. */
+    /** For a Markdown page; empty if there is no row. */
     String markdown() {
         StringBuilder text = new StringBuilder();
-        for (int r = 0; r < rows.size(); r++) {
-            text.append("| ").append(String.join(" | ", rows.get(r))).append(" |\n");
-            if (r == 0) {
+        for (List<String> row : isEmpty() ? List.<List<String>>of() : rows) {
+            boolean first = text.isEmpty();
+            text.append("| ").append(String.join(" | ", row)).append(" |\n");
+            if (first) {
                 text.append("|---|")
-                        .append((prose ? "---|" : "--:|").repeat(rows.get(0).size() - 1))
+                        .append((prose ? "---|" : "--:|").repeat(row.size() - 1))
                         .append('\n');
             }
         }

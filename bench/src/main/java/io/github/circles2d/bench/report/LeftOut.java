@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 
 /** What a sweep left out, for want of time, in few lines. */
@@ -24,73 +25,65 @@ final class LeftOut {
         return row.get("status").equals(ResultsFolder.SMALLER_DOES_NOT_FIT);
     }
 
-    /** The strategies of a device, n by n, with the modes that are missing where not all are; empty if nothing is. */
+    /** The strategies of a device, with the modes that are missing if not all are; empty if nothing is. */
     static String strategies(ResultsFolder folder, String device) {
-        Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();
-        Map<Integer, Map<String, Integer>> all = new TreeMap<>();
-        for (Map<String, String> row : folder.table(Kind.STRATEGIES).rows("device", device)) {
-            int n = Integer.parseInt(row.get("n"));
-            all.computeIfAbsent(n, key -> new TreeMap<>()).merge(row.get("strategy"), 1, Integer::sum);
-            if (is(row)) {
-                modes.computeIfAbsent(n, key -> new TreeMap<>())
-                        .computeIfAbsent(row.get("strategy"), key -> new ArrayList<>())
-                        .add(row.get("mode"));
-            }
-        }
-        Map<Integer, String> missing = new TreeMap<>();
-        modes.forEach((n, strategies) -> missing.put(
-                n,
-                (strategies.size() == 1 ? "strategy " : "strategies ")
-                        + strategies.entrySet().stream()
-                                .map(entry -> entry.getKey()
-                                        + (entry.getValue().size() == all.get(n).get(entry.getKey())
-                                                ? ""
-                                                : " (" + String.join(" and ", entry.getValue()) + ")"))
-                                .collect(Collectors.joining(", "))));
-        return list(missing);
+        return list(folder.table(Kind.STRATEGIES).rows("device", device), "strategy", missing -> {
+            String what = missing.entrySet().stream()
+                    .sorted(Map.Entry.comparingByKey())
+                    .map(entry -> entry.getKey() + modes(entry.getValue(), " and ", folder, device))
+                    .collect(Collectors.joining(", "));
+            return (missing.size() == 1 ? "strategy " : "strategies ") + what;
+        });
     }
 
-    /** The engines on a scene, n by n; empty if none is missing. */
+    /** The modes of the rows of a strategy that are missing, or nothing if there are no others. */
+    private static String modes(List<Map<String, String>> rows, String and, ResultsFolder folder, String device) {
+        String n = rows.get(0).get("n");
+        String strategy = rows.get(0).get("strategy");
+        int all = folder.table(Kind.STRATEGIES)
+                .rows("device", device, "n", n, "strategy", strategy)
+                .size();
+        return rows.size() == all ? "" : " (" + modes(rows, and) + ")";
+    }
+
+    private static String modes(List<Map<String, String>> rows, String and) {
+        return rows.stream().map(row -> row.get("mode")).collect(Collectors.joining(and));
+    }
+
+    /** The engines on a scene; empty if none is missing. */
     static String engines(ResultsFolder folder, String scene) {
-        Map<Integer, String> missing = new TreeMap<>();
-        for (Map<String, String> row : folder.table(Kind.PEERS).rows("scene", scene)) {
-            if (is(row)) {
-                missing.merge(Integer.valueOf(row.get("n")), row.get("engine"), (a, b) -> a + ", " + b);
-            }
-        }
-        return list(missing);
+        return list(
+                folder.table(Kind.PEERS).rows("scene", scene),
+                "engine",
+                missing -> String.join(", ", missing.keySet()));
     }
 
-    /** World's runs, n by n; empty if none is missing. */
+    /** World's runs; empty if none is missing. */
     static String world(ResultsFolder folder) {
-        Map<Integer, Map<String, List<String>>> modes = new TreeMap<>();
-        for (Map<String, String> row : folder.table(Kind.WORLD).rows()) {
-            if (is(row)) {
-                modes.computeIfAbsent(Integer.valueOf(row.get("n")), n -> new LinkedHashMap<>())
-                        .computeIfAbsent(row.get("engine"), engine -> new ArrayList<>())
-                        .add(row.get("mode"));
-            }
-        }
-        Map<Integer, String> missing = new TreeMap<>();
-        modes.forEach((n, engines) -> missing.put(
-                n,
-                engines.entrySet().stream()
-                        .map(entry -> entry.getKey() + " (" + String.join(", ", entry.getValue()) + ")")
-                        .collect(Collectors.joining(", "))));
-        return list(missing);
+        return list(folder.table(Kind.WORLD).rows(), "engine", missing -> missing.entrySet().stream()
+                .map(entry -> entry.getKey() + " (" + modes(entry.getValue(), ", ") + ")")
+                .collect(Collectors.joining(", ")));
     }
 
-    /** A line for all n that lack the same. */
-    private static String list(Map<Integer, String> missing) {
+    /** A line for all n that lack the same, in the words for the rows of an n that are missing, by a column. */
+    private static String list(
+            List<Map<String, String>> rows,
+            String column,
+            Function<Map<String, List<Map<String, String>>>, String> words) {
+        Map<Integer, Map<String, List<Map<String, String>>>> missing = rows.stream()
+                .filter(LeftOut::is)
+                .collect(Collectors.groupingBy(
+                        row -> Integer.valueOf(row.get("n")),
+                        TreeMap::new,
+                        Collectors.groupingBy(row -> row.get(column), LinkedHashMap::new, Collectors.toList())));
         Map<String, List<String>> sizes = new LinkedHashMap<>();
-        missing.forEach((n, what) ->
-                sizes.computeIfAbsent(what, key -> new ArrayList<>()).add(Numbers.whole(n)));
-        if (sizes.isEmpty()) {
-            return "";
-        }
-        return sizes.entrySet().stream()
+        missing.forEach((n, what) -> sizes.computeIfAbsent(words.apply(what), key -> new ArrayList<>())
+                .add(Numbers.whole(n)));
+        String lines = sizes.entrySet().stream()
                 .map(entry -> "- n = " + String.join(", ", entry.getValue()) + ": " + entry.getKey() + "\n")
-                .collect(Collectors.joining(
-                        "", "Left out, because it would have taken longer than the sweep was given:\n\n", "\n"));
+                .collect(Collectors.joining());
+        return lines.isEmpty()
+                ? ""
+                : "Left out, because it would have taken longer than the sweep was given:\n\n" + lines + "\n";
     }
 }

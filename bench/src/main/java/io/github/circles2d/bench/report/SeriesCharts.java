@@ -1,13 +1,12 @@
 package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.engines.Engines;
-import io.github.circles2d.bench.results.Numbers;
+import io.github.circles2d.bench.measure.Contender;
+import io.github.circles2d.bench.measure.Series;
 import io.github.circles2d.bench.results.ResultsFolder;
-import io.github.circles2d.bench.series.Contender;
-import io.github.circles2d.bench.series.Series;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.knowm.xchart.XYChart;
@@ -33,51 +32,35 @@ final class SeriesCharts {
     }
 
     static XYChart steps(List<ResultsFolder> folders, Series series) {
-        XYChart chart = Charts.chart("A step of the series " + series.title, "circles", "ms a step");
-        int index = 0;
-        for (ResultsFolder folder : folders) {
-            for (Contender who : SeriesTables.contenders(folder)) {
-                if (who.engine().startsWith("world") && !who.threads().equals("1")) {
-                    index += line(chart, WorldCharts.label(folder, who.engine()), folder, who, series, index, false);
-                }
-            }
-        }
-        for (ResultsFolder folder : folders) {
-            int before = index;
-            for (Contender who : SeriesTables.contenders(folder)) {
-                boolean oneCore =
-                        who.engine().equals(Engines.WORLD_JVM) && who.threads().equals("1");
-                if (!who.engine().startsWith("world") || oneCore) {
-                    index += line(chart, label(who), folder, who, series, index, true);
-                }
-            }
-            if (index > before) {
-                break;
-            }
-        }
-        return chart;
+        return Charts.compare(
+                Charts.chart("A step of the series " + series.title, "circles", "ms a step"),
+                folders,
+                folder -> lines(folder, series, true),
+                folder -> lines(folder, series, false));
     }
 
-    private static String label(Contender who) {
-        String threads = who.threads() + (who.threads().equals("1") ? " thread" : " threads");
-        return (who.engine().equals(Engines.WORLD_JVM) ? "World, Java" : who.engine()) + ", " + threads;
-    }
-
-    private static int line(
-            XYChart chart, String name, ResultsFolder folder, Contender who, Series series, int index, boolean thin) {
-        List<Integer> sizes = new ArrayList<>();
-        List<Double> millis = new ArrayList<>();
-        for (int n : series.sizes()) {
-            Map<String, String> run = SeriesTables.run(folder, who, series, n);
-            if (SeriesTables.ok(run)) {
-                sizes.add(n);
-                millis.add(Numbers.parse(run.get("median_ms")));
+    /** By engine: of World with all that a machine has, or of the others and World on one thread. */
+    private static Map<String, Map<Integer, Double>> lines(ResultsFolder folder, Series series, boolean ofWorld) {
+        Map<String, Map<Integer, Double>> lines = new LinkedHashMap<>();
+        for (Contender who : SeriesTables.contenders(folder)) {
+            boolean oneThread = who.threads().equals("1");
+            String engine = who.engine().equals(Engines.WORLD_JVM) ? "World, Java" : who.engine();
+            String name = engine + ", " + who.threads() + (oneThread ? " thread" : " threads");
+            if (ofWorld && who.isWorld() && !oneThread) {
+                lines.merge(WorldCharts.label(folder, who.engine()), millis(folder, who, series), Charts::drawn);
+            } else if (!ofWorld && (!who.isWorld() || oneThread && who.engine().equals(Engines.WORLD_JVM))) {
+                lines.merge(name, millis(folder, who, series), Charts::drawn);
             }
         }
-        if (sizes.isEmpty() || chart.getSeriesMap().containsKey(name)) {
-            return 0;
-        }
-        Charts.line(chart, name, sizes, millis, index, thin);
-        return 1;
+        return lines;
+    }
+
+    private static Map<Integer, Double> millis(ResultsFolder folder, Contender who, Series series) {
+        return Charts.points(
+                series.sizes().stream()
+                        .map(n -> SeriesTables.run(folder, who, series, n))
+                        .filter(Tables::ok)
+                        .toList(),
+                "median_ms");
     }
 }

@@ -1,18 +1,19 @@
 package io.github.circles2d.bench.report;
 
 import io.github.circles2d.bench.engines.Engines;
+import io.github.circles2d.bench.measure.Contender;
+import io.github.circles2d.bench.measure.Outside;
+import io.github.circles2d.bench.measure.Series;
 import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
-import io.github.circles2d.bench.series.Contender;
-import io.github.circles2d.bench.series.Outside;
-import io.github.circles2d.bench.series.Series;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.stream.Collectors;
 
 /** World and other engines, series by series. What has no figure yet has its place all the same. */
@@ -24,61 +25,66 @@ final class SeriesTables {
 
     private SeriesTables() {}
 
-    /** Who has or should have figures on a machine: World on its devices, and on a machine without a GPU all others. */
+    /** Who has or should have figures on a machine: World on its GPUs, and on a machine without a GPU all others. */
     static List<Contender> contenders(ResultsFolder folder) {
         Set<Contender> all = new LinkedHashSet<>();
-        List<String> devices = Tables.devices(folder);
-        boolean gpu = false;
-        for (String device : devices) {
-            boolean isGpu = Tables.kind(folder, device).equals("GPU");
-            gpu |= isGpu;
-            all.add(new Contender(Engines.world(device), isGpu ? Contender.NO_THREADS : folder.machine("cores")));
+        String cores = folder.machine("cores");
+        for (String device : Tables.devices(folder)) {
+            if (Tables.kind(folder, device).equals("GPU")) {
+                all.add(new Contender(Engines.world(device), Contender.NO_THREADS));
+            }
         }
-        if (!gpu) {
-            all.add(new Contender(Engines.WORLD_JVM, folder.machine("cores")));
-            all.add(new Contender(Engines.WORLD_JVM, "1"));
-            all.add(new Contender(BOX2D_V3, folder.machine("cores")));
-            all.add(new Contender(BOX2D_V3, "1"));
+        if (all.stream().noneMatch(Contender::isOnGpu)) {
+            for (String engine : List.of(Engines.WORLD_JVM, BOX2D_V3)) {
+                all.add(new Contender(engine, cores));
+                all.add(new Contender(engine, "1"));
+            }
             Contender.PEERS.forEach(peer -> all.add(new Contender(peer, "1")));
         }
         for (Map<String, String> row : folder.table(Kind.SERIES).rows()) {
             all.add(new Contender(row.get("engine"), row.get("threads")));
         }
-        return all.stream().filter(who -> !who.threads().isEmpty()).collect(Collectors.toList());
+        return all.stream().filter(who -> !who.threads().isEmpty()).toList();
     }
 
-    /** A row, or null where there is none. */
+    /** A row, or null if there is none. */
     static Map<String, String> run(ResultsFolder folder, Contender who, Series series, int n) {
-        List<Map<String, String>> rows = folder.table(Kind.SERIES)
-                .rows(
-                        "engine",
-                        who.engine(),
-                        "series",
-                        series.title,
-                        "n",
-                        Integer.toString(n),
-                        "threads",
-                        who.threads());
-        return rows.isEmpty() ? null : rows.get(0);
-    }
-
-    /** Whether a row has a figure. */
-    static boolean ok(Map<String, String> run) {
-        return run != null && run.get("status").equals("ok");
+        return folder.table(Kind.SERIES)
+                .row("engine", who.engine(), "series", series.title, "n", "" + n, "threads", who.threads());
     }
 
     /** The median step of every engine on every machine at every n, and the depth that it leaves; of those that were measured. */
     static Grid steps(List<ResultsFolder> folders, Series series) {
+        return grid(folders, series, true, (folder, who) -> tried(folder, who, series));
+    }
+
+    /** The headline: World and Box2D on all machines, at every n of the first series; of those that were measured. */
+    static Grid headline(List<ResultsFolder> folders) {
+        Series series = Series.values()[0];
+        return grid(
+                folders,
+                series,
+                false,
+                (folder, who) -> (who.isWorld() && !who.threads().equals("1")
+                                || List.of(BOX2D_V3, "gdx-box2d").contains(who.engine()))
+                        && tried(folder, who, series));
+    }
+
+    private static Grid grid(
+            List<ResultsFolder> folders, Series series, boolean depths, BiPredicate<ResultsFolder, Contender> wanted) {
         List<String> header = new ArrayList<>(List.of("engine", "threads", "machine"));
-        series.sizes().forEach(n -> header.add("ms, n = " + Numbers.whole(n)));
-        series.sizes().forEach(n -> header.add("depth, n = " + Numbers.whole(n)));
+        for (String what : depths ? List.of("ms", "depth") : List.of("ms")) {
+            series.sizes().forEach(n -> header.add(what + ", n = " + Numbers.whole(n)));
+        }
         Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
         for (ResultsFolder folder : folders) {
             for (Contender who : contenders(folder)) {
-                if (tried(folder, who, series)) {
+                if (wanted.test(folder, who)) {
                     List<String> row = new ArrayList<>(List.of(who.engine(), who.threads(), folder.name()));
                     series.sizes().forEach(n -> row.add(millis(run(folder, who, series, n))));
-                    series.sizes().forEach(n -> row.add(depth(run(folder, who, series, n))));
+                    series.sizes().stream()
+                            .filter(n -> depths)
+                            .forEach(n -> row.add(depth(run(folder, who, series, n))));
                     grid.add(row);
                 }
             }
@@ -94,13 +100,7 @@ final class SeriesTables {
                     .filter(contender -> !tried(folder, contender, series))
                     .map(Contender::toString)
                     .collect(Collectors.joining(", "));
-            if (!who.isEmpty()) {
-                text.append("- Not measured on ")
-                        .append(folder.name())
-                        .append(": ")
-                        .append(who)
-                        .append(".\n");
-            }
+            text.append(who.isEmpty() ? "" : "- Not measured on " + folder.name() + ": " + who + ".\n");
         }
         return text.toString();
     }
@@ -109,52 +109,26 @@ final class SeriesTables {
         return series.sizes().stream().anyMatch(n -> run(folder, who, series, n) != null);
     }
 
-    /** The headline: World and Box2D on all machines, at every n of the first series. */
-    static Grid headline(List<ResultsFolder> folders) {
-        Series series = Series.values()[0];
-        List<String> header = new ArrayList<>(List.of("engine", "threads", "machine"));
-        series.sizes().forEach(n -> header.add("ms, n = " + Numbers.whole(n)));
-        Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
-        for (ResultsFolder folder : folders) {
-            for (Contender who : contenders(folder)) {
-                String engine = who.engine();
-                boolean headlined = engine.startsWith("world") && !who.threads().equals("1")
-                        || engine.equals(BOX2D_V3)
-                        || engine.equals("gdx-box2d");
-                if (headlined) {
-                    List<String> row = new ArrayList<>(List.of(engine, who.threads(), folder.name()));
-                    series.sizes().forEach(n -> row.add(millis(run(folder, who, series, n))));
-                    grid.add(row);
-                }
-            }
-        }
-        return grid;
-    }
-
     /** The median of a step; of one that was given up, about what its first steps took; or in words why there is none. */
-    static String millis(Map<String, String> run) {
-        if (run == null) {
+    private static String millis(Map<String, String> run) {
+        if (run == null || LeftOut.is(run) && run.get("mean_ms").isEmpty()) {
             return NOT_MEASURED;
         }
-        if (ok(run)) {
-            return Numbers.brief(Numbers.parse(run.get("median_ms")));
+        if (LeftOut.is(run)) {
+            return "about " + Numbers.brief(run.get("mean_ms"));
         }
-        String status = run.get("status");
-        if (!LeftOut.is(run)) {
-            return status.contains(":") ? status.substring(0, status.indexOf(':')) : status;
-        }
-        return run.get("mean_ms").isEmpty()
-                ? NOT_MEASURED
-                : "about " + Numbers.brief(Numbers.parse(run.get("mean_ms")));
+        return Tables.ok(run)
+                ? Numbers.brief(run.get("median_ms"))
+                : run.get("status").replaceFirst(":.*", "");
     }
 
     private static String depth(Map<String, String> run) {
-        if (!ok(run)) {
+        if (!Tables.ok(run)) {
             return "-";
         }
-        int outside = Integer.parseInt(run.get("outside"));
-        return Numbers.brief(Numbers.parse(run.get("mean_depth")))
-                + (outside > 0 ? ", " + Numbers.whole(outside) + " outside" : "");
+        String outside = run.get("outside");
+        return Numbers.brief(run.get("mean_depth"))
+                + (outside.equals("0") ? "" : ", " + Numbers.whole(outside) + " outside");
     }
 
     /** What the rows of engines outside Maven say of their making, with the machines. */
@@ -163,15 +137,13 @@ final class SeriesTables {
         for (ResultsFolder folder : folders) {
             for (Map<String, String> row : folder.table(Kind.SERIES).rows()) {
                 if (row.get("remarks").startsWith(Outside.MARK)) {
-                    made.computeIfAbsent(
-                                    "**" + row.get("engine") + "**, " + row.get("remarks"),
-                                    key -> new LinkedHashSet<>())
-                            .add(folder.name());
+                    String what = "- **" + row.get("engine") + "**, " + row.get("remarks");
+                    made.computeIfAbsent(what, key -> new LinkedHashSet<>()).add(folder.name());
                 }
             }
         }
         return made.entrySet().stream()
-                .map(entry -> "- " + entry.getKey() + " (" + String.join(", ", entry.getValue()) + ").\n")
+                .map(entry -> entry.getKey() + " (" + String.join(", ", entry.getValue()) + ").\n")
                 .collect(Collectors.joining());
     }
 
@@ -180,14 +152,9 @@ final class SeriesTables {
         StringBuilder text = new StringBuilder();
         for (ResultsFolder folder : folders) {
             for (Map<String, String> row : folder.table(Kind.SERIES).rows("series", series.title)) {
-                if (!ok(row) && !LeftOut.is(row)) {
-                    String who = new Contender(row.get("engine"), row.get("threads")).toString();
-                    text.append("- ").append(who).append(", n = ").append(Numbers.whole(Long.parseLong(row.get("n"))));
-                    text.append(", ")
-                            .append(folder.name())
-                            .append(": ")
-                            .append(row.get("status"))
-                            .append(".\n");
+                if (!Tables.ok(row) && !LeftOut.is(row)) {
+                    text.append("- " + new Contender(row.get("engine"), row.get("threads")) + ", n = "
+                            + Numbers.whole(row.get("n")) + ", " + folder.name() + ": " + row.get("status") + ".\n");
                 }
             }
         }

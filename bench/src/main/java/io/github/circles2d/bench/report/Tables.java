@@ -11,10 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.TreeSet;
-import java.util.stream.Collectors;
 
-/** The tables that the console and the page have in common. */
+/** The tables on the thesis's engine and on other engines. */
 final class Tables {
     /** Names of the strategies, by number. */
     static final List<String> STRATEGIES = List.of("0 computed", "1 look-up table", "2 row search", "3 exact");
@@ -23,11 +21,10 @@ final class Tables {
 
     /** The devices of a machine. */
     static List<String> devices(ResultsFolder folder) {
-        return folder.table(Kind.MACHINE).rows().stream()
-                .map(row -> row.get("property"))
+        return folder.table(Kind.MACHINE).values("property").stream()
                 .filter(property -> property.startsWith("device "))
                 .map(property -> property.substring("device ".length()))
-                .collect(Collectors.toList());
+                .toList();
     }
 
     /** CPU or GPU, out of the device's description. */
@@ -35,60 +32,23 @@ final class Tables {
         return folder.machine("device " + device).contains("(GPU,") ? "GPU" : "CPU";
     }
 
+    /** Whether a row is there and has a figure. */
+    static boolean ok(Map<String, String> run) {
+        return run != null && run.get("status").equals("ok");
+    }
+
     /** All n of a device, ascending. */
     static List<Integer> sizes(ResultsFolder folder, String device) {
-        return new ArrayList<>(folder.table(Kind.STRATEGIES).rows("device", device).stream()
-                .map(row -> Integer.valueOf(row.get("n")))
-                .collect(Collectors.toCollection(TreeSet::new)));
+        return folder.table(Kind.STRATEGIES).values("n", "device", device).stream()
+                .map(Integer::valueOf)
+                .sorted()
+                .toList();
     }
 
-    /** Whether anything was tried for a device and n: not all was left out for want of time. */
-    static boolean tried(ResultsFolder folder, String device, int n) {
-        return folder.table(Kind.STRATEGIES).rows("device", device, "n", Integer.toString(n)).stream()
-                .anyMatch(row -> !LeftOut.is(row));
-    }
-
-    /** Whether there is any figure for a device and n. */
-    static boolean measured(ResultsFolder folder, String device, int n) {
-        return !folder.table(Kind.STRATEGIES)
-                .rows("device", device, "n", Integer.toString(n), "status", "ok")
-                .isEmpty();
-    }
-
-    /** One strategy run, or null where there is none. */
+    /** One strategy run, or null if there is none. */
     static Map<String, String> run(ResultsFolder folder, String device, int strategy, int n, String mode) {
-        List<Map<String, String>> rows = folder.table(Kind.STRATEGIES)
-                .rows("device", device, "strategy", Integer.toString(strategy), "n", Integer.toString(n), "mode", mode);
-        return rows.isEmpty() ? null : rows.get(0);
-    }
-
-    /** The thesis's figures and ours, n by n. */
-    static Grid figure3(ResultsFolder folder, String device, String mode) {
-        String kind = kind(folder, device);
-        Grid grid = Grid.ofNumbers(
-                "n",
-                "thesis 0",
-                "thesis 1",
-                "thesis 2",
-                STRATEGIES.get(0),
-                STRATEGIES.get(1),
-                STRATEGIES.get(2),
-                STRATEGIES.get(3));
-        for (int n : sizes(folder, device)) {
-            if (!tried(folder, device, n) && Figure3.millis(kind, n, 0).isEmpty()) {
-                continue;
-            }
-            List<String> row = new ArrayList<>();
-            row.add(Numbers.whole(n));
-            for (int strategy = 0; strategy < 3; strategy++) {
-                row.add(orDash(Figure3.millis(kind, n, strategy)));
-            }
-            for (int strategy = 0; strategy < 4; strategy++) {
-                row.add(millis(run(folder, device, strategy, n, mode)));
-            }
-            grid.add(row);
-        }
-        return grid;
+        return folder.table(Kind.STRATEGIES)
+                .row("device", device, "strategy", Integer.toString(strategy), "n", Integer.toString(n), "mode", mode);
     }
 
     /** Mean and standard error of a run, or in a word why there is none. */
@@ -96,64 +56,120 @@ final class Tables {
         if (run == null) {
             return "-";
         }
-        String status = run.get("status");
-        if (!status.equals("ok")) {
-            return status.contains(":") ? status.substring(0, status.indexOf(':')) : status;
-        }
-        return Numbers.brief(Numbers.parse(run.get("mean_ms"))) + " ± "
-                + Numbers.brief(Numbers.parse(run.get("se_ms")));
+        return ok(run)
+                ? Numbers.brief(run.get("mean_ms")) + " ± " + Numbers.brief(run.get("se_ms"))
+                : run.get("status").replaceFirst(":.*", "");
     }
 
-    /** Wrong slots of the computed indexing by device and n. */
-    static Grid accuracy(List<ResultsFolder> folders) {
-        Grid grid = Grid.ofNumbers("machine, device", "circles", "slots", "wrong slots");
+    /** The machines, each with a link to its page. */
+    static Grid machines(List<ResultsFolder> folders) {
+        Grid grid = Grid.ofProse("machine", "processor", "device", "Java", "date");
         for (ResultsFolder folder : folders) {
-            for (Map<String, String> row : folder.table(Kind.ACCURACY).rows()) {
-                boolean first = row.get("n").startsWith("first");
-                boolean none = row.get("wrong_slots").isEmpty();
-                grid.add(List.of(
-                        folder.name() + ", " + row.get("device"),
-                        (first && !none ? "first wrong: " : first ? "none wrong up to " : "")
-                                + Numbers.whole(Long.parseLong(row.get("circles"))),
-                        Numbers.whole(Long.parseLong(row.get("slots"))),
-                        none ? "-" : Numbers.whole(Long.parseLong(row.get("wrong_slots")))));
+            for (String device : devices(folder)) {
+                grid.add(
+                        "[" + folder.name() + "](" + Page.fileOf(folder) + ")",
+                        folder.machine("processor") + ", " + folder.machine("cores") + " cores, "
+                                + folder.machine("memory GiB") + " GiB; " + folder.machine("system"),
+                        "**" + device + "**: " + folder.machine("device " + device),
+                        folder.machine("java"),
+                        folder.machine("date"));
             }
         }
         return grid;
     }
 
-    /** As {@link #accuracy}, with a column for each device. */
-    static Grid accuracyByDevice(List<ResultsFolder> folders) {
-        List<String> header = new ArrayList<>(List.of("circles", "slots"));
-        Map<Long, List<String>> rows = new TreeMap<>();
-        List<String> first = new ArrayList<>(List.of("first n with a wrong slot", ""));
-        int devices = 0;
-        for (ResultsFolder folder : folders) {
-            for (String device : devices(folder)) {
-                header.add(folder.name() + ", " + device);
-                devices++;
-                for (Map<String, String> row : folder.table(Kind.ACCURACY).rows("device", device)) {
-                    String wrong = row.get("wrong_slots");
-                    if (row.get("n").startsWith("first")) {
-                        String circles = Numbers.whole(Long.parseLong(row.get("circles")));
-                        pad(first, devices + 1).add(wrong.isEmpty() ? "none up to " + circles : circles);
-                    } else {
-                        String slots = Numbers.whole(Long.parseLong(row.get("slots")));
-                        List<String> cells = rows.computeIfAbsent(
-                                Long.valueOf(row.get("circles")),
-                                n -> new ArrayList<>(List.of(Numbers.whole(n), slots)));
-                        pad(cells, devices + 1).add(wrong.isEmpty() ? "-" : Numbers.whole(Long.parseLong(wrong)));
-                    }
+    /** The thesis's figures and ours, n by n; without the n at which all was left out for want of time. */
+    static Grid figure3(ResultsFolder folder, String device) {
+        List<String> header = new ArrayList<>(List.of("n", "thesis 0", "thesis 1", "thesis 2"));
+        header.addAll(STRATEGIES);
+        Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
+        String kind = kind(folder, device);
+        for (int n : sizes(folder, device)) {
+            boolean tried = folder.table(Kind.STRATEGIES).rows("device", device, "n", Integer.toString(n)).stream()
+                    .anyMatch(row -> !LeftOut.is(row));
+            if (tried || !Figure3.millis(kind, n, 0).isEmpty()) {
+                List<String> row = new ArrayList<>(List.of(Numbers.whole(n)));
+                for (int strategy = 0; strategy < 3; strategy++) {
+                    String thesis = Figure3.millis(kind, n, strategy);
+                    row.add(thesis.isEmpty() ? "-" : thesis);
+                }
+                for (int strategy = 0; strategy < 4; strategy++) {
+                    row.add(millis(run(folder, device, strategy, n, "loop")));
+                }
+                grid.add(row);
+            }
+        }
+        return grid;
+    }
+
+    /** Every mode of every strategy, at each n that has any figure. */
+    static Grid modes(ResultsFolder folder, String device) {
+        Grid grid = Grid.ofNumbers("n", "strategy", "with read-back", "device alone", "with profiling events");
+        for (int n : sizes(folder, device)) {
+            if (folder.table(Kind.STRATEGIES).row("device", device, "n", Integer.toString(n), "status", "ok") != null) {
+                for (int strategy = 0; strategy < 4; strategy++) {
+                    grid.add(
+                            Numbers.whole(n),
+                            Integer.toString(strategy),
+                            millis(run(folder, device, strategy, n, "loop")),
+                            millis(run(folder, device, strategy, n, "deviceOnly")),
+                            millis(run(folder, device, strategy, n, "profiled")));
                 }
             }
         }
+        return grid;
+    }
+
+    /** Memory of the buffers by n. */
+    static Grid memory(List<ResultsFolder> folders) {
+        Grid grid = Grid.ofNumbers("n", "collision buffer MB", "look-up table MB", "rows MB");
+        folders.stream()
+                .flatMap(folder -> folder.table(Kind.STRATEGIES).values("n", "mode", "loop", "strategy", "1").stream())
+                .map(Integer::valueOf)
+                .distinct()
+                .sorted()
+                .forEach(n -> grid.add(
+                        Numbers.whole(n),
+                        megabytes(folders, n, "1", "collision_bytes"),
+                        megabytes(folders, n, "1", "table_bytes"),
+                        megabytes(folders, n, "2", "table_bytes")));
+        return grid;
+    }
+
+    private static String megabytes(List<ResultsFolder> folders, int n, String strategy, String column) {
+        return folders.stream()
+                .map(folder -> folder.table(Kind.STRATEGIES))
+                .flatMap(table -> table.values(column, "n", Integer.toString(n), "strategy", strategy).stream())
+                .filter(bytes -> !bytes.isEmpty())
+                .map(bytes -> Numbers.brief(Numbers.parse(bytes) / 1e6))
+                .findFirst()
+                .orElse("-");
+    }
+
+    /** Wrong slots of the computed indexing by n, with a column for each device. */
+    static Grid accuracy(List<ResultsFolder> folders) {
+        List<String> header = new ArrayList<>(List.of("circles", "slots"));
+        Map<Long, List<String>> rows = new TreeMap<>();
+        for (ResultsFolder folder : folders) {
+            for (String device : devices(folder)) {
+                for (Map<String, String> row : folder.table(Kind.ACCURACY).rows("device", device)) {
+                    boolean first = row.get("n").startsWith("first");
+                    String circles = Numbers.whole(row.get("circles"));
+                    String wrong = row.get("wrong_slots");
+                    String none = first ? "none up to " + circles : "-";
+                    List<String> cells = rows.computeIfAbsent(
+                            first ? Long.MAX_VALUE : Long.valueOf(row.get("circles")),
+                            n -> new ArrayList<>(
+                                    first
+                                            ? List.of("first n with a wrong slot", "")
+                                            : List.of(circles, Numbers.whole(row.get("slots")))));
+                    pad(cells, header.size()).add(wrong.isEmpty() ? none : first ? circles : Numbers.whole(wrong));
+                }
+                header.add(folder.name() + ", " + device);
+            }
+        }
         Grid grid = Grid.ofNumbers(header.toArray(new String[0]));
-        for (List<String> cells : rows.values()) {
-            grid.add(pad(cells, header.size()));
-        }
-        if (first.size() > 2) {
-            grid.add(pad(first, header.size()));
-        }
+        rows.values().forEach(cells -> grid.add(pad(cells, header.size())));
         return grid;
     }
 
@@ -168,110 +184,79 @@ final class Tables {
     /** Kernel times and the share of the roof. */
     static Grid roof(ResultsFolder folder, String device) {
         Grid grid = Grid.ofNumbers(
-                "n",
-                "strategy",
-                "update µs",
-                "detect µs",
-                "resolve µs",
-                "MB that must move",
-                "copy GB/s",
-                "roof ms",
-                "share of roof");
-        List<Map<String, String>> rows = new ArrayList<>(folder.table(Kind.ROOF).rows("device", device));
+                ("n,strategy,update µs,detect µs,resolve µs,MB that must move,copy GB/s,roof ms,share of roof")
+                        .split(","));
+        List<Map<String, String>> rows = folder.table(Kind.ROOF).rows("device", device);
         rows.sort(Comparator.comparing((Map<String, String> row) -> Integer.valueOf(row.get("n")))
                 .thenComparing(row -> row.get("strategy")));
         for (Map<String, String> row : rows) {
             Map<String, String> run = run(
                     folder, device, Integer.parseInt(row.get("strategy")), Integer.parseInt(row.get("n")), "profiled");
-            grid.add(List.of(
-                    Numbers.whole(Long.parseLong(row.get("n"))),
+            grid.add(
+                    Numbers.whole(row.get("n")),
                     row.get("strategy"),
-                    brief(run.get("update_us")),
-                    brief(run.get("detect_us")),
-                    brief(run.get("resolve_us")),
-                    Numbers.brief(Long.parseLong(row.get("moved_bytes")) / 1e6),
-                    brief(row.get("copy_gb_per_s")),
-                    brief(row.get("roof_ms")),
-                    Math.round(100 * Numbers.parse(row.get("share_of_roof"))) + " %"));
+                    Numbers.brief(run.get("update_us")),
+                    Numbers.brief(run.get("detect_us")),
+                    Numbers.brief(run.get("resolve_us")),
+                    Numbers.brief(Numbers.parse(row.get("moved_bytes")) / 1e6),
+                    Numbers.brief(row.get("copy_gb_per_s")),
+                    Numbers.brief(row.get("roof_ms")),
+                    Numbers.percent(row.get("share_of_roof")));
         }
         return grid;
     }
 
     /** Speed and quality of the engines on a scene. */
     static Grid peers(ResultsFolder folder, String scene) {
-        Grid grid = Grid.ofNumbers(
-                "engine",
-                "n",
-                "ms a step",
-                "after steps",
-                "mean depth",
-                "max depth",
-                "deep pairs",
-                "energy a circle",
-                "KB allocated a step",
-                "peak MiB");
+        Grid grid = Grid.ofNumbers(("engine,n,ms a step,after steps,mean depth,max depth,deep pairs,energy a circle,"
+                        + "KB allocated a step,peak MiB")
+                .split(","));
         for (Map<String, String> row : folder.table(Kind.PEERS).rows("scene", scene)) {
-            if (LeftOut.is(row)) {
-                continue;
+            if (!LeftOut.is(row)) {
+                boolean ok = ok(row);
+                String energy = row.get("kinetic_energy");
+                grid.add(
+                        row.get("engine"),
+                        Numbers.whole(row.get("n")),
+                        millis(row),
+                        ok ? stepsOf(row) : "-",
+                        Numbers.brief(row.get("mean_depth")),
+                        Numbers.brief(row.get("max_depth")),
+                        ok ? Numbers.whole(Math.round(Numbers.parse(row.get("deep_pairs")))) : "-",
+                        energy.isEmpty() ? "-" : String.format(Locale.ROOT, "%.1e", Numbers.parse(energy)),
+                        Numbers.brief(Numbers.parse(row.get("allocated_bytes")) / 1000),
+                        Numbers.brief(row.get("peak_rss_mib")));
             }
-            boolean ok = row.get("status").equals("ok");
-            grid.add(List.of(
-                    row.get("engine"),
-                    Numbers.whole(Long.parseLong(row.get("n"))),
-                    millis(row),
-                    ok
-                            ? Integer.toString(
-                                    Integer.parseInt(row.get("skipped")) + Integer.parseInt(row.get("steps")))
-                            : "-",
-                    brief(row.get("mean_depth")),
-                    brief(row.get("max_depth")),
-                    ok ? Numbers.whole(Math.round(Numbers.parse(row.get("deep_pairs")))) : "-",
-                    scientific(row.get("kinetic_energy")),
-                    ok ? Numbers.brief(Numbers.parse(row.get("allocated_bytes")) / 1000) : "-",
-                    brief(row.get("peak_rss_mib"))));
         }
         return grid;
+    }
+
+    /** The steps of a scene at the end of a run. */
+    static String stepsOf(Map<String, String> run) {
+        return Integer.toString(Integer.parseInt(run.get("skipped")) + Integer.parseInt(run.get("steps")));
     }
 
     /** The plain loop in Java beside Circles2D on a device, on the scene packed. */
     static Grid plainLoop(ResultsFolder folder, String device) {
         Grid grid = Grid.ofNumbers("n", "java-all-pairs ms", "look-up table ms", "exact ms", "faster than both");
-        List<Map<String, String>> rows = folder.table(Kind.PEERS).rows("scene", "packed", "status", "ok");
-        for (Map<String, String> loop : rows) {
-            Map<String, String> lookup = same(loop, Engines.thesis(PairIndexing.LOOKUP_TABLE) + "@" + device, rows);
-            Map<String, String> exact = same(loop, Engines.thesis(PairIndexing.EXACT) + "@" + device, rows);
-            if (loop.get("engine").equals("java-all-pairs") && lookup != null && exact != null) {
+        for (Map<String, String> loop :
+                folder.table(Kind.PEERS).rows("engine", "java-all-pairs", "scene", "packed", "status", "ok")) {
+            Map<String, String> lookup = same(loop, Engines.thesis(PairIndexing.LOOKUP_TABLE) + "@" + device, folder);
+            Map<String, String> exact = same(loop, Engines.thesis(PairIndexing.EXACT) + "@" + device, folder);
+            if (lookup != null && exact != null) {
                 double best = Math.min(Numbers.parse(lookup.get("mean_ms")), Numbers.parse(exact.get("mean_ms")));
-                grid.add(List.of(
-                        Numbers.whole(Long.parseLong(loop.get("n"))),
-                        millis(loop),
-                        millis(lookup),
-                        millis(exact),
-                        Numbers.parse(loop.get("mean_ms")) < best ? "the loop" : "no"));
+                boolean faster = Numbers.parse(loop.get("mean_ms")) < best;
+                String n = Numbers.whole(loop.get("n"));
+                grid.add(n, millis(loop), millis(lookup), millis(exact), faster ? "the loop" : "no");
             }
         }
         return grid;
     }
 
-    /** The run of another engine with the same scene, n and steps; null where there is none. */
-    private static Map<String, String> same(Map<String, String> run, String engine, List<Map<String, String>> rows) {
-        return rows.stream()
-                .filter(row -> row.get("engine").equals(engine)
-                        && row.get("n").equals(run.get("n"))
-                        && row.get("steps").equals(run.get("steps")))
-                .findFirst()
-                .orElse(null);
-    }
-
-    private static String brief(String number) {
-        return Numbers.brief(Numbers.parse(number));
-    }
-
-    private static String scientific(String number) {
-        return number.isEmpty() ? "-" : String.format(Locale.ROOT, "%.1e", Numbers.parse(number));
-    }
-
-    private static String orDash(String text) {
-        return text.isEmpty() ? "-" : text;
+    /** The run of another engine with the same scene, n and steps; null if there is none. */
+    private static Map<String, String> same(Map<String, String> run, String engine, ResultsFolder folder) {
+        String scene = run.get("scene");
+        return folder.table(Kind.PEERS)
+                .row("engine", engine, "scene", scene, "n", run.get("n"), "steps", run.get("steps"), "status", "ok");
     }
 }

@@ -5,14 +5,11 @@ import io.github.circles2d.bench.results.Numbers;
 import io.github.circles2d.bench.results.ResultsFolder;
 import io.github.circles2d.bench.results.ResultsFolder.Kind;
 import io.github.circles2d.bench.results.Table;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.stream.Collectors;
+import java.util.function.Predicate;
 
 /** What World's speed was meant to be, from {@code targets.csv}, against what it is. */
 final class Targets {
@@ -21,66 +18,52 @@ final class Targets {
 
     private static final int GROWTH_FROM = 100_000;
 
-    private static final Table TABLE = read();
+    private static final Table TABLE = Table.ofResource("targets.csv", List.of("where", "n", "mode"));
 
     private Targets() {}
-
-    private static Table read() {
-        try (InputStream in = Targets.class.getResourceAsStream("/io/github/circles2d/bench/targets.csv")) {
-            return Table.parse(new String(in.readAllBytes(), StandardCharsets.UTF_8), List.of("where", "n", "mode"));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
 
     /** Times: a row a target that a folder can tell something of. */
     static Grid times(List<ResultsFolder> folders) {
         Grid grid = Grid.ofNumbers("where", "n", "what", "aimed at ms", "reached ms", "by", "met");
         for (Map<String, String> target : TABLE.rows()) {
+            boolean read = target.get("mode").equals("read");
+            List<String> modes = read ? WorldTables.READS : List.of(target.get("mode"));
+            double aim = Numbers.parse(target.get("ms"));
             for (ResultsFolder folder : folders) {
-                Map<String, String> best = best(folder, target);
-                if (best == null) {
-                    continue;
+                Map<String, String> best = fastest(
+                        folder.table(Kind.WORLD).rows("n", target.get("n"), "status", "ok"),
+                        row -> modes.contains(row.get("mode")) && isMeant(folder, row, target.get("where")));
+                if (best != null) {
+                    double reached = median(best);
+                    grid.add(
+                            target.get("where"),
+                            Numbers.whole(target.get("n")),
+                            read ? "with read-back" : "steps alone",
+                            Numbers.brief(aim),
+                            Numbers.brief(reached),
+                            best.get("engine"),
+                            reached <= aim ? "yes" : "no: " + Numbers.brief(reached / aim) + " times the aim");
                 }
-                double aim = Numbers.parse(target.get("ms"));
-                double reached = Numbers.parse(best.get("median_ms"));
-                grid.add(List.of(
-                        target.get("where"),
-                        Numbers.whole(Long.parseLong(target.get("n"))),
-                        target.get("mode").equals("read") ? "with read-back" : "steps alone",
-                        Numbers.brief(aim),
-                        Numbers.brief(reached),
-                        best.get("engine"),
-                        verdict(reached, aim)));
             }
         }
         return grid;
     }
 
-    private static String verdict(double reached, double aim) {
-        return reached <= aim ? "yes" : "no: " + Numbers.brief(reached / aim) + " times the aim";
+    /** Whether a run is on what a target is for: a number of cores, or a device. */
+    private static boolean isMeant(ResultsFolder folder, Map<String, String> row, String where) {
+        String device = row.get("engine").substring(row.get("engine").indexOf('@') + 1);
+        boolean onCpu = row.get("engine").equals(Engines.WORLD_JVM)
+                || Tables.kind(folder, device).equals("CPU");
+        return where.endsWith(" cores")
+                ? onCpu && where.equals(folder.machine("cores") + " cores")
+                : folder.machine("device " + device).startsWith(where);
     }
 
-    /** The run with the least median that a target is about; null where the folder has none. */
-    private static Map<String, String> best(ResultsFolder folder, Map<String, String> target) {
-        String where = target.get("where");
-        List<String> modes = target.get("mode").equals("read") ? WorldTables.READS : List.of(target.get("mode"));
-        Map<String, String> best = null;
-        for (Map<String, String> row : folder.table(Kind.WORLD).rows("n", target.get("n"), "status", "ok")) {
-            boolean onCpu = row.get("engine").equals(Engines.WORLD_JVM)
-                    || Tables.kind(folder, device(row)).equals("CPU");
-            boolean meant = where.endsWith(" cores")
-                    ? onCpu && where.equals(folder.machine("cores") + " cores")
-                    : folder.machine("device " + device(row)).startsWith(where);
-            if (meant && modes.contains(row.get("mode")) && (best == null || median(row) < median(best))) {
-                best = row;
-            }
-        }
-        return best;
-    }
-
-    private static String device(Map<String, String> row) {
-        return row.get("engine").substring(row.get("engine").indexOf('@') + 1);
+    private static Map<String, String> fastest(List<Map<String, String>> rows, Predicate<Map<String, String>> wanted) {
+        return rows.stream()
+                .filter(wanted)
+                .min(Comparator.comparingDouble(Targets::median))
+                .orElse(null);
     }
 
     private static double median(Map<String, String> row) {
@@ -91,40 +74,34 @@ final class Targets {
     static Grid ratios(List<ResultsFolder> folders) {
         Grid grid = Grid.ofNumbers("machine", "n", "World ms", "of", "its ms", "ratio", "aimed at", "met");
         for (ResultsFolder folder : folders) {
-            List<Map<String, String>> rows = folder.table(Kind.PEERS).rows("scene", "packed", "status", "ok");
-            for (String n : rows.stream().map(row -> row.get("n")).distinct().collect(Collectors.toList())) {
+            Table peers = folder.table(Kind.PEERS);
+            for (String n : peers.values("n", "scene", "packed", "status", "ok")) {
+                List<Map<String, String>> rows = peers.rows("scene", "packed", "n", n, "status", "ok");
+                Map<String, String> world =
+                        fastest(rows, row -> row.get("engine").startsWith("world"));
                 for (String peer : List.of("gdx-box2d", "dyn4j", Engines.JAVA_GRID)) {
-                    addRatio(grid, folder.name(), Integer.parseInt(n), peer, rows);
+                    // The row that came last.
+                    Map<String, String> other = rows.stream()
+                            .filter(row -> row.get("engine").equals(peer))
+                            .reduce(null, (before, row) -> row);
+                    if (world != null && other != null) {
+                        double box2d = Integer.parseInt(n) < 5000 ? 0.1 : 0.05;
+                        double aim = peer.equals("dyn4j") ? 0.02 : peer.equals(Engines.JAVA_GRID) ? 1 : box2d;
+                        double ratio = median(world) / median(other);
+                        grid.add(
+                                folder.name(),
+                                Numbers.whole(n),
+                                Numbers.brief(median(world)),
+                                peer,
+                                Numbers.brief(median(other)),
+                                String.format(Locale.ROOT, "%.3f", ratio),
+                                Numbers.brief(aim),
+                                ratio <= aim ? "yes" : "no");
+                    }
                 }
             }
         }
         return grid;
-    }
-
-    private static void addRatio(Grid grid, String machine, int n, String peer, List<Map<String, String>> rows) {
-        Map<String, String> world = null;
-        Map<String, String> other = null;
-        for (Map<String, String> row : rows) {
-            if (Integer.parseInt(row.get("n")) == n) {
-                other = row.get("engine").equals(peer) ? row : other;
-                boolean isWorld = row.get("engine").startsWith("world");
-                world = isWorld && (world == null || median(row) < median(world)) ? row : world;
-            }
-        }
-        if (world == null || other == null) {
-            return;
-        }
-        double aim = peer.equals("dyn4j") ? 0.02 : peer.equals(Engines.JAVA_GRID) ? 1 : n < 5000 ? 0.1 : 0.05;
-        double ratio = median(world) / median(other);
-        grid.add(List.of(
-                machine,
-                Numbers.whole(n),
-                Numbers.brief(median(world)),
-                peer,
-                Numbers.brief(median(other)),
-                String.format(Locale.ROOT, "%.3f", ratio),
-                Numbers.brief(aim),
-                ratio <= aim ? "yes" : "no"));
     }
 
     /** What a circle costs in the largest crowd, against 100,000. */
@@ -139,13 +116,13 @@ final class Targets {
                         .reduce(0, Math::max);
                 if (Double.isFinite(from) && largest > 0) {
                     double there = nanos(folder, engine, largest);
-                    grid.add(List.of(
+                    grid.add(
                             folder.name() + ", " + engine,
                             Numbers.brief(from),
                             Numbers.whole(largest),
                             Numbers.brief(there),
                             Numbers.brief(there / from),
-                            there / from < GROWTH ? "yes" : "no"));
+                            there / from < GROWTH ? "yes" : "no");
                 }
             }
         }

@@ -8,10 +8,11 @@ import java.awt.Font;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.knowm.xchart.AnnotationText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
@@ -39,7 +40,7 @@ final class WorldCharts {
 
     /** The charts of one machine. */
     static void draw(ResultsFolder folder) throws IOException {
-        if (!folder.table(Kind.WORLD).rows("mode", "steps", "status", "ok").isEmpty()) {
+        if (folder.table(Kind.WORLD).row("mode", "steps", "status", "ok") != null) {
             Charts.save(steps(List.of(folder)), folder.path(), FILE);
         }
         for (int n : QUALITY_SIZES) {
@@ -55,67 +56,31 @@ final class WorldCharts {
      * World on all machines, of machines that are alike the first; other engines on the first machine that has some.
      */
     static XYChart steps(List<ResultsFolder> folders) {
-        XYChart chart = Charts.chart("A step on the scene packed", "circles", "ms a step");
-        int index = 0;
-        for (ResultsFolder folder : folders) {
-            for (String engine : worlds(folder)) {
-                index += line(chart, label(folder, engine), worldMillis(folder, engine), index, false);
-            }
-        }
-        for (ResultsFolder folder : folders) {
-            List<String> peers = folder.table(Kind.PEERS).rows("scene", "packed", "status", "ok").stream()
-                    .map(row -> row.get("engine"))
-                    .filter(Engines.PEERS::contains)
-                    .distinct()
-                    .collect(Collectors.toList());
-            for (String engine : peers) {
-                index += line(chart, label(folder, engine), peerMillis(folder, engine), index, true);
-            }
-            if (!peers.isEmpty()) {
-                break;
-            }
-        }
-        return chart;
+        return Charts.compare(
+                Charts.chart("A step on the scene packed", "circles", "ms a step"),
+                folders,
+                folder -> lines(folder, engine -> engine.startsWith("world")),
+                folder -> lines(folder, Engines.PEERS::contains));
     }
 
-    private static int line(XYChart chart, String name, Map<Integer, Double> millis, int index, boolean thin) {
-        if (millis.isEmpty() || chart.getSeriesMap().containsKey(name)) {
-            return 0;
-        }
-        Charts.line(chart, name, new ArrayList<>(millis.keySet()), new ArrayList<>(millis.values()), index, thin);
-        return 1;
+    private static Map<String, Map<Integer, Double>> lines(ResultsFolder folder, Predicate<String> wanted) {
+        Map<String, Map<Integer, Double>> lines = new LinkedHashMap<>();
+        Stream.of(Kind.WORLD, Kind.PEERS)
+                .flatMap(kind -> folder.table(kind).values("engine", "status", "ok").stream())
+                .filter(wanted)
+                .forEach(engine -> lines.merge(label(folder, engine), millis(folder, engine), Charts::drawn));
+        return lines;
     }
 
-    /** World's engines in a folder, those on GPUs first. */
-    private static List<String> worlds(ResultsFolder folder) {
-        List<String> engines = new ArrayList<>();
-        for (Kind kind : List.of(Kind.WORLD, Kind.PEERS)) {
-            for (Map<String, String> row : folder.table(kind).rows("status", "ok")) {
-                if (row.get("engine").startsWith("world") && !engines.contains(row.get("engine"))) {
-                    engines.add(row.get("engine"));
-                }
-            }
-        }
-        return engines;
-    }
-
-    /** Ms a step by n: steps in one call; where there are none of these, the steps of the comparison. */
-    private static Map<Integer, Double> worldMillis(ResultsFolder folder, String engine) {
-        Map<Integer, Double> millis = new TreeMap<>();
-        for (Map<String, String> row :
-                folder.table(Kind.WORLD).rows("engine", engine, "mode", "steps", "status", "ok")) {
-            millis.put(Integer.valueOf(row.get("n")), Numbers.parse(row.get("mean_ms")));
-        }
-        return millis.isEmpty() ? peerMillis(folder, engine) : millis;
-    }
-
-    private static Map<Integer, Double> peerMillis(ResultsFolder folder, String engine) {
-        Map<Integer, Double> millis = new TreeMap<>();
-        for (Map<String, String> row :
-                folder.table(Kind.PEERS).rows("engine", engine, "scene", "packed", "status", "ok")) {
-            millis.put(Integer.valueOf(row.get("n")), Numbers.parse(row.get("mean_ms")));
-        }
-        return millis;
+    /** Ms a step by n: steps in one call; if there are none of these, the steps of the comparison. */
+    private static Map<Integer, Double> millis(ResultsFolder folder, String engine) {
+        List<Map<String, String>> rows =
+                folder.table(Kind.WORLD).rows("engine", engine, "mode", "steps", "status", "ok");
+        return Charts.points(
+                rows.isEmpty()
+                        ? folder.table(Kind.PEERS).rows("engine", engine, "scene", "packed", "status", "ok")
+                        : rows,
+                "mean_ms");
     }
 
     /** A name for people: engine and what it runs on. */
@@ -168,21 +133,18 @@ final class WorldCharts {
     private static void place(List<Label> labels, XYChart chart) {
         double perPixelX = decades(labels.stream().mapToDouble(Label::x).toArray()) / PLOT_WIDTH;
         double perPixelY = decades(labels.stream().mapToDouble(Label::y).toArray()) / PLOT_HEIGHT;
-        List<Label> taken = new ArrayList<>(labels.stream()
-                .map(label -> new Label("*", label.x(), label.y()))
-                .collect(Collectors.toList()));
+        List<Label> taken = new ArrayList<>();
+        labels.forEach(label -> taken.add(new Label("*", label.x(), label.y())));
         for (Label label : labels) {
             for (int k = 1; ; k++) {
                 // above, below, farther above, ..
                 double y = label.y() + (k % 2 == 1 ? 1 : -1) * ((k + 1) / 2) * LINE_HEIGHT * perPixelY;
+                double letter = 0.5 * LETTER_WIDTH * perPixelX;
+                double own = letter * label.name().length();
                 boolean free = taken.stream()
                         .allMatch(other -> Math.abs(other.y() - y) > 0.8 * LINE_HEIGHT * perPixelY
                                 || Math.abs(other.x() - label.x())
-                                        > 0.5
-                                                * LETTER_WIDTH
-                                                * perPixelX
-                                                * (other.name().length()
-                                                        + label.name().length()));
+                                        > own + letter * other.name().length());
                 if (free || k > 10) {
                     taken.add(new Label(label.name(), label.x(), y));
                     chart.addAnnotation(

@@ -6,7 +6,6 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,7 +26,9 @@ final class JmhJson {
     static JmhJson read(Path file) throws IOException {
         JmhJson json = new JmhJson();
         if (Files.exists(file)) {
-            json.putAll(Files.readString(file, StandardCharsets.UTF_8));
+            Files.readAllLines(file).stream()
+                    .filter(line -> line.startsWith("{"))
+                    .forEach(line -> json.put(line.replaceFirst(",$", "")));
         }
         return json;
     }
@@ -36,52 +37,23 @@ final class JmhJson {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         PrintStream out = new PrintStream(bytes, true, StandardCharsets.UTF_8);
         ResultFormatFactory.getInstance(ResultFormatType.JSON, out).writeOut(List.of(result));
-        putAll(bytes.toString(StandardCharsets.UTF_8));
+        // One line a run: JMH's texts hold no line breaks.
+        String array = bytes.toString(StandardCharsets.UTF_8).replaceAll("\\s*\n\\s*", " ");
+        put(array.substring(array.indexOf('{'), array.lastIndexOf('}') + 1));
     }
 
     void save(Path file) throws IOException {
         Table.replace(file, "[\n" + String.join(",\n", runs.values()) + "\n]\n");
     }
 
-    private void putAll(String array) {
-        for (String run : objects(array)) {
-            // One line a run: JMH's texts hold no line breaks of their own.
-            String line = run.replaceAll("\\s*\n\\s*", " ");
-            // Where Java is installed is nobody's business.
-            line = JVM.matcher(line).replaceFirst("$1");
-            runs.put(first(BENCHMARK, line) + " " + first(PARAMETERS, line), line);
-        }
+    private void put(String run) {
+        // Where Java is installed is nobody's business.
+        String line = JVM.matcher(run).replaceFirst("$1");
+        runs.put(first(BENCHMARK, line) + " " + first(PARAMETERS, line), line);
     }
 
     private static String first(Pattern pattern, String text) {
         Matcher matcher = pattern.matcher(text);
         return matcher.find() ? matcher.group(1) : "";
-    }
-
-    /** Cuts a JSON array of objects into its elements. */
-    private static List<String> objects(String array) {
-        List<String> objects = new ArrayList<>();
-        int depth = 0;
-        int start = 0;
-        boolean inText = false;
-        for (int i = 0; i < array.length(); i++) {
-            char c = array.charAt(i);
-            if (inText) {
-                if (c == '\\') {
-                    i++;
-                } else if (c == '"') {
-                    inText = false;
-                }
-            } else if (c == '"') {
-                inText = true;
-            } else if (c == '{') {
-                if (depth++ == 0) {
-                    start = i;
-                }
-            } else if (c == '}' && --depth == 0) {
-                objects.add(array.substring(start, i + 1));
-            }
-        }
-        return objects;
     }
 }

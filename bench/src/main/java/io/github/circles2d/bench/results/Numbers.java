@@ -21,9 +21,24 @@ public final class Numbers {
         return Math.abs(value) >= 99.5 ? String.format(Locale.ROOT, "%,.0f", value) : plain(value, 2);
     }
 
+    /** As {@link #brief(double)}, of what {@link #exact} wrote. */
+    public static String brief(String number) {
+        return brief(parse(number));
+    }
+
     /** A whole number with separators. */
     public static String whole(long value) {
         return String.format(Locale.ROOT, "%,d", value);
+    }
+
+    /** As {@link #whole(long)}, of a number without separators. */
+    public static String whole(String number) {
+        return whole(Long.parseLong(number));
+    }
+
+    /** A share of one, in per cent. */
+    public static String percent(String share) {
+        return Math.round(100 * parse(share)) + " %";
     }
 
     /** Reads what {@link #exact} wrote; NaN for an empty text. */

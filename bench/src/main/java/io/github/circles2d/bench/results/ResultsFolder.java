@@ -3,7 +3,6 @@ package io.github.circles2d.bench.results;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
@@ -15,141 +14,63 @@ public final class ResultsFolder {
     /** The status of what was not tried because less of the same did not fit into the device's memory. */
     public static final String SMALLER_DOES_NOT_FIT = "does not fit: a smaller size does not";
 
-    /** The tables of a folder. */
+    private static final String TIMES = "runs mean_ms se_ms min_ms median_ms ";
+
+    private static final String PROCESS = "allocated_bytes peak_rss_mib ";
+
+    /** The tables of a folder: the columns that tell rows apart, and the others. */
     public enum Kind {
         /** What the machine is, and how it was measured: a name and a value a row. */
-        MACHINE(List.of("property"), List.of("value")),
+        MACHINE("property", "value"),
         /** Copy bandwidth by device and size. */
-        COPY(
-                List.of("device", "bytes"),
-                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status")),
+        COPY("device bytes", TIMES + "gb_per_s status"),
         /** Wrong slots of the computed indexing by device and n. */
-        ACCURACY(List.of("device", "n"), List.of("circles", "slots", "wrong_slots", "status")),
+        ACCURACY("device n", "circles slots wrong_slots status"),
         /** The strategies by device, indexing, n and mode. */
         STRATEGIES(
-                List.of("device", "strategy", "n", "mode"),
-                List.of(
-                        "indexing",
-                        "steps",
-                        "runs",
-                        "mean_ms",
-                        "se_ms",
-                        "min_ms",
-                        "median_ms",
-                        "update_us",
-                        "detect_us",
-                        "resolve_us",
-                        "collision_bytes",
-                        "table_bytes",
-                        "allocated_bytes",
-                        "peak_rss_mib",
-                        "status")),
+                "device strategy n mode",
+                "indexing steps " + TIMES + "update_us detect_us resolve_us collision_bytes table_bytes " + PROCESS
+                        + "status"),
         /** Kernel time against the time that its bytes take at the copy bandwidth. */
-        ROOF(
-                List.of("device", "strategy", "n"),
-                List.of("moved_bytes", "copy_gb_per_s", "roof_ms", "kernels_ms", "share_of_roof")),
+        ROOF("device strategy n", "moved_bytes copy_gb_per_s roof_ms kernels_ms share_of_roof"),
         /** Engines by scene and n. */
         PEERS(
-                List.of("engine", "scene", "n", "steps"),
-                List.of(
-                        "skipped",
-                        "runs",
-                        "mean_ms",
-                        "se_ms",
-                        "min_ms",
-                        "median_ms",
-                        "mean_depth",
-                        "max_depth",
-                        "overlapping_pairs",
-                        "deep_pairs",
-                        "kinetic_energy",
-                        "allocated_bytes",
-                        "peak_rss_mib",
-                        "status",
-                        "remarks")),
+                "engine scene n steps",
+                "skipped " + TIMES + "mean_depth max_depth overlapping_pairs deep_pairs kinetic_energy " + PROCESS
+                        + "status remarks"),
         /** World by engine, n, and what is done beside the steps. */
         WORLD(
-                List.of("engine", "n", "mode"),
-                List.of(
-                        "skipped",
-                        "steps",
-                        "runs",
-                        "mean_ms",
-                        "se_ms",
-                        "min_ms",
-                        "median_ms",
-                        "grid_us",
-                        "scan_us",
-                        "sweep_us",
-                        "contacts_us",
-                        "solver_us",
-                        "resident_us",
-                        "other_us",
-                        "contacts",
-                        "candidate_pairs",
-                        "mean_depth",
-                        "max_depth",
-                        "deep_pairs",
-                        "kinetic_energy",
-                        "bytes_held",
-                        "allocated_bytes",
-                        "peak_rss_mib",
-                        "state_hash",
-                        "status")),
+                "engine n mode",
+                "skipped steps " + TIMES
+                        + "grid_us scan_us sweep_us contacts_us solver_us resident_us other_us contacts"
+                        + " candidate_pairs mean_depth max_depth deep_pairs kinetic_energy bytes_held " + PROCESS
+                        + "state_hash status"),
         /** World's stages against the time that their bytes take at the copy bandwidth. */
-        WORLD_STAGES(
-                List.of("engine", "n", "stage"),
-                List.of("time_us", "moved_bytes", "copy_gb_per_s", "roof_us", "share_of_roof")),
+        WORLD_STAGES("engine n stage", "time_us moved_bytes copy_gb_per_s roof_us share_of_roof"),
         /** Transfers between host and device by the kind of the host's memory. */
-        TRANSFER(
-                List.of("device", "direction", "memory", "bytes"),
-                List.of("runs", "mean_ms", "se_ms", "min_ms", "median_ms", "gb_per_s", "status")),
+        TRANSFER("device direction memory bytes", TIMES + "gb_per_s status"),
         /** World and other engines by series and n: a step with a wait after it. */
         SERIES(
-                List.of("engine", "series", "n", "threads"),
-                List.of(
-                        "skipped",
-                        "steps",
-                        "runs",
-                        "median_ms",
-                        "middle_median_ms",
-                        "mean_ms",
-                        "mean_depth",
-                        "max_depth",
-                        "deep_pairs",
-                        "kinetic_energy",
-                        "outside",
-                        "state_hash",
-                        "date",
-                        "status",
-                        "remarks")),
+                "engine series n threads",
+                "skipped steps runs median_ms middle_median_ms mean_ms mean_depth max_depth deep_pairs kinetic_energy"
+                        + " outside state_hash date status remarks"),
         /** Broad phases by scene and n: processor time of one thread, and work, both a step. */
-        BROADPHASE(
-                List.of("scene", "n", "broad_phase"),
-                List.of(
-                        "motion_radii",
-                        "runs",
-                        "mean_ms",
-                        "se_ms",
-                        "min_ms",
-                        "median_ms",
-                        "pairs",
-                        "tests",
-                        "swaps",
-                        "nodes",
-                        "estimated_bytes"));
+        BROADPHASE("scene n broad_phase", "motion_radii " + TIMES + "pairs tests swaps nodes estimated_bytes");
 
         private final List<String> keys;
-        private final List<String> values;
+        private final List<String> columns;
 
-        Kind(List<String> keys, List<String> values) {
-            this.keys = keys;
-            this.values = values;
+        Kind(String keys, String values) {
+            this.keys = List.of(keys.split(" "));
+            columns = List.of((keys + " " + values).split(" "));
+        }
+
+        /** The columns that tell rows apart. */
+        public List<String> keys() {
+            return keys;
         }
 
         Table empty() {
-            List<String> columns = new ArrayList<>(keys);
-            columns.addAll(values);
             return new Table(keys, columns);
         }
 
@@ -239,9 +160,7 @@ public final class ResultsFolder {
 
     /** What is known of a property of the machine, or an empty text. */
     public String machine(String property) {
-        return table(Kind.MACHINE).rows("property", property).stream()
-                .findFirst()
-                .map(row -> row.get("value"))
-                .orElse("");
+        Map<String, String> row = table(Kind.MACHINE).row("property", property);
+        return row == null ? "" : row.get("value");
     }
 }

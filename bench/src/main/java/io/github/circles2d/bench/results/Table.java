@@ -10,9 +10,15 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** A CSV file (RFC 4180, with a header line): rows of named texts, of which some columns are the key. */
 public final class Table {
+    /** A field in quotes, or without, and what ends it. */
+    private static final Pattern FIELD = Pattern.compile("\\G(?:\"((?:[^\"]++|\"\")*+)\"|([^,\"\r\n]*+))\r?([,\n])");
+
     private final List<String> columns;
     private final List<String> keys;
     private final List<Map<String, String>> rows = new ArrayList<>();
@@ -31,29 +37,47 @@ public final class Table {
         this.columns = List.copyOf(columns);
     }
 
+    /** A row, or a part of one: column, value, column, value, .. */
+    public static Map<String, String> columns(String... namesAndValues) {
+        Map<String, String> columns = new LinkedHashMap<>();
+        for (int i = 0; i < namesAndValues.length; i += 2) {
+            columns.put(namesAndValues[i], namesAndValues[i + 1]);
+        }
+        return columns;
+    }
+
+    /** The names of the columns, in order. */
+    public List<String> columns() {
+        return columns;
+    }
+
     /** The rows, in the order in which they came; unmodifiable. */
     public List<Map<String, String>> rows() {
         return Collections.unmodifiableList(rows);
     }
 
-    /** Whether there is a column of this name. */
-    public boolean has(String column) {
-        return columns.contains(column);
-    }
-
     /** The rows in which the columns named have the values given: column, value, column, value, .. */
     public List<Map<String, String>> rows(String... wanted) {
-        List<Map<String, String>> found = new ArrayList<>();
-        for (Map<String, String> row : rows) {
-            boolean matches = true;
-            for (int i = 0; i < wanted.length; i += 2) {
-                matches &= wanted[i + 1].equals(row.get(wanted[i]));
-            }
-            if (matches) {
-                found.add(row);
+        return rows.stream().filter(row -> has(row, wanted)).collect(Collectors.toCollection(ArrayList::new));
+    }
+
+    /** The first of those rows, or null if there is none. */
+    public Map<String, String> row(String... wanted) {
+        return rows.stream().filter(row -> has(row, wanted)).findFirst().orElse(null);
+    }
+
+    /** The different values that those rows have in a column, in the order of the rows. */
+    public List<String> values(String column, String... wanted) {
+        return rows(wanted).stream().map(row -> row.get(column)).distinct().toList();
+    }
+
+    private static boolean has(Map<String, String> row, String... wanted) {
+        for (int i = 0; i < wanted.length; i += 2) {
+            if (!wanted[i + 1].equals(row.get(wanted[i]))) {
+                return false;
             }
         }
-        return found;
+        return true;
     }
 
     /** Adds a row, in the place of the one with the same key where there is one. Columns that it lacks stay empty. */
@@ -76,11 +100,7 @@ public final class Table {
 
     /** The key of a row. */
     public List<String> key(Map<String, String> row) {
-        List<String> key = new ArrayList<>();
-        for (String column : keys) {
-            key.add(row.get(column));
-        }
-        return key;
+        return keys.stream().map(row::get).toList();
     }
 
     /** Writes the file; a reader sees the old or the new one, never half of it. */
@@ -109,6 +129,11 @@ public final class Table {
         }
         table.putAll(lines);
         return table;
+    }
+
+    /** Reads a file that is part of the program. */
+    public static Table ofResource(String name, List<String> keys) {
+        return parse(Resources.text(name), keys);
     }
 
     /** Reads CSV text whose first line names the columns. */
@@ -156,30 +181,13 @@ public final class Table {
     private static List<List<String>> lines(String text) {
         List<List<String>> lines = new ArrayList<>();
         List<String> line = new ArrayList<>();
-        StringBuilder field = new StringBuilder();
-        boolean quoted = false;
-        for (int i = 0; i < text.length(); i++) {
-            char c = text.charAt(i);
-            if (quoted) {
-                boolean escaped = c == '"' && i + 1 < text.length() && text.charAt(i + 1) == '"';
-                if (escaped) {
-                    i++;
-                }
-                quoted = c != '"' || escaped;
-                if (quoted) {
-                    field.append(c);
-                }
-            } else if (c == '"') {
-                quoted = true;
-            } else if (c == ',' || c == '\n') {
-                line.add(field.toString());
-                field.setLength(0);
-                if (c == '\n') {
-                    lines.add(line);
-                    line = new ArrayList<>();
-                }
-            } else if (c != '\r') {
-                field.append(c);
+        Matcher field = FIELD.matcher(text);
+        while (field.find()) {
+            String quoted = field.group(1);
+            line.add(quoted == null ? field.group(2) : quoted.replace("\"\"", "\""));
+            if (field.group(3).equals("\n")) {
+                lines.add(line);
+                line = new ArrayList<>();
             }
         }
         return lines;

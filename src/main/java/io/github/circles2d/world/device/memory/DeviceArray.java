@@ -37,7 +37,7 @@ public enum DeviceArray {
 
     // Stage Grid.
     BUCKET_BEFORE("int", "bucketBefore", Index.SLOT, "bucket of the circle in the slot at home"),
-    RANK("int", "rank", Index.RANK, "by slot at home; later, where crowds are thinned, candidates by working slot"),
+    RANK("int", "rank", Index.RANK, "by slot at home: how many its bucket had before"),
     ORDER("int2", "order", Index.SLOT, "id and slot at home, bucket by bucket"),
     LISTED_SHEET("int", "listedSheet", Index.SLOT, "where there are sheets: as sheetKey, in the same order"),
     SHEET_KEY("int", "sheetKey", Index.SLOT, "where there are sheets: see sheetKeyOf; 1 more of a static circle"),
@@ -57,8 +57,7 @@ public enum DeviceArray {
             "float4",
             "load",
             Index.SLOT,
-            "up to the biased pass: velocity before impulses x, y, whether loaded; in the relaxing pass: sum of contact impulses x, y,"
-                    + " loaded, loaded in the sub-step to come; while contacts are filled, z: candidates so far"),
+            "velocity before impulses x, y, or sum of contact impulses x, y; whether loaded; loaded in the sub-step to come"),
     WALL_BOUNCE("float2", "wallBounce", Index.SLOT, "target speed of a bounce off a wall x, y"),
 
     // Stage ContinuousCollision.
@@ -66,8 +65,7 @@ public enum DeviceArray {
             "float4",
             "motionClamp",
             Index.SLOT,
-            "what it moves if nothing is in its way x, y, allowance, length; if circles are fast, later with what is free of that: x, y,"
-                    + " allowance, share that is free"),
+            "what it moves if nothing is in its way x, y, or what is free of that; allowance; length, or share that is free"),
     TIME_OF_IMPACT("int", "timeOfImpact", Index.SLOT, "as bits: the share of its path that it can go"),
     NEAR(
             "float2",
@@ -105,26 +103,12 @@ public enum DeviceArray {
             "counts by bucket, later by group; all 0 when a step begins, and when a scan has used them"),
     KEY("ulong", "key", Index.CONTACT, "lower id, higher id"),
     PAIR("uint2", "pair", Index.CONTACT, "working slots, in the same order"),
-    BASE(
-            "float4",
-            "base",
-            Index.CONTACT,
-            "difference of the bases x, y, sum of the radii, restitution; by tiles, of like contacts, see listedOf"),
-    MASSES(
-            "float4",
-            "masses",
-            Index.CONTACT,
-            "inverse masses, greatest push-out speed, target speed of a bounce;"
-                    + " by tiles, as contacts are listed: contact as the step begins, with its impulse"),
-    CONTACT(
-            "float4",
-            "contact",
-            Index.COPY,
-            "normal x, y, separation, accumulated impulse; by tiles, by copy, effective mass instead of impulse;"
-                    + " before that, as ints: see recordContact"),
+    BASE("float4", "base", Index.CONTACT, "difference of the bases x, y, sum of the radii, restitution"),
+    MASSES("float4", "masses", Index.CONTACT, "inverse masses, effective mass, target speed of a bounce"),
+    CONTACT("float4", "contact", Index.COPY, "normal x, y, separation, accumulated impulse"),
     LINK("uint", "link", Index.TILED_CONTACT, "see linkOf"),
     ORDERED("uint2", "ordered", Index.TILED_CONTACT, "working slots, where pair is in no order within a group"),
-    SHAPE("float2", "shape", Index.TILED_COPY, "sum of the radii, restitution; before that see metFrom"),
+    SHAPE("float2", "shape", Index.TILED_COPY, "sum of the radii, restitution"),
     PLACED(
             "int2",
             "placed",
@@ -293,10 +277,15 @@ public enum DeviceArray {
 
     /** Bytes of an element, of an array that is no struct. */
     int elementBytes() {
+        return bytesOf(type);
+    }
+
+    /** Bytes of a type of the kernels. */
+    static int bytesOf(String type) {
         return switch (type) {
             case "int", "uint", "float" -> 4;
             case "int2", "uint2", "float2", "ulong" -> 8;
-            case "int4", "float4" -> 16;
+            case "int4", "float4", "ulong2" -> 16;
             case "long4" -> 32;
             case FieldsStruct.NAME -> FieldsStruct.BYTES;
             default -> throw new IllegalStateException(type + " has no size here");

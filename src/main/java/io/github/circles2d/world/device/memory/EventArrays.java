@@ -39,6 +39,9 @@ public final class EventArrays implements AutoCloseable {
     /** A step's number is that of the steps made before it and this: the table uses those below for itself. */
     public static final int FIRST_STEP = 2;
 
+    /** The most work-groups that decide in one launch: each has a sum among {@link #blockSums}. */
+    public static final int MOST_DECIDERS = 256;
+
     private static final int LEAST_ROOM = 512;
     private static final int LEAST_OPEN_ROOM = 256;
     private static final int KINDS = PairTable.KINDS;
@@ -154,6 +157,12 @@ public final class EventArrays implements AutoCloseable {
         half = ofHalf;
     }
 
+    /** Goes on to the next step of those that one call of a plan enqueues. */
+    public void nextStep() {
+        step++;
+        starting = false;
+    }
+
     /** Sets the speed that counts as a hit; negative: that of the pair. */
     public void setHitSpeed(float speed) {
         hitSpeed = speed;
@@ -171,7 +180,8 @@ public final class EventArrays implements AutoCloseable {
             tally = replace("events: by id", tally, (long) Integer.BYTES * elements);
             tally.write(0, IntBuffer.wrap(new int[elements]));
             starts = replace("events: starts", starts, (long) Integer.BYTES * elements);
-            blockSums = replace("events: blocks", blockSums, (long) Integer.BYTES * Scan.blocks(elements));
+            int sums = Math.max(MOST_DECIDERS, Scan.blocks(elements));
+            blockSums = replace("events: blocks", blockSums, (long) Integer.BYTES * sums);
             ids = arrays.idCapacity();
         }
         if (openHits == null) {

@@ -4,7 +4,7 @@ import io.github.circles2d.opencl.DeviceBuffer;
 import io.github.circles2d.opencl.Session;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
-import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepReports;
 import java.nio.IntBuffer;
 
 /** The memory in which a device finds the pairs that are only sensed, if some are reported; {@code kernels/world/stages/Sensing.cl}. */
@@ -35,7 +35,7 @@ public final class SensingArrays implements AutoCloseable {
     }
 
     /** Sends who looks for whom, if it is not there yet. */
-    public void send(StepConstants k) {
+    public void send(StepReports k) {
         if (version == k.seekingVersion) {
             return;
         }

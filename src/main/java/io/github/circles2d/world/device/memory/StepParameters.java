@@ -5,6 +5,7 @@ import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.KindMotion;
 import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.StepInput;
 import io.github.circles2d.world.model.WallMotion;
 import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
@@ -61,7 +62,12 @@ public final class StepParameters {
     /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
     static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
             .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
-            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.sweep), "in a sub-step; 0 if it goes out")
+            .field(
+                    "float",
+                    "sweep[4]",
+                    WallMotion.COUNT,
+                    (m, to) -> to.put(m.advance),
+                    "in a sub-step; 0 if it goes out")
             .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
             .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
@@ -159,32 +165,32 @@ public final class StepParameters {
     }
 
     /** Takes down what the next steps are made with. */
-    public void set(StepConstants k, GridLevels shape) {
-        CONSTANTS.pack(k, constants);
-        WALLS.pack(k.walls, walls);
+    public void set(StepInput input, GridLevels shape) {
+        CONSTANTS.pack(input.constants, constants);
+        WALLS.pack(input.constants.walls, walls);
         LEVELS.pack(shape, levels);
-        if (responsesVersion != k.kindsVersion) {
-            System.arraycopy(k.responses, 0, responses, 0, responses.length);
-            responsesVersion = k.kindsVersion;
+        if (responsesVersion != input.responses.version) {
+            System.arraycopy(input.responses.table, 0, responses, 0, responses.length);
+            responsesVersion = input.responses.version;
             responsesSent = false;
         }
-        if (motionVersion != k.motionVersion) {
-            System.arraycopy(k.kindMotion, 0, kindMotion, 0, kindMotion.length);
-            motionVersion = k.motionVersion;
+        if (motionVersion != input.motion.version) {
+            System.arraycopy(input.motion.rows, 0, kindMotion, 0, kindMotion.length);
+            motionVersion = input.motion.version;
             motionSent = false;
         }
     }
 
     /** Whether what was taken down last is these, but for what is set apart from it. */
-    public boolean areOf(StepConstants k, GridLevels shape) {
+    public boolean areOf(StepInput input, GridLevels shape) {
         System.arraycopy(constants, 0, otherConstants, 0, constants.length);
         System.arraycopy(levels, 0, otherLevels, 0, levels.length);
-        CONSTANTS.pack(k, otherConstants);
-        WALLS.pack(k.walls, otherWalls);
+        CONSTANTS.pack(input.constants, otherConstants);
+        WALLS.pack(input.constants.walls, otherWalls);
         LEVELS.pack(shape, otherLevels);
         otherConstants[WARM_SCALE] = constants[WARM_SCALE];
-        return responsesVersion == k.kindsVersion
-                && motionVersion == k.motionVersion
+        return responsesVersion == input.responses.version
+                && motionVersion == input.motion.version
                 && Arrays.equals(constants, otherConstants)
                 && Arrays.equals(levels, otherLevels)
                 && Arrays.equals(walls, otherWalls);

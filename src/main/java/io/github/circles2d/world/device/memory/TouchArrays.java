@@ -66,16 +66,6 @@ public final class TouchArrays implements AutoCloseable {
         return GrownBuffer.of(session, name, buffer, bytes, bytes);
     }
 
-    /** By contact. */
-    public DeviceBuffer contacts() {
-        return contacts;
-    }
-
-    /** By slot and axis. */
-    public DeviceBuffer slots() {
-        return slots;
-    }
-
     @Override
     public void close() {
         GrownBuffer.close(contacts, slots);

@@ -5,8 +5,8 @@ import io.github.circles2d.world.device.memory.DeviceArray.Index;
 import io.github.circles2d.world.model.PairTable;
 
 /**
- * The text that the tables of the host give to the kernels: status words, structs that the host fills, the argument list of the
- * stages' kernels, the struct World that they pack it into, and the numbers of records.
+ * The text that the tables of the host give to the kernels: status words, structs that the host fills, the fields of elements, the argument
+ * list of the stages' kernels, the struct World that they pack it into, and the numbers of records.
  */
 final class WorldTables {
     /** The name of the text in messages of a compiler. */
@@ -21,6 +21,10 @@ final class WorldTables {
         }
         commands(text);
         tileRecord(text);
+        for (ElementField field : ElementField.values()) {
+            define(text, field.name(), field.components(), "of " + field.array().kernelName());
+            define(text, field.name() + "_AT", field.at(), "for those who touch no other component");
+        }
         define(text, "NONE", "(" + CachedImpulse.NONE + ")", "no slot, no id, no contact");
         define(text, "FRESH", "(" + CachedImpulse.FRESH + ")", "cached impulses that are not its circle's own");
         define(text, "CACHED_HIGHER_ID", "s" + CachedImpulse.AT_HIGHER_ID, "of an entry of impulseCache");
@@ -37,7 +41,11 @@ final class WorldTables {
         text.append(StepParameters.WALLS.text());
         text.append(FieldsStruct.text());
         text.append(TouchArrays.text()).append(EventArrays.text());
-        return text.append(parameters()).append(struct()).append(initialiser()).toString();
+        text.append(parameters()).append(struct()).append(initialiser());
+        for (SharedArray array : SharedArray.values()) {
+            text.append(array.text());
+        }
+        return text.toString();
     }
 
     private static void commands(StringBuilder text) {

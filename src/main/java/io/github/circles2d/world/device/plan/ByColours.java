@@ -19,9 +19,13 @@ public final class ByColours implements Plan {
     private Kernel solve;
     private Kernel integratePositions;
     private Kernel relax;
-    private CrossPasses cross;
+    private CrossKernels cross;
     private Kernel finalizePositions;
-    private RecordedSubSteps recorded;
+
+    /** Null, as the next, if steps do not record what contacts do. */
+    private Kernel begin;
+
+    private Kernel tell;
 
     @Override
     public List<String> files() {
@@ -32,13 +36,14 @@ public final class ByColours implements Plan {
     public void load(Stages shared) {
         stages = shared;
         fill = stages.kernel("contacts_fill");
+        begin = stages.recording() ? stages.kernel("touches_begin") : null;
+        tell = stages.recording() ? stages.kernel("touches_tell") : null;
         integrateVelocities = stages.kernel("solver_integrateVelocities");
         solve = stages.kernel("solver_solve");
         integratePositions = stages.kernel("solver_integratePositions");
         relax = stages.kernel("solver_relax");
         finalizePositions = stages.kernel("solver_finalizePositions");
-        cross = new CrossPasses(stages);
-        recorded = stages.recording() ? new RecordedSubSteps(stages, cross, finalizePositions) : null;
+        cross = new CrossKernels(stages);
     }
 
     @Override
@@ -55,10 +60,13 @@ public final class ByColours implements Plan {
         GridLevels levels = steps.levels();
         runByColour(levels, fill);
         cross.fill(steps);
-        if (steps.recording()) {
-            recorded.make(steps);
-            return;
+        if (stages.recording()) {
+            stages.record(begin, 0).run(2L * steps.circles());
         }
+        stages.record(integrateVelocities, 1);
+        stages.record(solve, 1);
+        stages.record(integratePositions, 1);
+        stages.record(relax, 2);
         for (int sub = 0; sub < steps.subSteps(); sub++) {
             integrateVelocities.arg(StageKernels.own(0), sub).run(steps.circles());
             runByColour(levels, solve);
@@ -74,7 +82,7 @@ public final class ByColours implements Plan {
 
     @Override
     public void tell(int circles) {
-        recorded.tell(circles);
+        stages.tell(tell, 0).run(2L * circles);
     }
 
     /** Runs a kernel that works on groups of contacts colour by colour, a work-item per group. Its first argument of its own is the colour. */

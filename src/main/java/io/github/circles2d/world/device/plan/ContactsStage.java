@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.Scan;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
-/** Lists the contacts on a device, in no order within a group; {@code kernels/world/stages/Contacts.cl}. */
+/** Lists the contacts on a device, in no order within a group; {@code kernels/world/stages/Neighbours.cl} and {@code ContactList.cl}. */
 final class ContactsStage {
     private final DeviceArrays arrays;
     private final Scan scan;

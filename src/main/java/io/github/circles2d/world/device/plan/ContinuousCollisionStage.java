@@ -14,23 +14,22 @@ final class ContinuousCollisionStage {
 
     private final Kernel prepare;
     private final Kernel look;
-    private final Kernel carryTimes;
-    private final Kernel carriers;
+    private final Kernel carry;
     private final Kernel clamp;
 
     ContinuousCollisionStage(StageKernels kernels) {
         prepare = kernels.staged("continuousCollision_prepare");
         look = kernels.staged("continuousCollision_look");
-        carryTimes = kernels.staged("continuousCollision_carryTimes");
-        carriers = kernels.staged("continuousCollision_carriers");
+        carry = kernels.staged("continuousCollision_carry");
         clamp = kernels.staged("continuousCollision_clamp");
     }
 
     void sweep(GridLevels levels, int circles) {
         prepare.run(circles);
         look.run((levels.usedCount + 1L) * circles);
-        carryTimes.run(Math.min(circles, MOST_CARRY_ITEMS));
-        carriers.run(Math.min(circles, MOST_CARRY_ITEMS));
+        for (int note = 0; note < 2; note++) {
+            carry.arg(StageKernels.own(0), note).run(Math.min(circles, MOST_CARRY_ITEMS));
+        }
         clamp.run(circles);
     }
 }

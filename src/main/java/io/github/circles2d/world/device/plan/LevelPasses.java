@@ -7,7 +7,7 @@ import io.github.circles2d.world.device.memory.TileRecord;
 /** The sub-steps of {@link Tiles} where there are several levels; {@code kernels/world/tiles/TileLevels.cl}. */
 final class LevelPasses {
     private final Stages stages;
-    private final CrossPasses cross;
+    private final CrossKernels cross;
     private final Kernel start;
     private final Kernel solve;
     private final Kernel move;
@@ -16,7 +16,7 @@ final class LevelPasses {
 
     LevelPasses(Stages stages) {
         this.stages = stages;
-        cross = new CrossPasses(stages);
+        cross = new CrossKernels(stages);
         start = stages.kernel("solver_startSlots");
         solve = stages.kernel("solver_solveLevels");
         move = stages.kernel("solver_moveSlots");

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.device.plan;
 
-import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.DeviceArray;
@@ -9,10 +8,9 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
-import java.util.Locale;
 
 /**
- * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/Resident.cl}. A
+ * One launch for many steps, by {@link Tiles}, if the world is not too large; {@code kernels/world/persistent_gpu/PersistentGpu.cl}. A
  * launch costs the host several microseconds, and a barrier over resident work-groups costs one or two. In a large world each
  * work-group has several tiles, and barriers cost more than launches.
  */
@@ -36,24 +34,14 @@ public final class PersistentGpu implements Plan {
         this.sizes = sizes;
     }
 
-    /** Whether a device is known to run work-groups that wait for each other. */
-    public static boolean fits(Device device) {
-        return device.vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
-    }
-
     @Override
     public List<String> files() {
-        return List.of("world/persistent_gpu/Resident.cl");
+        return List.of("world/persistent_gpu/PersistentGpu.cl");
     }
 
     @Override
     public KernelSource define(KernelSource source) {
         return source.define("RESIDENT_GROUP", GROUP);
-    }
-
-    @Override
-    public KernelSource define(KernelSource source, Device device) {
-        return source.define("PTX", fits(device));
     }
 
     @Override
@@ -66,10 +54,7 @@ public final class PersistentGpu implements Plan {
         stages = shared;
         steps = stages.kernel("persistentGpu_steps");
         tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
-        // Elsewhere nothing is known of work-groups that wait for each other.
-        // On a compute unit one surely runs; whether two run at once hangs on registers, and one that does not would be
-        // waited for.
-        mostGroups = fits(stages.device()) ? stages.device().computeUnits() : 1;
+        mostGroups = ResidentGroups.most(stages.device());
     }
 
     @Override

@@ -1,6 +1,5 @@
 package io.github.circles2d.world.device.plan;
 
-import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.KernelSource;
 import java.util.List;
 
@@ -11,11 +10,6 @@ public interface Plan {
 
     /** Adds the numbers that the files share with the host. */
     default KernelSource define(KernelSource source) {
-        return source;
-    }
-
-    /** Adds what the files must know of a device. */
-    default KernelSource define(KernelSource source, Device device) {
         return source;
     }
 

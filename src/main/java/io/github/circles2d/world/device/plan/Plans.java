@@ -15,7 +15,7 @@ import java.util.function.Predicate;
  */
 public enum Plans {
     PERSISTENT_GPU(
-            device -> isGpu(device) && Tiles.fit(device) && PersistentGpu.fits(device),
+            device -> isGpu(device) && Tiles.fit(device) && ResidentGroups.fit(device),
             device -> gpu(device) + ", of a vendor whose work-groups can wait for each other",
             device -> {
                 TileSizes sizes = new TileSizes(device.computeUnits());
@@ -92,11 +92,7 @@ public enum Plans {
 
     /** The same, with what they must know of a device. */
     public static KernelSource source(List<Plan> plans, Device device) {
-        KernelSource source = source(plans);
-        for (Plan plan : plans) {
-            source = plan.define(source, device);
-        }
-        return source;
+        return source(plans).define("PTX", ResidentGroups.fit(device));
     }
 
     private static boolean isGpu(Device device) {

@@ -4,8 +4,10 @@ import io.github.circles2d.opencl.Device;
 import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.world.device.memory.DeviceArray;
+import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.TileRecord;
+import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
 
 /**
@@ -15,6 +17,12 @@ import java.util.List;
 public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
+
+    /** Work-items of a work-group that decides what steps report. */
+    private static final int EVENT_GROUP = 512;
+
+    /** Circles for each work-group that decides what steps report: with more of them launches cost less than the barriers gain. */
+    private static final int CIRCLES_PER_GROUP = 2_000;
 
     /** Cells of the smallest tile that others are cut into. */
     private static final int CELLS_OF_SMALLEST = 4;
@@ -32,6 +40,9 @@ public final class Tiles implements Plan {
     /** Null if steps do not record what contacts do. */
     private Kernel tell;
 
+    private Kernel decide;
+    private int deciders;
+
     Tiles(TileSizes sizes) {
         this.sizes = sizes;
     }
@@ -43,7 +54,7 @@ public final class Tiles implements Plan {
 
     @Override
     public List<String> files() {
-        return List.of("world/tiles/TileLevels.cl");
+        return List.of("world/tiles/TileLevels.cl", "world/tiles/TileEvents.cl");
     }
 
     @Override
@@ -53,6 +64,7 @@ public final class Tiles implements Plan {
                 .define("TILE_ROUNDS", TileRecord.ROUNDS)
                 .define("TILE_PARTS", TileRecord.PARTS)
                 .define("TILE_GROUP", TileRecord.GROUP)
+                .define("EVENT_GROUP", EVENT_GROUP)
                 .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS);
     }
 
@@ -72,6 +84,8 @@ public final class Tiles implements Plan {
         levels = new LevelPasses(stages);
         storeImpulses = stages.kernel("solver_storeImpulses");
         tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
+        decide = stages.recording() ? stages.kernel("events_decideByTile") : null;
+        deciders = Math.min(ResidentGroups.most(stages.device()), EventArrays.MOST_DECIDERS);
     }
 
     @Override
@@ -99,6 +113,25 @@ public final class Tiles implements Plan {
             levels.make(steps, sizes.tiles());
         }
         storeImpulses.run(2L * steps.circles());
+        if (decidesEvents(steps)) {
+            decide();
+        }
+    }
+
+    @Override
+    public boolean decidesEvents(Steps steps) {
+        return steps.recording()
+                && !steps.sensing()
+                && steps.circles() <= (long) CIRCLES_PER_GROUP * deciders
+                && decide.maxWorkGroupSize() >= EVENT_GROUP;
+    }
+
+    private void decide() {
+        EventArrays events = stages.reporting();
+        stages.tell(decide, 0)
+                .arg(StageKernels.own(TouchArrays.ARGUMENTS + EventArrays.ARGUMENTS), events.blockSums())
+                .run((long) deciders * EVENT_GROUP, EVENT_GROUP);
+        events.nextStep();
     }
 
     @Override

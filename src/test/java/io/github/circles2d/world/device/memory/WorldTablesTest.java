@@ -83,6 +83,44 @@ class WorldTablesTest {
     }
 
     @Test
+    void fieldsOfAnElementShareComponentsOnlyIfTheTableSaysSo() {
+        for (DeviceArray array : DeviceArray.values()) {
+            StringBuilder taken = new StringBuilder();
+            for (ElementField field : ElementField.values()) {
+                // A field of two components has rows of one for each beside it, or none.
+                boolean isOwn = field.array() == array && field.aliasOf() == null;
+                if (isOwn && field.components().length() == 1) {
+                    assertThat(taken).as(field.name()).doesNotContain(field.components());
+                    taken.append(field.components());
+                }
+            }
+        }
+    }
+
+    @Test
+    void anArrayInTheMemoryOfAnotherHasElementsThatFitThere() {
+        for (SharedArray array : SharedArray.values()) {
+            assertThat(array.elementBytes())
+                    .as(array.name())
+                    .isLessThanOrEqualTo(array.aliasOf().elementBytes());
+        }
+    }
+
+    @Test
+    void aFieldLiesWithinTheElementsOfItsArray() {
+        for (ElementField field : ElementField.values()) {
+            int end =
+                    4 * ("xyzw".indexOf(field.components()) + field.components().length());
+            assertThat(field.array().elementBytes()).as(field.name()).isGreaterThanOrEqualTo(end);
+            if (field.aliasOf() != null) {
+                assertThat(field.components())
+                        .as(field.name())
+                        .isEqualTo(field.aliasOf().components());
+            }
+        }
+    }
+
+    @Test
     void aStructPacksItsRowsInOrderAndLeavesAloneWhatIsSetApart() {
         HostStruct<float[]> struct = new HostStruct<float[]>("Some")
                 .field("float", "first", (from, to) -> to.put(from[0]), "one")

@@ -93,15 +93,15 @@ class PlansTest {
     @ParameterizedTest
     @MethodSource("devices")
     void aDeviceCompilesNoFileThatItsPlansDoNotNeed(Device device) {
-        assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "Resident");
+        assertThat(Plans.source(Plans.COLOURS.of(device)).toString()).doesNotContain("Tile", "PersistentGpu");
         assertThat(Plans.source(Plans.TILES.of(device)).toString())
                 .contains("TileSolver.cl")
-                .doesNotContain("Resident");
+                .doesNotContain("PersistentGpu");
     }
 
     @Test
     void theFingerprintIsOfTheFilesOfAllPlans() {
-        assertThat(Plans.source(Plans.all()).toString()).contains("Solver.cl", "TileSolver.cl", "Resident.cl");
+        assertThat(Plans.source(Plans.all()).toString()).contains("Solver.cl", "TileSolver.cl", "PersistentGpu.cl");
     }
 
     private static Steps steps(int sizes, int circles, boolean thinning) {

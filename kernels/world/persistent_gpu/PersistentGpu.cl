@@ -1,0 +1,266 @@
+// uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileLevels.cl
+// Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
+// run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
+// once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
+// this file only for devices where that, and the barrier below, are known to hold. One work-group alone runs anywhere.
+
+// Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks only for what nobody
+// writes before the next barrier.
+
+// All work-items take the numbers below count in turn. Not unrolled: fetching instructions is much of the time of a stage.
+#define EACH(i, count)                                                                                                 \
+    _Pragma("unroll 1") for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
+
+// Exclusive prefix sum of counts, which the stage that follows must clear; by all work-groups. Each sums up by itself what
+// stands before its blocks: cheaper than a barrier over all.
+void scanAll(const World *w, global const int *counts, global int *starts, int count, local int *cells) {
+    int before = 0;
+    int summed = 0;
+    int step = (int) get_num_groups(0) * RESIDENT_GROUP;
+    for (int first = (int) get_group_id(0) * RESIDENT_GROUP; first < count; first += step) {
+        int part = 0;
+        for (int i = summed + (int) get_local_id(0); i < first; i += RESIDENT_GROUP) part += counts[i];
+        int total;
+        scanGroup(part, cells, &total);
+        before += total;
+        summed = first;
+        int i = first + (int) get_local_id(0);
+        int sum = scanGroup(i < count ? counts[i] : 0, cells, &total);
+        if (i < count) starts[i] = before + sum;
+    }
+}
+
+// Local memory, as the stages use it one after another.
+typedef union {
+    int cells[2 * RESIDENT_GROUP];
+    int classes; // see noteClasses
+    Findings findings;
+    Arrangement arrangement;
+    Tile tile;
+} Local;
+
+// Work-items that look for the neighbours of one circle.
+#define SEEKERS 8
+
+// Stages Grid, ContinuousCollision where some circle is fast, and Contacts.
+void listAll(World *w, local Local *l) {
+    volatile global int *arrivals = w->status + ARRIVALS;
+    int buckets = w->levels->first[LEVELS];
+    int groups = hasOneLevel(w) ? likeGroups(w) : crossGroupOf(w, w->circles);
+    w->k.sweeping = 1; // until it is known
+    w->subStep = 0;
+    if (get_global_id(0) == 0) startStep(w);
+    EACH(slot, w->slots) countSlot(w, slot);
+    deviceBarrier(arrivals);
+    scanAll(w, w->tally, w->bucketStart, buckets + 1, l->cells);
+    deviceBarrier(arrivals);
+    EACH(slot, w->slots) scatterSlot(w, slot);
+    EACH(i, buckets) w->tally[i] = 0;
+    deviceBarrier(arrivals);
+    bool fast = false;
+    EACH(i, w->circles) fast |= gatherCircle(w, i);
+    if (fast) w->status[FAST] = 1;
+    deviceBarrier(arrivals);
+    w->k.sweeping = w->status[FAST];
+    if (w->k.sweeping) {
+        if (get_local_id(0) == 0) l->classes = 0;
+        barrier(CLK_LOCAL_MEM_FENCE);
+        int classes = 0;
+        EACH(slot, w->circles) classes |= noteReach(w, slot, looksForStops(w, slot));
+        if (classes != 0) atomic_or(&l->classes, classes);
+        barrier(CLK_LOCAL_MEM_FENCE);
+        if (get_local_id(0) == 0) noteClasses(w, l->classes);
+        EACH(block, blocksOfCells(w)) summarize(w, block);
+        deviceBarrier(arrivals);
+        EACH(number, partsOfAllLooks(w)) makePartOfLook(w, number);
+        deviceBarrier(arrivals);
+        // A loop, so that what looks for them is there once.
+        int looks = w->status[CARRYING] ? CARRIERS : STOPS;
+#pragma unroll 1
+        for (int look = CARRY_TIMES; look <= looks; look++) {
+            EACH(slot, w->circles) {
+                if (looksAhead(w, slot)) lookForCarriers(w, slot, (Look) look);
+            }
+            deviceBarrier(arrivals);
+        }
+        EACH(slot, w->circles) setMotionClamp(w, slot);
+        deviceBarrier(arrivals);
+    }
+    if (get_local_id(0) == 0) l->findings.count = 0;
+    barrier(CLK_LOCAL_MEM_FENCE);
+    // Several work-items a circle: there are more of them than circles.
+    EACH(item, SEEKERS * w->circles) {
+        seekAll(w, item / SEEKERS, item % SEEKERS, SEEKERS, hasOneLevel(w), w->levels->haveSheets != 0, &l->findings);
+    }
+    recordFindings(w, &l->findings, hasOneLevel(w));
+    deviceBarrier(arrivals);
+    scanAll(w, w->tally, w->groupStart, groups + 1, l->cells);
+    deviceBarrier(arrivals);
+    if (get_global_id(0) == 0) noteContacts(w);
+    EACH(i, groups) w->tally[i] = 0;
+    bool lists = !lackContactRoom(w) && !tooCrowded(w);
+    EACH(k, lists ? contactsListed(w) : 0) listContact(w, k);
+    deviceBarrier(arrivals);
+    if (outOfRoom(w) || tooCrowded(w)) return;
+    SET_TOUCH_NUMBERS(*w);
+    EACH(c, likeContacts(w)) linkContact(w, c);
+    deviceBarrier(arrivals);
+    int tiles = w->levels->tileCount;
+#pragma unroll 1
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) {
+        Region r = regionOf(w, tile);
+        arrangeTile(w, &r, &l->arrangement, tile, false, 3);
+    }
+    deviceBarrier(arrivals);
+}
+
+// What of a pass there is for circles and cross contacts before and behind the tiles' part, where there are several levels; see
+// LevelPasses, the host's class.
+void beforeTiles(const World *w, int subStep, bool relaxing) {
+    if (relaxing) return;
+    EACH(slot, w->circles) startSlot(w, slot, subStep == 0);
+    deviceBarrier(w->status + ARRIVALS);
+}
+
+void behindTiles(const World *w, int subStep, bool relaxing) {
+    World cross = crossWorld(*w);
+    cross.firstCached = w->homeFirstCached;
+    bool last = subStep == w->k.subSteps - 1;
+    EACH(slot, w->circles) {
+        if (relaxing) {
+            relaxCrossOf(&cross, slot, last);
+        } else {
+            solveCrossOf(&cross, slot);
+        }
+    }
+    deviceBarrier(w->status + ARRIVALS);
+    if (relaxing && !last) return;
+    EACH(slot, w->circles) {
+        if (relaxing) {
+            finishSlot(w, slot);
+        } else {
+            moveSlot(w, slot);
+        }
+    }
+    deviceBarrier(w->status + ARRIVALS);
+}
+
+// Stage Solver. A work-group that has one tile alone keeps it in local memory for the whole step.
+void solveAll(World *w, local Tile *t) {
+    volatile global int *arrivals = w->status + ARRIVALS;
+    bool several = !hasOneLevel(w);
+    int tiles = w->levels->tileCount;
+    int group = (int) get_group_id(0);
+    int groups = (int) get_num_groups(0);
+    if (tiles <= groups && group < tiles) takeTile(w, t, group, false);
+    if (several) {
+        World cross = crossWorld(*w);
+        EACH(slot, w->circles) fillCrossOf(&cross, slot);
+        deviceBarrier(arrivals);
+    }
+#pragma unroll 1
+    for (int pass = 0; pass < 2 * w->k.subSteps; pass++) {
+        int subStep = pass >> 1;
+        bool relaxing = pass & 1;
+        w->subStep = subStep + (relaxing && !several ? 1 : 0); // circles start into the next one
+        if (several) beforeTiles(w, subStep, relaxing);
+#pragma unroll 1
+        for (int tile = group; tile < tiles; tile += groups) {
+            if (tiles > groups) takeTile(w, t, tile, false);
+            if (relaxing) {
+                relaxTile(w, t, tile, subStep == w->k.subSteps - 1, 3, several);
+            } else {
+                solveTile(w, t, tile, subStep, 2, several);
+            }
+        }
+        deviceBarrier(arrivals);
+        if (several) behindTiles(w, subStep, relaxing);
+    }
+}
+
+#ifdef RECORDING
+// Work-items that find the place of an event.
+#define RANKERS 16
+
+// Counts the events of a step that come before one of them, in one of several parts.
+void rankEvent(const World *w, int k, int part, int drafts) {
+    const Reporting *r = &w->reporting;
+    int4 own = r->drafts[3 * k];
+    int before = 0;
+    for (int i = part; i < drafts; i += RANKERS) before += comesBefore(r->drafts[3 * i], own);
+    if (before > 0) atomic_add(&r->eventOrder[k], before);
+}
+
+// Decides what a step reports: the phases of Events.cl, but the place of each event is found by comparing it with all: there are so few
+// that this costs less than barriers. sensing: whether the host has pairs looked for that are only sensed, and the phases behind that
+// made. Returns whether the step waits for the host.
+bool reportAll(const World *w, bool sensing) {
+    volatile global int *arrivals = w->status + ARRIVALS;
+    const Reporting *r = &w->reporting;
+    int first = (int) get_global_id(0);
+    int each = (int) get_global_size(0);
+    int tiles = w->levels->tileCount;
+    for (int tile = (int) get_group_id(0); tile < tiles; tile += (int) get_num_groups(0)) tellOfTile(w, tile);
+    tellOfCrossContacts(w, first, each);
+    tellOfWalls(w, first, each);
+    deviceBarrier(arrivals);
+    EACH(place, sensing ? 0 : r->mask + 1) tellOfEnds(w, place);
+    deviceBarrier(arrivals);
+    bool lacks = !sensing && lacksEventRoom(w);
+    int drafts = sensing ? 0 : min(w->status[DRAFTS], r->room);
+    int settled = lacks ? 0 : drafts;
+    if (lacks && first == 0) noteLackOfEventRoom(w);
+    EACH(item, RANKERS * settled) rankEvent(w, item / RANKERS, item % RANKERS, drafts);
+    EACH(k, lacks || sensing ? 0 : w->status[NEWCOMERS]) addTouching(w, r->newcomers[k]);
+    deviceBarrier(arrivals);
+    EACH(k, drafts) r->eventTally[r->drafts[3 * k].x] = 0;
+    EACH(k, settled) writeEventAt(w, k, r->eventOrder[k]);
+    if (!lacks && !sensing && first == 0) writeHeader(w);
+    return lacks;
+}
+#endif
+
+#ifdef RECORDING
+#define DECIDING_PARAMETERS RECORDING_PARAMETERS REPORTING_PARAMETERS, int sensing
+#else
+#define DECIDING_PARAMETERS
+#endif
+
+// Index space: no more work-groups than run at once, of RESIDENT_GROUP. steps: how many to make, unless one is out of room. No
+// reqd_work_group_size: NVIDIA's compiler would make room for two work-groups on a compute unit, with 128 registers and many
+// spills. One is all that runs there.
+kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps DECIDING_PARAMETERS) {
+    World w = WORLD;
+#ifdef RECORDING
+    RECORD_IN(w);
+    REPORT_IN(w);
+#endif
+    local Local l;
+    w.k.sweeping = 1; // these steps take fast circles
+    w.k.tiled = 1;
+    if (refused(&w)) return;
+    // Nobody may run ahead and be out of room before all have looked.
+    deviceBarrier(status + ARRIVALS);
+#pragma unroll 1
+    for (int step = 0; step < steps; step++) {
+        listAll(&w, &l);
+        if (refused(&w)) break;
+#ifdef RECORDING
+        // All have left the events of the step before, and many barriers follow.
+        if (get_global_id(0) == 0 && !sensing) startEvents(&w);
+#endif
+        int contacts = likeContacts(&w);
+        solveAll(&w, &l.tile);
+        // Shares a barrier that follows: of events, of the next step's beginning, or of the end of the launch.
+        EACH(c, contacts) storeHeldImpulse(&w, c);
+        if (get_global_id(0) == 0) status[STEPS_DONE]++;
+#ifdef RECORDING
+        if (reportAll(&w, sensing != 0)) steps = 0;
+        w.reporting.step++;
+        w.reporting.starting = 0;
+#endif
+        w.slots = w.circles;
+        w.warmScale = 1.0f;
+    }
+    leave(&w);
+}

@@ -1,0 +1,236 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Explosion;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.search.CategoryFilter;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.WorldSettings;
+import java.util.function.ToIntFunction;
+
+/** The calls that change many circles at once, all of them or none. {@link PreparedChanges} has what each changes. */
+public final class BulkChanges {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.FloatsChange<BulkChanges> EXPLODE = BulkChanges::explode;
+
+    /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
+    private interface Preparation<A> {
+        /**
+         * Prepares it.
+         *
+         * @param id the circle
+         * @param values the array
+         * @param i place of the circle's handle among the handles. Each element is read once: another thread may write to the array
+         * @return false if the circle is gone by an earlier handle of the call
+         */
+        boolean prepare(int id, A values, int i);
+    }
+
+    /**
+     * A call with many handles.
+     *
+     * @param values the parameter of its values; null if it has none
+     * @param each elements for each handle
+     * @param length gives the length of their array
+     * @param operation the operation of {@link Commands} that it consists of
+     * @param preparation prepares it for one circle
+     */
+    private record Call<A>(
+            String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
+
+    private final Guard guard;
+    private final Copies copies;
+    private final WorldSettings settings;
+    private final HandleTable handles;
+    private final PreparedChanges changes;
+    private final Explosion explosion = new Explosion();
+    private final CategoryFilter filter;
+
+    private final Call<Void> removal;
+    private final Call<float[]> positions;
+    private final Call<float[]> velocities;
+    private final Call<float[]> impulses;
+    private final Call<float[]> forces;
+    private final Call<int[]> kinds;
+
+    public BulkChanges(
+            Guard guard,
+            HandleTable handles,
+            KindTable kindTable,
+            Copies copies,
+            WorldSettings settings,
+            PreparedChanges changes) {
+        this.guard = guard;
+        this.handles = handles;
+        this.copies = copies;
+        this.settings = settings;
+        this.changes = changes;
+        removal = new Call<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
+        positions = ofTwo("positions", Commands.POSITION, (id, values, i) -> {
+            changes.move(id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        velocities = ofTwo("velocities", Commands.VELOCITY, (id, values, i) -> {
+            changes.set(Commands.VELOCITY, id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        impulses = ofTwo("impulses", Commands.IMPULSE, (id, values, i) -> {
+            changes.set(Commands.IMPULSE, id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        forces = ofTwo("forces", Commands.FIELD, (id, values, i) -> {
+            changes.setForce(id, values[2 * i], values[2 * i + 1]);
+            return true;
+        });
+        kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
+            changes.setKind(id, values[i]);
+            return true;
+        });
+        filter = new CategoryFilter(handles.fields(), kindTable, 0);
+    }
+
+    private static Call<float[]> ofTwo(String values, int operation, Preparation<float[]> preparation) {
+        return new Call<>(values, 2, array -> array.length, operation, preparation);
+    }
+
+    /** Removes circles. Returns the number of handles that were left out, as all calls here do. */
+    public int remove(long[] circles, int count, boolean skipStale) {
+        return change(removal, circles, count, null, skipStale);
+    }
+
+    /** Puts circles somewhere else. Static ones travel there in the next step. */
+    public int setPositions(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(positions, circles, count, values, skipStale);
+    }
+
+    /** Gives circles velocities. */
+    public int setVelocities(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(velocities, circles, count, values, skipStale);
+    }
+
+    /** Pushes circles. */
+    public int applyImpulses(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(impulses, circles, count, values, skipStale);
+    }
+
+    /** Sets forces on circles. */
+    public int setForces(long[] circles, int count, float[] values, boolean skipStale) {
+        return change(forces, circles, count, values, skipStale);
+    }
+
+    /** Gives circles other kinds. */
+    public int setKinds(long[] circles, int count, int[] values, boolean skipStale) {
+        return change(kinds, circles, count, values, skipStale);
+    }
+
+    /**
+     * Makes a call, in the order of the handles.
+     *
+     * @param call the call
+     * @param circles handles
+     * @param count how many of them
+     * @param values its values
+     * @param skipStale whether to leave stale handles out; else they are refused
+     * @return number of handles that were left out
+     */
+    private <A> int change(Call<A> call, long[] circles, int count, A values, boolean skipStale) {
+        guard.enter();
+        try {
+            checkLengths(call, circles, count, values);
+            changes.begin(count);
+            int left = 0;
+            for (int i = 0; i < count; i++) {
+                int id = find(circles, i, skipStale);
+                if (id < 0 || !prepare(call, id, values, i, skipStale)) {
+                    left++;
+                }
+            }
+            changes.make(call.operation);
+            return left;
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private static <A> void checkLengths(Call<A> call, long[] circles, int count, A values) {
+        Limits.notNull("handles", circles);
+        if (count < 0 || count > circles.length) {
+            throw new IllegalArgumentException("count is " + count + ", but must be from 0 to " + circles.length
+                    + ", the number of elements of handles");
+        }
+        if (call.each > 0) {
+            Limits.notNull(call.values, values);
+            int length = call.length.applyAsInt(values);
+            if (length < (long) call.each * count) {
+                throw new IllegalArgumentException(call.values + " has " + length + " elements, but must have "
+                        + (long) call.each * count + ": " + call.each + " for each of " + count + " handles");
+            }
+        }
+    }
+
+    /** The id of handle i; -1 if it is stale and left out. Each element is read once: another thread may write to the array. */
+    private int find(long[] circles, int i, boolean skipStale) {
+        long handle = circles[i];
+        int id = handles.find(handle);
+        if (id < 0 && !skipStale) {
+            throw new IllegalArgumentException("handle " + i + ": no circle has the handle " + handle
+                    + ": it was removed, or is none of this world's");
+        }
+        return id;
+    }
+
+    private static <A> boolean prepare(Call<A> call, int id, A values, int i, boolean skipStale) {
+        boolean isThere;
+        try {
+            isThere = call.preparation.prepare(id, values, i);
+        } catch (IllegalArgumentException e) {
+            throw new IllegalArgumentException("circle " + i + ": " + e.getMessage(), e);
+        }
+        if (!isThere && !skipStale) {
+            throw new IllegalArgumentException("handle " + i + " occurs twice");
+        }
+        return isThere;
+    }
+
+    /**
+     * Pushes the circles near a point away from it, by {@link Explosion}.
+     *
+     * @param masked whether a mask says which circles
+     * @param mask then, the bits of the categories of their kinds
+     * @param x x of the point
+     * @param y y of the point
+     * @param radius how far from the point a circle's edge may be for the whole impulse
+     * @param impulse the impulse
+     * @param falloff over which distance the impulse then falls to 0
+     * @return number of circles that got an impulse
+     */
+    public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
+        return (int) guard.change(this, mask, masked ? 1 : 0, x, y, radius, impulse, falloff, EXPLODE);
+    }
+
+    private long explode(int mask, float masked, float x, float y, float radius, float impulse, float falloff) {
+        explosion.set(x, y, radius, impulse, falloff, settings.bounds());
+        filter.setMask(mask);
+        float[] circles = copies.last().circles();
+        changes.begin(0);
+        int pushed = 0;
+        int s = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                if ((masked == 0 || filter.admits(id)) && explosion.reaches(circles, s)) {
+                    changes.setChecked(Commands.IMPULSE, id, explosion.impulseX(), explosion.impulseY());
+                    pushed++;
+                }
+                s += CircleRow.STRIDE;
+            }
+        }
+        changes.make(Commands.IMPULSE);
+        return pushed;
+    }
+}

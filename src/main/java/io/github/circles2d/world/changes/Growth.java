@@ -1,0 +1,207 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
+import io.github.circles2d.world.shared.WorldSettings;
+import java.util.Arrays;
+
+/**
+ * Circles that grow or shrink to a radius over some steps: in each they take an even share of the rest of the way.
+ *
+ * <p>The radius and the steps left are values of {@link CircleField#GROWTH}, so they are in snapshots and in the hash. The step
+ * itself
+ * knows nothing of this: a command before it gives the circle its next radius.
+ */
+public final class Growth {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.CircleChange<Growth> GROW = (growth, h, n, r, none) -> growth.growOne(h, r, n);
+    private static final Guard.Numbers<Growth, Void> STEPS = (growth, none, h, n) ->
+            CircleField.growthSteps(growth.fields.get(CircleField.GROWTH, Circles.find(growth.handles, h)));
+
+    private static final CircleField GROWTH = CircleField.GROWTH;
+
+    private final Guard guard;
+    private final HandleTable handles;
+    private final CircleFields fields;
+    private final Commands commands;
+    private final CallLog log;
+    private final Copies copies;
+    private final WorldSettings settings;
+
+    /** Circles that may grow, each once; some may have stopped, or be gone. */
+    private int[] ids = new int[0];
+
+    private int count;
+
+    /** A bit for each id, set if it is among {@link #ids}. */
+    private long[] listed = new long[0];
+
+    // During a step, by place in ids: what each circle had before.
+    private long[] growthBefore = new long[0];
+    private float[] radiusBefore = new float[0];
+
+    public Growth(
+            Guard guard, HandleTable handles, Commands commands, CallLog log, Copies copies, WorldSettings settings) {
+        this.guard = guard;
+        this.handles = handles;
+        this.commands = commands;
+        this.log = log;
+        this.copies = copies;
+        this.settings = settings;
+        fields = handles.fields();
+    }
+
+    /** Lets a circle grow or shrink to a radius in a number of steps, from the radius that it has. */
+    public void grow(long handle, float radius, int steps) {
+        guard.change(this, handle, steps, radius, 0, GROW);
+    }
+
+    private void growOne(long handle, float radius, int steps) {
+        int id = Circles.find(handles, handle);
+        Limits.growth(radius, steps, settings.bounds());
+        fields.ensure(GROWTH, id + 1);
+        ensure(count + 1, handles.end());
+        log.call(LoggedCall.GROW, id, Float.floatToRawIntBits(radius), steps, 0);
+        copies.forgetSaved();
+        guard.changing = true;
+        list(id);
+        fields.set(GROWTH, id, CircleField.growth(radius, steps));
+        guard.changing = false;
+    }
+
+    /** The steps that a circle goes on to grow or shrink; 0 if it does neither. */
+    public int steps(long handle) {
+        return (int) guard.read(this, null, handle, 0, STEPS);
+    }
+
+    private void ensure(int circles, int idLimit) {
+        if (circles > ids.length) {
+            ids = Arrays.copyOf(ids, Math.max(circles, 2 * ids.length));
+        }
+        int words = (idLimit + Long.SIZE - 1) / Long.SIZE;
+        if (words > listed.length) {
+            listed = Arrays.copyOf(listed, Math.max(words, listed.length + (listed.length >> 1)));
+        }
+    }
+
+    private void list(int id) {
+        if ((listed[id / Long.SIZE] >>> id & 1) == 0) {
+            listed[id / Long.SIZE] |= 1L << id;
+            ids[count++] = id;
+        }
+    }
+
+    private boolean grows(int id) {
+        return fields.get(GROWTH, id) != GROWTH.initial();
+    }
+
+    /** A circle keeps the radius that it has. */
+    void forget(int id) {
+        if (grows(id)) {
+            fields.set(GROWTH, id, GROWTH.initial());
+        }
+    }
+
+    /** Whether no circle grows in the next step. */
+    public boolean isEmpty() {
+        return count == 0;
+    }
+
+    /** The number of commands that {@link #begin} records at most. */
+    public int count() {
+        return count;
+    }
+
+    /** Refuses bounds in which a circle has no room at the end of its growth. */
+    public void requireRoom(Bounds bounds) {
+        for (int k = 0; k < count; k++) {
+            if (grows(ids[k])) {
+                float radius = CircleField.growthRadius(fields.get(GROWTH, ids[k]));
+                Limits.within(
+                        "the radius to which a circle grows", radius, bounds.leastRadius(), bounds.greatestRadius());
+            }
+        }
+    }
+
+    /** Makes room for {@link #begin}, except for its commands. */
+    public void makeRoom() {
+        if (radiusBefore.length < count) {
+            growthBefore = new long[ids.length];
+            radiusBefore = new float[ids.length];
+        }
+    }
+
+    /** Before a step: gives the circles their next radii. */
+    public void begin() {
+        drop();
+        for (int k = 0; k < count; k++) {
+            int id = ids[k];
+            long growth = fields.get(GROWTH, id);
+            float target = CircleField.growthRadius(growth);
+            int steps = CircleField.growthSteps(growth);
+            float radius = handles.radius(id);
+            float next = steps == 1 ? target : radius + (target - radius) / steps;
+            growthBefore[k] = growth;
+            radiusBefore[k] = radius;
+            commands.set(Commands.GROW, id, next, 0);
+            handles.setRadius(id, next);
+            fields.set(GROWTH, id, steps == 1 ? GROWTH.initial() : CircleField.growth(target, steps - 1));
+        }
+    }
+
+    /** The step has not begun for want of memory: all is as before it, and the last commands are taken back. */
+    public void undo() {
+        commands.drop(count);
+        for (int k = 0; k < count; k++) {
+            handles.setRadius(ids[k], radiusBefore[k]);
+            fields.set(GROWTH, ids[k], growthBefore[k]);
+        }
+    }
+
+    /** After a step. */
+    public void end() {
+        drop();
+    }
+
+    /** Takes circles out of the list that do not grow. */
+    private void drop() {
+        int growing = 0;
+        for (int k = 0; k < count; k++) {
+            int id = ids[k];
+            if (grows(id)) {
+                ids[growing++] = id;
+            } else {
+                listed[id / Long.SIZE] &= ~(1L << id);
+            }
+        }
+        count = growing;
+    }
+
+    /** Makes room for the circles of a saved state that grow. */
+    public void makeRoom(SavedState from) {
+        int growing = from.fields.used(GROWTH);
+        if (growing > 0) {
+            ensure(growing, from.ids);
+        }
+    }
+
+    /** Another state, for which there is room, has taken the place of all that was. */
+    public void restored() {
+        count = 0;
+        Arrays.fill(listed, 0);
+        for (int id = 0; id < handles.end() && fields.isUsed(GROWTH); id++) {
+            if (grows(id)) {
+                list(id);
+            }
+        }
+    }
+}

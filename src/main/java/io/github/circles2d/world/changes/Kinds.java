@@ -1,0 +1,102 @@
+package io.github.circles2d.world.changes;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LoggedCall;
+
+/** The calls on kinds of circles. A change acts from the next step on. */
+public final class Kinds {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.Numbers<Kinds, KindField> SET = Kinds::setField;
+    private static final Guard.Numbers<Kinds, Void> SET_SETTING =
+            (kinds, none, both, to) -> kinds.setPair((int) both, (int) (both >> Integer.SIZE), (int) to);
+
+    private final Guard guard;
+    private final KindTable table;
+    private final CircleFields fields;
+    private final CallLog log;
+    private final Copies copies;
+
+    public Kinds(Guard guard, KindTable table, CircleFields fields, CallLog log, Copies copies) {
+        this.guard = guard;
+        this.table = table;
+        this.fields = fields;
+        this.log = log;
+        this.copies = copies;
+    }
+
+    /** Checks the number of a kind. */
+    public int check(int kind) {
+        guard.check();
+        return KindTable.check(kind);
+    }
+
+    /** A field of a kind. */
+    public int get(KindField field, int kind) {
+        guard.check();
+        return table.get(field, kind);
+    }
+
+    /** A field of a kind that is a float. */
+    public float getFloat(KindField field, int kind) {
+        return Float.intBitsToFloat(get(field, kind));
+    }
+
+    /** Sets a field of a kind. */
+    public void set(KindField field, int kind, int value) {
+        guard.read(this, field, kind, value, SET);
+    }
+
+    private long setField(KindField field, long kind, long value) {
+        field.check((int) value);
+        log.call(LoggedCall.KIND, (int) kind, field.number(), (int) value, 0);
+        copies.forgetSaved();
+        guard.changing = true;
+        table.set(field, (int) kind, (int) value);
+        guard.changing = false;
+        return 0;
+    }
+
+    /** Sets a field of a kind that is a float. All numbers that are none are one. */
+    public void set(KindField field, int kind, float value) {
+        set(field, kind, Float.floatToIntBits(value));
+    }
+
+    /** What the matrix has of two kinds: {@link KindTable#BY_MASK}, or {@link KindTable#RESPONSE} and a response. */
+    public int setting(int a, int b) {
+        guard.check();
+        return table.setting(KindTable.check(a), KindTable.check(b));
+    }
+
+    /** Sets what the matrix has of two kinds. */
+    public void setSetting(int a, int b, int setting) {
+        guard.read(this, null, LoggedCall.value(a, b), setting, SET_SETTING);
+    }
+
+    private long setPair(int a, int b, int setting) {
+        KindTable.check(a);
+        KindTable.check(b);
+        log.call(LoggedCall.PAIR_OF_KINDS, a, b, setting, 0);
+        copies.forgetSaved();
+        guard.changing = true;
+        table.setSetting(a, b, setting);
+        guard.changing = false;
+        return 0;
+    }
+
+    /** The restitution that a circle gets with a kind, or else. */
+    public float restitution(int kind, float otherwise) {
+        float own = Float.intBitsToFloat(table.get(KindField.RESTITUTION, kind));
+        return Float.isNaN(own) ? otherwise : own;
+    }
+
+    /** Whether some pair of circles may have to be filtered: a pair of kinds is not solid, or a circle has had a group. */
+    public boolean filter() {
+        return table.filters() || fields.isUsed(CircleField.GROUP);
+    }
+}

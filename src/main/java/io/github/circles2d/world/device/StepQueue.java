@@ -1,0 +1,249 @@
+package io.github.circles2d.world.device;
+
+import io.github.circles2d.world.device.memory.DeviceArrays;
+import io.github.circles2d.world.device.memory.Status;
+import io.github.circles2d.world.device.memory.StatusWord;
+import io.github.circles2d.world.device.plan.Plan;
+import io.github.circles2d.world.device.plan.Plans;
+import io.github.circles2d.world.device.plan.Stages;
+import io.github.circles2d.world.device.plan.Steps;
+import io.github.circles2d.world.device.plan.TileUse;
+import io.github.circles2d.world.model.GridLevels;
+import java.util.List;
+
+/**
+ * The steps that have been enqueued and not been looked at. Steps are enqueued for the common case: there is room for the contacts, no
+ * circle is fast, and no circle is in a crowd. A step that meets another case is refused: it changes nothing, and neither do the steps
+ * behind it. {@link #settle} then enlarges the arrays, or enqueues the missing steps with what the case needs.
+ */
+final class StepQueue {
+    /** After so many steps the host looks at their status before it goes on, so that the queue stays short. */
+    private static final int MOST_PENDING = 64;
+
+    /** After so many batches of steps without a fast circle, or a crowd, steps are made without heed of them again. */
+    private static final int CALM = 16;
+
+    /** Contacts a circle for which room is made, before it is tried whether crowds can be thinned out. */
+    private static final int ROOM_PER_CIRCLE = 24;
+
+    private static final int LEAST_ROOM = 4096;
+
+    private final DeviceArrays arrays;
+    private final Home home;
+    private final List<Plan> plans;
+    private final CommandsStage commands;
+    private final RequestedPositions requested;
+    private final StepStatistics stats;
+    private final Status status = new Status();
+
+    /** What is reported of the steps; null if nobody is told. */
+    private ReportReader reader;
+
+    private Stages stages;
+
+    /** What makes the steps that were enqueued last; null before the first. */
+    private Plan plan;
+
+    /** The steps that have been enqueued and not been looked at. */
+    private int pending;
+
+    /** Steps written home when it was looked last. */
+    private int seen;
+
+    /** For how many more batches steps heed fast circles; 0 if they do not. */
+    private int sweeping;
+
+    /** For how many more batches steps thin crowds out; 0 if they do not. */
+    private int thinning;
+
+    private final GridLevels levels = new GridLevels();
+    private int subSteps;
+    private float warmScale;
+
+    StepQueue(
+            DeviceArrays arrays,
+            Home home,
+            List<Plan> plans,
+            CommandsStage commands,
+            RequestedPositions requested,
+            StepStatistics stats) {
+        this.arrays = arrays;
+        this.home = home;
+        this.plans = plans;
+        this.commands = commands;
+        this.requested = requested;
+        this.stats = stats;
+        status.write(arrays);
+    }
+
+    /** Sets what further steps are made with. None are pending. */
+    void use(Stages newStages, ReportReader newReader) {
+        stages = newStages;
+        reader = newReader;
+    }
+
+    /** Sets the shape of further steps; copies it, since the caller may change it before these are known to have found room. */
+    void begin(GridLevels shape, int newSubSteps, float newWarmScale) {
+        levels.copy(shape);
+        subSteps = newSubSteps;
+        warmScale = newWarmScale;
+    }
+
+    Status status() {
+        return status;
+    }
+
+    /** Whether a step may be enqueued behind those that are pending, if it is as they are. */
+    boolean canContinue() {
+        return pending > 0 && warmScale == 1f;
+    }
+
+    /** Steps that have been enqueued since the world was made. */
+    int enqueued() {
+        return seen + pending;
+    }
+
+    /** Steps that are known to have been made. */
+    int seen() {
+        return seen;
+    }
+
+    /** The slots that the next step begins with. */
+    int slotsBehindPending() {
+        return pending == 0 ? home.slots : home.circles;
+    }
+
+    /** Enqueues steps. */
+    void add(int steps) {
+        for (int left = steps; left > 0; ) {
+            if (pending == MOST_PENDING) {
+                settle();
+            }
+            int count = Math.min(left, MOST_PENDING - pending);
+            enqueue(count);
+            left -= count;
+        }
+    }
+
+    private void enqueue(int steps) {
+        for (int left = steps; left > 0; ) {
+            left -= enqueueAtOnce(left);
+        }
+    }
+
+    /** Enqueues steps that need nothing in between; returns how many of those wanted. */
+    private int enqueueAtOnce(int most) {
+        boolean reports = reader != null && reader.isActive();
+        Steps wanted = steps(most, reports);
+        plan = Plans.first(plans, wanted);
+        if (!reports) {
+            pending += most;
+            plan.enqueue(wanted);
+            return most;
+        }
+        Steps enqueued = plan.decidesEvents(wanted) ? wanted : steps(1, true);
+        reader.before(stages, plan, enqueued, enqueued());
+        pending += enqueued.count();
+        plan.enqueue(enqueued);
+        reader.behind(stages, plan, enqueued);
+        return enqueued.count();
+    }
+
+    private Steps steps(int count, boolean reports) {
+        return new Steps(
+                count,
+                levels,
+                slotsBehindPending(),
+                home.circles,
+                subSteps,
+                // Behind pending steps the state is as a step leaves it, and the length of the step before is that of
+                // the step.
+                pending == 0 ? warmScale : 1f,
+                sweeping > 0,
+                thinning > 0,
+                reports && reader.isRecording(),
+                reports && reader.isSensing());
+    }
+
+    /** Waits until all steps have been made. */
+    void settle() {
+        while (pending > 0) {
+            if (reader != null) {
+                reader.readAhead();
+            }
+            status.read(arrays);
+            takeMade(status.get(StatusWord.STEPS_DONE) - seen);
+            for (Plan each : plans) {
+                each.learn(TileUse.of(status), thinning > 0);
+            }
+            if (pending == 0) {
+                home.cachedContacts = status.get(StatusWord.CONTACTS);
+                stats.stepped(plan, home.circles, home.cachedContacts);
+                sweeping = status.has(StatusWord.FAST) && sweeping > 0 ? CALM : Math.max(0, sweeping - 1);
+                thinning = status.has(StatusWord.CROWDED) ? CALM : Math.max(0, thinning - 1);
+            } else {
+                adapt();
+                enqueueRefused();
+            }
+        }
+    }
+
+    private void takeMade(int done) {
+        seen += done;
+        if (done > 0) {
+            home.slots = home.circles;
+            commands.slotsInOrder();
+            warmScale = 1f;
+            if (reader != null) {
+                reader.made(status, seen, stages, plan, home.circles);
+            }
+        }
+        if (reader != null) {
+            reader.beginBatch();
+        }
+        pending -= done;
+    }
+
+    private void enqueueRefused() {
+        int refused = pending;
+        pending = 0;
+        int beforeRequest = requested.missing(seen);
+        if (beforeRequest > 0) {
+            enqueue(beforeRequest);
+            requested.layOut(home.circles);
+        }
+        if (refused > beforeRequest) {
+            enqueue(refused - beforeRequest);
+        }
+    }
+
+    /** Changes what the step lacked that has been refused. */
+    private void adapt() {
+        int contacts = status.get(StatusWord.CONTACTS);
+        if (sweeping == 0 && status.has(StatusWord.FAST)) {
+            sweeping = CALM;
+        }
+        if (thinning == 0 && status.has(StatusWord.CROWDED)) {
+            thinning = CALM; // the room that the step asked for is for all pairs of the crowd
+        } else if (status.has(StatusWord.OUT_OF_ROOM) && contacts > arrays.contactCapacity()) {
+            if (thinning == 0 && contacts > LEAST_ROOM + (long) ROOM_PER_CIRCLE * home.circles) {
+                thinning = CALM;
+            } else {
+                arrays.ensureContacts(contacts);
+            }
+        }
+        if (status.has(StatusWord.OUT_OF_ROOM) && !arrays.ensureCopies(status.get(StatusWord.TILE_COPIES))) {
+            // Steps without tiles need no copies.
+            for (Plan each : plans) {
+                each.learn(TileUse.NONE_DO, thinning > 0);
+            }
+        }
+        status.clear(
+                StatusWord.TILE_COPIES,
+                StatusWord.OUT_OF_ROOM,
+                StatusWord.FAST,
+                StatusWord.CROWDED,
+                StatusWord.TILE_PEAK);
+        status.write(arrays);
+    }
+}

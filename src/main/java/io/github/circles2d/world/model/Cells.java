@@ -1,0 +1,54 @@
+package io.github.circles2d.world.model;
+
+/** Size classes, cells, and the hashes that thin crowds out. */
+public final class Cells {
+    private Cells() {}
+
+    /** Class k has radii in (rmax / 2^(k+1), rmax / 2^k], the last one all smaller ones too. */
+    public static int sizeClass(float r, float rmax) {
+        int k = 0;
+        float half = rmax * 0.5f;
+        while (r <= half && k < GridLevels.COUNT - 1) {
+            k++;
+            half *= 0.5f;
+        }
+        return k;
+    }
+
+    public static int cell(float x, float min, float inverseEdge) {
+        return (int) CircleMath.max((x - min) * inverseEdge, 0f);
+    }
+
+    /** Of two columns or rows that are equal or neighbours on a ring. */
+    public static int ringFirst(int a, int b, int size) {
+        return (b + 1 == size ? 0 : b + 1) == a ? b : a;
+    }
+
+    /** The finalizer of MurmurHash3, twice. */
+    public static int pairHash(int lo, int hi) {
+        return mix(mix(lo) + hi);
+    }
+
+    /**
+     * All pairs if one circle has few candidates, else a share, drawn by hash: contacts grow with the circles in a point, not with
+     * their square.
+     */
+    public static boolean keeps(int hash, int fewer) {
+        return fewer <= Tuning.CROWD || (hash >>> 16) * (long) fewer < (long) Tuning.CROWD << 16;
+    }
+
+    /** Two circles with one centre part in this direction; not of unit length, never zero. */
+    public static float partingX(int hash) {
+        return (float) (hash & 1023) - 511.5f;
+    }
+
+    public static float partingY(int hash) {
+        return (float) ((hash >>> 10) & 1023) - 511.5f;
+    }
+
+    private static int mix(int h) {
+        h = (h ^ (h >>> 16)) * 0x85ebca6b;
+        h = (h ^ (h >>> 13)) * 0xc2b2ae35;
+        return h ^ (h >>> 16);
+    }
+}

@@ -1,0 +1,9 @@
+package io.github.circles2d.world.model;
+
+/** All that a step needs besides circles and the shape of the grids: the constants, and the tables of the kinds. */
+public final class StepInput {
+    public final StepConstants constants = new StepConstants();
+    public final PairResponses responses = new PairResponses();
+    public final KindMotion motion = new KindMotion();
+    public final StepReports reports = new StepReports();
+}

@@ -1,0 +1,63 @@
+package io.github.circles2d.world.model;
+
+/**
+ * When circles touch that move evenly, as a share of their motion; more than 1 if they do not. d is the position of the second
+ * minus that
+ * of the first, u the motion of the first minus that of the second, sum the sum of the radii.
+ */
+public final class TimeOfImpact {
+    private TimeOfImpact() {}
+
+    /** Negative in the wall. Walls are as at the end of the step, and have come in by travel. */
+    public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
+        float low = ((min - travelMin) + r) - x;
+        float high = ((max + travelMax) - r) - x;
+        float toMin = p - travelMin; // against the wall
+        float toMax = p - (0f - travelMax); // for no travel p itself, a zero with its sign
+        return toMin < 0f && toMin < low ? low / toMin : toMax > 0f && toMax > high ? high / toMax : 1f;
+    }
+
+    public static float timeOfTouch(float dx, float dy, float ux, float uy, float sum) {
+        float b = dx * ux + dy * uy;
+        float a = ux * ux + uy * uy;
+        float c = (dx * dx + dy * dy) - sum * sum;
+        float disc = b * b - a * c;
+        if (!(b > 0f) || !(disc >= 0f)) {
+            return 2f;
+        }
+        return CircleMath.max(c, 0f) / (b + (float) Math.sqrt(disc));
+    }
+
+    /** Of circles that would do more than graze each other. */
+    public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
+        float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
+        return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
+    }
+
+    /**
+     * When a static circle takes along another, which goes a share of its path and waits: when they touch on its way, or it is run
+     * over. 1 if only a sudden stop would lead to that.
+     */
+    public static float timeOfCarry(
+            float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
+        float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
+        if (t < share) {
+            return t;
+        }
+        float x = dx + share * pathX;
+        float y = dy + share * pathY;
+        t = CircleMath.max(timeOfImpact(x, y, px, py, sum), share);
+        if (t < 1f && isRunOver(x, y, px, py, r, sum)) {
+            return t;
+        }
+        boolean meets = timeOfImpact(dx, dy, px, py, sum) < 1f;
+        return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
+    }
+
+    /** Whether a circle that does not move ends deep in a static one, or behind it. */
+    public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
+        float x = dx - px;
+        float y = dy - py;
+        return x * px + y * py < 0f || !CircleMath.isLonger(x, y, sum - Tuning.RUN_OVER * r);
+    }
+}

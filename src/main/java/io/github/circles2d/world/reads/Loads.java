@@ -1,0 +1,82 @@
+package io.github.circles2d.world.reads;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.IdMask;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.WorldSettings;
+import java.util.Arrays;
+
+/** Reads how hard circles are pressed, from the impulses that the next step starts from. */
+public final class Loads {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.ChangeWithTwo<Loads, float[], long[]> READ_BY_ID = Loads::sumById;
+
+    /** Elements of a circle: the number of what presses it, and the sum of the forces. */
+    private static final int EACH = 2;
+
+    private final Guard guard;
+    private final HandleTable handles;
+    private final Copies copies;
+    private final WorldSettings settings;
+    private final IdMask mask = new IdMask();
+
+    public Loads(Guard guard, HandleTable handles, Copies copies, WorldSettings settings) {
+        this.guard = guard;
+        this.handles = handles;
+        this.copies = copies;
+        this.settings = settings;
+    }
+
+    /**
+     * Reads the loads by id.
+     *
+     * @param loads takes two elements an id
+     * @param living takes a bit for each id; may be null
+     */
+    public void readById(float[] loads, long[] living) {
+        guard.change(this, loads, living, READ_BY_ID);
+    }
+
+    private void sumById(float[] loads, long[] living) {
+        Readings.requireRoom("loads", Limits.notNull("loads", loads).length, (long) EACH * handles.end());
+        Readings.requireRoom(living, handles.end());
+        SavedState state = copies.saved();
+        mask.copy(handles);
+        Arrays.fill(loads, Float.NaN);
+        float subStep = settings.lastSubStep();
+        addWalls(state, subStep, loads);
+        for (int k = 0; k < state.impulses; k++) {
+            float force = state.normalImpulse[k] / subStep;
+            add(loads, state.lo[k], force);
+            add(loads, state.hi[k], force);
+        }
+        if (living != null) {
+            mask.copyTo(living);
+        }
+    }
+
+    /** What a wall has given is a speed, positive if it was the lower one. */
+    private static void addWalls(SavedState state, float subStep, float[] loads) {
+        for (int k = 0; k < state.circles; k++) {
+            int id = state.id[k];
+            loads[EACH * id] = 0;
+            loads[EACH * id + 1] = 0;
+            float mass = state.circle[CircleRow.STRIDE * k + CircleRow.MASS];
+            for (int axis = CircleRow.WALL_X; axis <= CircleRow.WALL_Y; axis++) {
+                float speed = Math.abs(state.traits[CircleRow.STRIDE * k + axis]);
+                if (speed > 0) {
+                    add(loads, id, mass * speed / subStep);
+                }
+            }
+        }
+    }
+
+    private static void add(float[] loads, int id, float force) {
+        loads[EACH * id]++;
+        loads[EACH * id + 1] += force;
+    }
+}

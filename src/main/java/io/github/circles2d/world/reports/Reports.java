@@ -1,0 +1,208 @@
+package io.github.circles2d.world.reports;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.events.EventRows;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.Pipeline;
+
+/** The calls on events. */
+public final class Reports {
+    // The functions of the calls. They are linked before memory, or the stack, may end in a call.
+    private static final Guard.Numbers<Reports, long[]> TOUCHING =
+            (reports, array, a, b) -> reports.list((int) a, (int) b, array);
+    private static final Guard.Change<Reports> REQUEST = Reports::requestAll;
+    private static final Guard.Read<Reports, EventRows> TAKE_REQUESTED = Reports::requested;
+    private static final Guard.CircleChange<Reports> SET_HIT_SPEED =
+            (reports, h, n, to, none) -> reports.hitSpeed(Limits.within("the hit speed", to, 0, Limits.SPEED));
+    private static final Guard.CircleChange<Reports> RESTORE = (reports, h, n, speed, none) -> reports.hitSpeed(speed);
+    private static final Guard.Read<Reports, EventRows> TAKE = Reports::all;
+
+    private final Guard guard;
+    private final Pipeline pipeline;
+    private final HandleTable handles;
+    private final ContactEvents events;
+    private final PendingWork pending;
+    private final Copies copies;
+    private ReportSettings settings = ReportSettings.NOTHING;
+
+    /** What the settings become by the change under way. */
+    private ReportSettings next;
+
+    public Reports(
+            Guard guard,
+            Pipeline pipeline,
+            HandleTable handles,
+            ContactEvents events,
+            PendingWork pending,
+            Copies copies) {
+        this.guard = guard;
+        this.pipeline = pipeline;
+        this.handles = handles;
+        this.events = events;
+        this.pending = pending;
+        this.copies = copies;
+    }
+
+    /** Sets which events are reported of all circles from the next step on. */
+    public void report(int types) {
+        change(
+                () -> check(types, ContactEvents.ALL, "BEGIN, HIT, END and WALL"),
+                () -> {
+                    events.makeRoom(handles);
+                    next = settings.ofAll(types);
+                },
+                () -> events.report(types, handles));
+    }
+
+    /** Sets which events are reported of two kinds. */
+    public void report(int kindA, int kindB, int types) {
+        change(
+                () -> {
+                    KindTable.check(kindA);
+                    KindTable.check(kindB);
+                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+                },
+                () -> {
+                    events.makeRoomForPairs(handles);
+                    next = settings.ofPair(kindA, kindB, types);
+                },
+                () -> events.reportPair(kindA, kindB, types, handles));
+    }
+
+    /** Sets which events of walls are reported of a kind. */
+    public void reportWalls(int kind, int types) {
+        change(
+                () -> {
+                    KindTable.check(kind);
+                    check(types, ContactEvents.OF_PAIR_TYPES, "BEGIN, HIT and END");
+                },
+                () -> {
+                    events.makeRoom(handles);
+                    next = settings.ofWalls(kind, types);
+                },
+                () -> events.reportWalls(kind, types, handles));
+    }
+
+    /**
+     * Changes what is reported.
+     *
+     * @param checks refuses what is not allowed
+     * @param makeRoom for the change, so that it does not run out of memory; all steps have been made
+     * @param change what is asked for
+     */
+    private void change(Runnable checks, Runnable makeRoom, Runnable change) {
+        guard.change(this, reports -> reports.changeInside(checks, makeRoom, change));
+    }
+
+    private void changeInside(Runnable checks, Runnable makeRoom, Runnable change) {
+        checks.run();
+        pending.settle();
+        makeRoom.run();
+        copies.forgetSaved();
+        boolean was = events.isOn();
+        boolean hadWalls = events.hasWalls();
+        guard.changing = true;
+        change.run();
+        settings = next;
+        tell(was, hadWalls);
+        guard.changing = false;
+    }
+
+    /** Tells the pipeline, if it is to record something else. */
+    private void tell(boolean was, boolean hadWalls) {
+        if (events.isOn() != was || events.hasWalls() != hadWalls) {
+            pipeline.report(events.isOn() ? events : null);
+        }
+    }
+
+    private static void check(int types, int allowed, String names) {
+        if ((types & ~allowed) != 0) {
+            throw new IllegalArgumentException("the types must be a sum of " + names + ", not " + types);
+        }
+    }
+
+    /** Lists the pairs of two kinds that touch, two handles a pair, and returns their number. */
+    public int touching(int kindA, int kindB, long[] to) {
+        return (int) guard.read(this, to, kindA, kindB, TOUCHING);
+    }
+
+    private long list(int kindA, int kindB, long[] to) {
+        KindTable.check(kindA);
+        KindTable.check(kindB);
+        pending.settle();
+        return events.list(kindA, kindB, Limits.notNull("handles", to));
+    }
+
+    /** Asks for the events of all steps so far, without waiting for them. */
+    public void request() {
+        guard.change(this, REQUEST);
+    }
+
+    private void requestAll() {
+        pending.requestEvents();
+        events.queue().request();
+    }
+
+    /** The events that were requested last. */
+    public EventRows takeRequested() {
+        return guard.read(this, TAKE_REQUESTED);
+    }
+
+    private EventRows requested() {
+        if (!events.queue().isRequested()) {
+            throw new IllegalStateException("no events have been requested since the last were taken:"
+                    + " call requestEvents before each takeEvents");
+        }
+        if (!events.queue().haveArrived()) {
+            pending.finishRequestedEvents();
+        }
+        return events.queue().takeRequested();
+    }
+
+    /** Sets the speed from which on a hit counts. */
+    public void setHitSpeed(float speed) {
+        guard.change(this, 0, 0, speed, 0, SET_HIT_SPEED);
+    }
+
+    private void hitSpeed(float speed) {
+        next = settings.withHitSpeed(speed);
+        pending.finish();
+        events.setHitSpeed(speed);
+        settings = next;
+    }
+
+    /** What is reported, and the hit speed. */
+    public ReportSettings settings() {
+        return settings;
+    }
+
+    /**
+     * Sets again what was reported before, and the hit speed. If it fails half-way, it may be called again.
+     *
+     * @param before what {@link #settings} has given
+     */
+    public void restore(ReportSettings before) {
+        if (before == settings) {
+            return;
+        }
+        report(before.types);
+        before.repeat(this);
+        guard.change(this, 0, 0, before.hitSpeed, 0, RESTORE);
+        settings = before;
+    }
+
+    /** The events since the last call. */
+    public EventRows take() {
+        return guard.read(this, TAKE);
+    }
+
+    private EventRows all() {
+        pending.finishEvents();
+        return events.queue().take();
+    }
+}

@@ -1,0 +1,2 @@
+/** The calls on events. Not part of the public API. */
+package io.github.circles2d.world.reports;

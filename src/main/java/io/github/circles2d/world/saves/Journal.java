@@ -1,0 +1,105 @@
+package io.github.circles2d.world.saves;
+
+import io.github.circles2d.world.log.LogWriter;
+import io.github.circles2d.world.shared.CallLog;
+import io.github.circles2d.world.shared.Copies;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.PendingWork;
+import java.io.IOException;
+import java.io.OutputStream;
+
+/** The calls that begin and end a log of calls. */
+public final class Journal {
+    /** How far a log has come, also when it has ended. */
+    public static final class Progress {
+        private final LogWriter log;
+
+        Progress(LogWriter log) {
+            this.log = log;
+        }
+
+        /** Steps in the log. */
+        public long steps() {
+            return log.steps();
+        }
+
+        /** Bytes of the log. */
+        public long bytes() {
+            return log.bytes();
+        }
+
+        /** Whether the log could not be written on. */
+        public boolean hasFailed() {
+            return log.failure() != null;
+        }
+    }
+
+    private final Guard guard;
+    private final CallLog log;
+    private final PendingWork pending;
+    private final Copies copies;
+
+    public Journal(Guard guard, CallLog log, PendingWork pending, Copies copies) {
+        this.guard = guard;
+        this.log = log;
+        this.pending = pending;
+        this.copies = copies;
+    }
+
+    /**
+     * Begins a log with a snapshot of now.
+     *
+     * @param out where to; is not closed
+     * @param every steps between two hashes
+     * @return tells how far the log has come; {@link #stop} ends it
+     */
+    public Progress start(OutputStream out, int every) throws IOException {
+        guard.enter();
+        try {
+            if (log.writer() != null) {
+                throw new IllegalStateException("this World is being recorded already");
+            }
+            LogWriter writer = new LogWriter(out, every);
+            log.write(copies.saved(), writer);
+            writer.requireWritten("the log cannot begin");
+            log.begin(writer, every, copies::hash);
+            return new Progress(writer);
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Ends the log, with a last hash if the state is there. Also if the world has been closed. */
+    public void stop() throws IOException {
+        guard.takeTurn();
+        try {
+            LogWriter last = log.writer();
+            if (last != null) {
+                try {
+                    if (guard.holds()) {
+                        pending.apply();
+                        log.writeHash();
+                    }
+                } finally {
+                    log.end();
+                    last.close();
+                }
+            }
+        } catch (RuntimeException | Error e) {
+            throw guard.failed(e);
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    /** Closes the stream that a log has been written to. */
+    public static void closeStream(OutputStream out) throws IOException {
+        try {
+            out.close();
+        } catch (IOException | RuntimeException e) {
+            throw LogWriter.failed("the stream of the log cannot be closed", e);
+        }
+    }
+}

@@ -1,0 +1,50 @@
+package io.github.circles2d.world.search;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.CircleFields;
+import io.github.circles2d.world.circles.KindField;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.PairTable;
+import io.github.circles2d.world.queries.IdFilter;
+import io.github.circles2d.world.queries.RemoteSearch;
+import java.util.Arrays;
+
+/** Admits the circles whose kind's category has a bit of a mask, by kinds and categories as of now. */
+public final class CategoryFilter implements IdFilter {
+    private final CircleFields fields;
+    private final KindTable kinds;
+    private int mask;
+    private int[] words;
+
+    public CategoryFilter(CircleFields fields, KindTable kinds, int mask) {
+        this.fields = fields;
+        this.kinds = kinds;
+        this.mask = mask;
+    }
+
+    /** Takes another mask. */
+    public void setMask(int to) {
+        mask = to;
+    }
+
+    @Override
+    public boolean admits(int id) {
+        return admitsKind(fields.getInt(CircleField.KIND, id));
+    }
+
+    private boolean admitsKind(int kind) {
+        return (kinds.get(KindField.CATEGORY, kind) & mask) != 0;
+    }
+
+    /** The kinds that it admits, a bit for each; valid until the next call. */
+    int[] kinds() {
+        if (words == null) {
+            words = new int[RemoteSearch.KIND_WORDS];
+        }
+        Arrays.fill(words, 0);
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            words[kind / Integer.SIZE] |= admitsKind(kind) ? 1 << kind : 0;
+        }
+        return words;
+    }
+}

@@ -1,0 +1,102 @@
+package io.github.circles2d.world.search;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.queries.CastSearch;
+import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.queries.TreeSearch;
+import io.github.circles2d.world.shared.LastReading;
+import io.github.circles2d.world.shared.WorldSettings;
+
+/** Answers queries by a tree on the host. The first after a change reads all circles and builds it. */
+final class HostAnswers {
+    private final HandleTable handles;
+    private final LastReading last;
+    private final WorldSettings settings;
+    private final TreeSearch search = new TreeSearch();
+    private int[] ids = new int[0];
+
+    /** Which reading the tree shows, by {@link LastReading#number}; none at first. */
+    private long shown;
+
+    HostAnswers(HandleTable handles, LastReading last, WorldSettings settings) {
+        this.handles = handles;
+        this.last = last;
+        this.settings = settings;
+    }
+
+    /** Answers queries that find all. Returns how many circles they find. */
+    int all(QueryBatch batch) {
+        int room = batch.room();
+        int total = 0;
+        for (int q = 0; q < batch.n; q++) {
+            batch.take(q);
+            show();
+            int count = search.all(batch.shape, batch.numbers, batch.filter);
+            int end = batch.end(q, total, count);
+            take(batch, total, Math.min(end, room));
+            total = end;
+        }
+        return total;
+    }
+
+    private void take(QueryBatch batch, int from, int end) {
+        for (int k = from; k < end; k++) {
+            batch.handles[k] = handles.handle(search.id(batch.shape, k - from));
+            if (batch.hits != null) {
+                search.writeHit(k - from, batch.hits, CastSearch.HIT_STRIDE * k);
+            }
+        }
+    }
+
+    /** Answers queries that find one circle each or none. Returns how many find one; a single query's handle is in element 0. */
+    int one(QueryBatch batch) {
+        int count = 0;
+        for (int q = 0; q < batch.n; q++) {
+            batch.take(q);
+            show();
+            int id = batch.shape == QueryShape.POINT
+                    ? search.pick(batch.numbers, batch.filter)
+                    : search.first(batch.shape, batch.numbers, batch.filter, batch.hits, CastSearch.HIT_STRIDE * q);
+            batch.handles[q] = id < 0 ? 0 : handles.handle(id);
+            count += id < 0 ? 0 : 1;
+        }
+        return count;
+    }
+
+    /** Answers queries for the nearest. Returns how many circles they find. */
+    int nearest(QueryBatch batch) {
+        int total = 0;
+        for (int q = 0; q < batch.n; q++) {
+            batch.take(q);
+            show();
+            int count = search.nearest(batch.numbers, batch.within, batch.most, batch.filter);
+            for (int k = 0; k < count; k++) {
+                batch.takeNearest(q, k, handles.handle(search.nearestId(k)), search.nearestDistance(k));
+            }
+            batch.fillUp(q, count);
+            total += count;
+        }
+        return total;
+    }
+
+    /** Makes the tree that of the circles as of now. */
+    private void show() {
+        float[] circles = last.circles();
+        if (shown == last.number()) {
+            return;
+        }
+        int n = handles.size();
+        if (ids.length < n) {
+            ids = new int[Math.max(n, ids.length + (ids.length >> 1))];
+        }
+        int k = 0;
+        for (int id = 0; k < n; id++) {
+            if (handles.lives(id)) {
+                ids[k++] = id;
+            }
+        }
+        shown = 0;
+        search.build(circles, ids, n, settings.bounds());
+        shown = last.number();
+    }
+}

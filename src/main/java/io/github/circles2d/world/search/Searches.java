@@ -1,0 +1,205 @@
+package io.github.circles2d.world.search;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.circles.KindTable;
+import io.github.circles2d.world.model.Limits;
+import io.github.circles2d.world.queries.QueryShape;
+import io.github.circles2d.world.shared.Guard;
+import io.github.circles2d.world.shared.LastReading;
+import io.github.circles2d.world.shared.PendingWork;
+import io.github.circles2d.world.shared.Pipeline;
+import io.github.circles2d.world.shared.WorldSettings;
+
+/**
+ * The searches for circles, one or many in a call. The device that has the circles answers where that is faster, else a tree on the
+ * host; both find the same. {@code Queries} documents what each call gives. Where a call takes a filter, null admits all circles.
+ */
+public final class Searches {
+    /** Kinds of answers. */
+    private enum Wanted {
+        ALL,
+        ONE,
+        NEAREST
+    }
+
+    private final Guard guard;
+    private final HandleTable handles;
+    private final KindTable kinds;
+    private final QueryBatch batch;
+    private final HostAnswers host;
+    private final DeviceAnswers device;
+
+    /** Takes the handle that a single query finds. */
+    private final long[] found = new long[1];
+
+    public Searches(
+            Guard guard,
+            Pipeline pipeline,
+            HandleTable handles,
+            KindTable kinds,
+            PendingWork pending,
+            LastReading last,
+            WorldSettings settings) {
+        this.guard = guard;
+        this.handles = handles;
+        this.kinds = kinds;
+        batch = new QueryBatch(settings);
+        host = new HostAnswers(handles, last, settings);
+        device = new DeviceAnswers(pipeline, handles, pending, last, settings);
+    }
+
+    /** Does nothing, if a query can be made at all. */
+    public void requireOpen() {
+        guard.check();
+    }
+
+    /** Admits the circles whose kind's category has a bit of a mask. */
+    public CategoryFilter filter(int mask) {
+        requireOpen();
+        return new CategoryFilter(handles.fields(), kinds, mask);
+    }
+
+    /** Answers on any device from now on, whether or not it is the faster way: for tests. */
+    public void alwaysOnDevice() {
+        device.always();
+    }
+
+    /** How many calls the device has answered: for tests. */
+    public int answeredOnDevice() {
+        return device.answered();
+    }
+
+    /**
+     * Finds all circles of a query.
+     *
+     * @param a its numbers, and zeros
+     * @param hits takes hits of paths; may be null
+     */
+    public int all(
+            CategoryFilter filter,
+            QueryShape shape,
+            float a,
+            float b,
+            float c,
+            float d,
+            float e,
+            long[] to,
+            float[] hits) {
+        return (int) answer(Wanted.ALL, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, to, hits);
+    }
+
+    /**
+     * Finds all circles of each query of a batch.
+     *
+     * @param hits takes hits of paths; may be null
+     */
+    public int all(
+            CategoryFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
+        return (int) answer(Wanted.ALL, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, ends, to, hits);
+    }
+
+    /**
+     * Finds the circle at a point, or the first on a path.
+     *
+     * @param a the query's numbers, and zeros
+     * @param hit takes the hit of a path; may be null
+     */
+    public long one(CategoryFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
+        return answer(Wanted.ONE, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, found, hit);
+    }
+
+    /**
+     * Finds the circle at each of many points, or the first on each of many paths.
+     *
+     * @param hits takes the hits of paths; may be null
+     */
+    public int one(CategoryFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
+        return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
+    }
+
+    /** Finds the circles nearest to a point. */
+    public int nearest(CategoryFilter filter, float x, float y, float within, int most, long[] to, float[] distances) {
+        QueryShape shape = QueryShape.NEAREST;
+        return (int)
+                answer(Wanted.NEAREST, filter, shape, false, null, 1, x, y, 0, 0, 0, within, most, null, to, distances);
+    }
+
+    /** Finds the circles nearest to each of many points. */
+    public int nearest(
+            CategoryFilter filter, float[] points, int n, float within, int most, long[] to, float[] distances) {
+        QueryShape shape = QueryShape.NEAREST;
+        return (int) answer(
+                Wanted.NEAREST, filter, shape, true, points, n, 0, 0, 0, 0, 0, within, most, null, to, distances);
+    }
+
+    /**
+     * Answers a batch, or a single query.
+     *
+     * @param queries the queries of a batch; a single one has the numbers a to e
+     * @param places takes hits, or distances; may be null
+     * @return how many circles are found; of a single query for one circle, that circle
+     */
+    private long answer(
+            Wanted wanted,
+            CategoryFilter filter,
+            QueryShape shape,
+            boolean isBatch,
+            float[] queries,
+            int n,
+            float a,
+            float b,
+            float c,
+            float d,
+            float e,
+            float within,
+            int most,
+            int[] ends,
+            long[] to,
+            float[] places) {
+        guard.enter();
+        try {
+            if (isBatch) {
+                batch.begin(filter, shape, queries, n);
+            } else {
+                batch.begin(filter, shape, a, b, c, d, e);
+            }
+            if (wanted == Wanted.ALL) {
+                if (isBatch) {
+                    batch.takeEnds(ends);
+                }
+                batch.takeAll(to, places);
+            } else if (wanted == Wanted.ONE) {
+                batch.takeFew(to, null);
+                batch.takeHits(isBatch ? "hits" : "hit", places);
+            } else {
+                batch.within = Limits.within("within", within, 0, Float.POSITIVE_INFINITY);
+                batch.most = Limits.within("most", most, 1, Integer.MAX_VALUE);
+                batch.takeFew(to, places);
+            }
+            int count = answer(wanted);
+            batch.end();
+            return wanted == Wanted.ONE && !isBatch ? to[0] : count;
+        } catch (RuntimeException | Error thrown) {
+            throw guard.failed(batch.named(thrown));
+        } finally {
+            guard.user = null;
+        }
+    }
+
+    private int answer(Wanted wanted) {
+        int count =
+                switch (wanted) {
+                    case ALL -> device.all(batch);
+                    case ONE -> device.one(batch);
+                    case NEAREST -> device.nearest(batch);
+                };
+        if (count != DeviceAnswers.LEFT) {
+            return count;
+        }
+        return switch (wanted) {
+            case ALL -> host.all(batch);
+            case ONE -> host.one(batch);
+            case NEAREST -> host.nearest(batch);
+        };
+    }
+}

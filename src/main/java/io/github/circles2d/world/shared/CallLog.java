@@ -1,0 +1,214 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.circles.CircleField;
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.SavedState;
+import io.github.circles2d.world.circles.SnapshotCodec;
+import io.github.circles2d.world.log.LogWriter;
+import java.nio.Buffer;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.function.LongSupplier;
+
+/**
+ * Tells a log what changes the world, while there is one. The waiting {@link Commands} are written as they are, whatever call has
+ * made
+ * them; all other calls write a row of {@link LoggedCall} before they change the state. Without a log, a call costs a comparison.
+ */
+public final class CallLog {
+    private final Pipeline pipeline;
+    private final Guard guard;
+    private final Commands commands;
+
+    /** Null while nothing is recorded. */
+    private LogWriter log;
+
+    /** Gives the hash of the state as of now. */
+    private LongSupplier hash;
+
+    private int hashEvery;
+    private long sinceHash;
+
+    /** Whether a step is in the log and is being made. If it stays true, the step was not made. */
+    private boolean stepping;
+
+    /** How many of the waiting commands are in the log. */
+    int logged;
+
+    /** Room for a snapshot on its way. */
+    private ByteBuffer snapshot = ByteBuffer.allocate(0);
+
+    public CallLog(Pipeline pipeline, Guard guard, Commands commands) {
+        this.pipeline = pipeline;
+        this.guard = guard;
+        this.commands = commands;
+    }
+
+    /** The log; null while there is none. */
+    public LogWriter writer() {
+        return log;
+    }
+
+    /** Begins a log that has its head and its first snapshot. */
+    public void begin(LogWriter writer, int every, LongSupplier hashOfNow) {
+        hash = hashOfNow;
+        hashEvery = every;
+        sinceHash = 0;
+        logged = 0;
+        stepping = false;
+        log = writer;
+        writeHash();
+    }
+
+    /** The log has ended. */
+    public void end() {
+        log = null;
+    }
+
+    /** Commands have been taken back: the log may have no more of them than there are. */
+    public void commandsDropped() {
+        logged = Math.min(logged, commands.count());
+    }
+
+    /** Writes the commands that wait and are not in the log. */
+    public void writeCommands() {
+        if (log != null) {
+            while (logged < commands.count()) {
+                write(logged);
+                logged++;
+            }
+        }
+    }
+
+    private void write(int record) {
+        int at = Commands.STRIDE * record;
+        int operation = commands.operation(record);
+        int id = commands.id(record);
+        if (operation == Commands.FIELD) {
+            CircleField field = CircleField.OF_STEPS.get(commands.records()[at + Commands.FIRST]);
+            writeField(field, id, commands.records()[at + Commands.SECOND]);
+            return;
+        }
+        int values = Commands.values(operation);
+        log.begin(operation, 1 + values);
+        log.word(id);
+        for (int k = 0; k < values; k++) {
+            log.word(commands.records()[at + Commands.FIRST + k]);
+        }
+        log.end();
+    }
+
+    private void writeField(CircleField field, int id, long value) {
+        log.begin(LoggedCall.FIELD.number, LoggedCall.FIELD.words);
+        log.word(field.number());
+        log.word(id);
+        log.word((int) value);
+        log.word((int) (value >> Integer.SIZE));
+        log.end();
+    }
+
+    /** A field that steps do not read, and which is no command, is to change. */
+    public void field(CircleField field, int id, long value) {
+        if (log != null) {
+            writeCommands();
+            writeField(field, id, value);
+        }
+    }
+
+    /** A static circle is to travel. */
+    public void travel(int id, float x, float y) {
+        call(LoggedCall.TRAVEL, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
+    /** A force is to act in the next step. */
+    public void force(int id, float x, float y) {
+        call(LoggedCall.FORCE, id, Float.floatToRawIntBits(x), Float.floatToRawIntBits(y), 0);
+    }
+
+    /** The commands that wait are not to be in the log: a replay makes them, too. */
+    public void skipCommands() {
+        logged = commands.count();
+    }
+
+    /** A call of two words is to change the world. */
+    public void call(LoggedCall call, int a, int b) {
+        call(call, a, b, 0, 0);
+    }
+
+    /** A call of up to four words is to change the world. */
+    public void call(LoggedCall call, int a, int b, int c, int d) {
+        if (log != null) {
+            writeCommands();
+            if (stepping) {
+                log.fail(new IllegalStateException("a step in it could not be made"));
+            }
+            log.begin(call.number, call.words);
+            for (int k = 0; k < call.words; k++) {
+                log.word(k == 0 ? a : k == 1 ? b : k == 2 ? c : d);
+            }
+            log.end();
+        }
+    }
+
+    /** A call of floats is to change the world. */
+    public void call(LoggedCall call, float a, float b, float c, float d) {
+        call(
+                call,
+                Float.floatToRawIntBits(a),
+                Float.floatToRawIntBits(b),
+                Float.floatToRawIntBits(c),
+                Float.floatToRawIntBits(d));
+    }
+
+    /** A saved state is to take the place of all that is, and of the commands that wait. */
+    public void restore(SavedState state) {
+        if (log != null) {
+            write(state, log);
+        }
+    }
+
+    /** Writes a saved state. */
+    public void write(SavedState state, LogWriter to) {
+        int length = SnapshotCodec.bytes(state);
+        if (snapshot.capacity() < length) {
+            snapshot = ByteBuffer.allocate(length).order(ByteOrder.LITTLE_ENDIAN);
+        }
+        ((Buffer) snapshot).clear();
+        SnapshotCodec.writeAtStart(state, snapshot);
+        to.snapshot(snapshot.array(), length);
+    }
+
+    /** Steps are to be made. If they cannot be made, the log ends. */
+    public void step(float timeStep, int count) {
+        if (log != null) {
+            call(LoggedCall.STEP, Float.floatToRawIntBits(timeStep), count);
+            stepping = true;
+        }
+    }
+
+    /** Steps have been made. */
+    public void stepped(int count) {
+        if (log != null) {
+            stepping = false;
+            log.countSteps(count);
+            sinceHash += count;
+            if (sinceHash >= hashEvery) {
+                writeHash();
+            }
+        }
+    }
+
+    /** Writes the hash of now. A read that lacks memory ends the log, and not the step that it follows. */
+    public void writeHash() {
+        sinceHash = 0;
+        try {
+            long now = hash.getAsLong();
+            call(LoggedCall.HASH, (int) now, (int) (now >> Integer.SIZE));
+        } catch (RuntimeException | Error e) {
+            if (guard.changing || pipeline.isLostBy(e)) {
+                throw e;
+            }
+            log.fail(e);
+        }
+    }
+}

@@ -1,0 +1,75 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.model.CircleRow;
+
+/** The last bulk read-back, which answers reads of single values until the state changes. */
+public final class LastReading {
+    private final Pipeline pipeline;
+    private final HandleTable handles;
+    private final PendingWork pending;
+    private float[] circles = new float[0];
+    private float[] velocities = new float[0];
+    private boolean circlesCurrent;
+    private boolean velocitiesCurrent;
+
+    /** How often circles have changed. */
+    private long changes;
+
+    /** How often circles have been read. */
+    private long number;
+
+    LastReading(Pipeline pipeline, HandleTable handles, PendingWork pending) {
+        this.pipeline = pipeline;
+        this.handles = handles;
+        this.pending = pending;
+    }
+
+    /** Circles have come, gone or changed. */
+    void forgetCircles() {
+        circlesCurrent = false;
+        changes++;
+    }
+
+    /** Velocities have changed. */
+    void forgetVelocities() {
+        velocitiesCurrent = false;
+    }
+
+    /** Circles as of now: x, y, radius, mass of each, in ascending order of ids; may be longer; valid until the next change. */
+    public float[] circles() {
+        if (!circlesCurrent) {
+            pending.settle();
+            if (circles.length < CircleRow.STRIDE * handles.size()) {
+                circles = new float[CircleRow.STRIDE * handles.size()];
+            }
+            pipeline.readCircles(handles, circles);
+            circlesCurrent = true;
+            number++;
+        }
+        return circles;
+    }
+
+    /** Which state circles are in: a greater number whenever circles have changed. */
+    public long changes() {
+        return changes;
+    }
+
+    /** Which reading {@link #circles()} has given last: another number for each reading, never 0; 0 before the first. */
+    public long number() {
+        return number;
+    }
+
+    /** Velocities as of now: vx, vy of each, in ascending order of ids; may be longer; valid until the next change. */
+    public float[] velocities() {
+        if (!velocitiesCurrent) {
+            pending.settle();
+            if (velocities.length < 2 * handles.size()) {
+                velocities = new float[2 * handles.size()];
+            }
+            pipeline.readVelocities(handles, velocities);
+            velocitiesCurrent = true;
+        }
+        return velocities;
+    }
+}

@@ -1,0 +1,92 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.circles.Commands;
+import io.github.circles2d.world.circles.HandleTable;
+import io.github.circles2d.world.events.ContactEvents;
+
+/** What is not done yet: changes that wait for the pipeline, and steps that the pipeline makes. */
+public final class PendingWork {
+    private final Pipeline pipeline;
+    private final Guard guard;
+    private final HandleTable handles;
+    private final Commands commands;
+    private final ContactEvents events;
+    private final CallLog log;
+
+    public PendingWork(
+            Pipeline pipeline, Guard guard, HandleTable handles, Commands commands, ContactEvents events, CallLog log) {
+        this.pipeline = pipeline;
+        this.guard = guard;
+        this.handles = handles;
+        this.commands = commands;
+        this.events = events;
+        this.log = log;
+    }
+
+    /** Makes room for changes to come, so that none fails half-way. */
+    public void expect(int more) {
+        if (commands.count() >= Commands.MANY) {
+            apply();
+        }
+        commands.ensure(more);
+    }
+
+    /** Hands the changes that wait to the pipeline. */
+    public void apply() {
+        if (commands.count() > 0) {
+            log.writeCommands();
+            finish();
+            pipeline.makeRoom(commands);
+            if (events.isOn()) {
+                events.makeRoom(commands);
+            }
+            guard.changing = true;
+            if (events.isOn()) {
+                events.apply(commands, handles);
+            }
+            pipeline.apply(commands);
+            drop();
+            guard.changing = false;
+        }
+    }
+
+    /** Drops the changes that wait. */
+    public void drop() {
+        commands.clear();
+        log.logged = 0;
+    }
+
+    /** Waits for all steps, and is told if one has failed. */
+    public void finish() {
+        guard.changing = true;
+        pipeline.finish();
+        guard.changing = false;
+    }
+
+    /** Makes the state what calls have led to, so that reading it changes nothing. */
+    public void settle() {
+        apply();
+        finish();
+    }
+
+    /** Waits for the events of all steps so far. */
+    public void finishEvents() {
+        guard.changing = true;
+        pipeline.finishEvents();
+        guard.changing = false;
+    }
+
+    /** Asks for the events of all steps so far. */
+    public void requestEvents() {
+        guard.changing = true;
+        pipeline.requestEvents();
+        guard.changing = false;
+    }
+
+    /** Waits for the events that were requested. */
+    public void finishRequestedEvents() {
+        guard.changing = true;
+        pipeline.finishRequestedEvents();
+        guard.changing = false;
+    }
+}

@@ -1,0 +1,129 @@
+package io.github.circles2d.world.shared;
+
+import io.github.circles2d.world.circles.WorldParameters;
+import io.github.circles2d.world.events.ContactEvents;
+import io.github.circles2d.world.model.Bounds;
+import io.github.circles2d.world.model.ContactSettings;
+import io.github.circles2d.world.model.StepConstants;
+
+/** What a world has besides circles and kinds: bounds, gravity, how contacts are, and the length of the last step. */
+public final class WorldSettings {
+    private final ContactEvents events;
+    private Bounds bounds;
+
+    /** Where the walls start in the next step: where they were, or where they are if they jumped. */
+    private Bounds wallStart;
+
+    private float gravityX;
+    private float gravityY;
+    private float defaultRestitution;
+    private int subSteps;
+    private ContactSettings contacts;
+
+    /** The length of the last step; 0 before the first. */
+    private float timeStep;
+
+    /** What {@link #parameters} gave last. */
+    private WorldParameters parameters;
+
+    /** As a world begins; events take part in each change of the bounds. */
+    public WorldSettings(ContactEvents events, WorldParameters start) {
+        this.events = events;
+        set(start);
+    }
+
+    /** Takes over saved settings. */
+    public void set(WorldParameters p) {
+        bounds = p.bounds();
+        events.setArena(bounds);
+        wallStart = p.wallStart();
+        gravityX = p.gravityX();
+        gravityY = p.gravityY();
+        defaultRestitution = p.restitution();
+        subSteps = p.subSteps();
+        contacts = p.contacts();
+        timeStep = p.previousTimeStep();
+        parameters = p;
+    }
+
+    /** Sets gravity. */
+    public void setGravity(float x, float y) {
+        gravityX = x;
+        gravityY = y;
+    }
+
+    /** Sets the bounds, and where the walls start. */
+    public void setBounds(Bounds start, Bounds next) {
+        wallStart = start;
+        bounds = next;
+        events.setArena(next);
+    }
+
+    /** The next step moves no wall. */
+    public void stopWalls() {
+        wallStart = bounds;
+    }
+
+    /** Takes note of the length of the last step. */
+    public void setTimeStep(float length) {
+        timeStep = length;
+    }
+
+    public Bounds bounds() {
+        return bounds;
+    }
+
+    public Bounds wallStart() {
+        return wallStart;
+    }
+
+    /** Whether the next step moves a wall. */
+    public boolean wallsMove() {
+        return wallStart.differs(bounds);
+    }
+
+    public float gravityX() {
+        return gravityX;
+    }
+
+    public float gravityY() {
+        return gravityY;
+    }
+
+    public float defaultRestitution() {
+        return defaultRestitution;
+    }
+
+    public int subSteps() {
+        return subSteps;
+    }
+
+    public ContactSettings contacts() {
+        return contacts;
+    }
+
+    /** The length of a sub-step of the last step; 0 before the first. */
+    public float lastSubStep() {
+        return timeStep / subSteps;
+    }
+
+    /** Computes the constants of a step. */
+    public void computeConstants(StepConstants constants, float length) {
+        float before = timeStep == 0 ? length : timeStep;
+        constants.set(length, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);
+    }
+
+    /** All of it. */
+    public WorldParameters parameters() {
+        if (!parameters.has(bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart)) {
+            parameters = new WorldParameters(
+                    bounds, gravityX, gravityY, defaultRestitution, subSteps, timeStep, contacts, wallStart);
+        }
+        return parameters;
+    }
+
+    /** What the hash of the state has of it. */
+    public long hash() {
+        return WorldParameters.hash(bounds, wallStart, contacts);
+    }
+}
