@@ -42,7 +42,7 @@ class CalibrateTest {
     @Test
     void allPlacesNameTheSameDuration() throws Exception {
         List<String> places = List.of(
-                "README.md",
+                "docs/guide.md",
                 "circles2d",
                 "src/main/java/io/github/circles2d/Calibration.java",
                 "src/main/java/io/github/circles2d/tools/Calibrate.java");
