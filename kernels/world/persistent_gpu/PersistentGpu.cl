@@ -1,18 +1,15 @@
 // uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/stages/Grid.cl world/tiles/TileLevels.cl
-// Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay resident
-// run the stages one after another, with a barrier over all of them between stages. That needs all work-groups to run at
-// once, which OpenCL does not promise: the host sees to it that there are no more than the device has room for, and chooses
-// this file only for devices where that, and the barrier below, are known to hold. One work-group alone runs anywhere.
+// Whole steps in one launch, for worlds so small that launches would be most of their time: work-groups that stay run the stages one after
+// another, with a barrier over all of them in between.
 
-// Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks only for what nobody
-// writes before the next barrier.
+// Whether a step is refused must look the same to all work-groups, or some would wait for ever: each asks for what nobody writes before the
+// next barrier.
 
-// All work-items take the numbers below count in turn. Not unrolled: fetching instructions is much of the time of a stage.
+// Not unrolled: fetching instructions is much of the time of a stage.
 #define EACH(i, count)                                                                                                 \
     _Pragma("unroll 1") for (int i = (int) get_global_id(0); i < (count); i += (int) get_global_size(0))
 
-// Exclusive prefix sum of counts, which the stage that follows must clear; by all work-groups. Each sums up by itself what
-// stands before its blocks: cheaper than a barrier over all.
+// The next stage clears the counts. Each work-group sums up what is before its blocks: cheaper than a barrier.
 void scanAll(const World *w, global const int *counts, global int *starts, int count, local int *cells) {
     int before = 0;
     int summed = 0;
@@ -30,7 +27,6 @@ void scanAll(const World *w, global const int *counts, global int *starts, int c
     }
 }
 
-// Local memory, as the stages use it one after another.
 typedef union {
     int cells[2 * RESIDENT_GROUP];
     int classes; // see noteClasses
@@ -39,8 +35,7 @@ typedef union {
     Tile tile;
 } Local;
 
-// Work-items that look for the neighbours of one circle.
-#define SEEKERS 8
+#define SEEKERS 8 // work-items that look for the neighbours of a circle
 
 // Stages Grid, ContinuousCollision where some circle is fast, and Contacts.
 void listAll(World *w, local Local *l) {
@@ -114,8 +109,7 @@ void listAll(World *w, local Local *l) {
     deviceBarrier(arrivals);
 }
 
-// What of a pass there is for circles and cross contacts before and behind the tiles' part, where there are several levels; see
-// LevelPasses, the host's class.
+// With several levels: what of a pass is before and behind the tiles' part, see the Java class LevelPasses.
 void beforeTiles(const World *w, int subStep, bool relaxing) {
     if (relaxing) return;
     EACH(slot, w->circles) startSlot(w, slot, subStep == 0);
@@ -179,10 +173,8 @@ void solveAll(World *w, local Tile *t) {
 }
 
 #ifdef RECORDING
-// Work-items that find the place of an event.
-#define RANKERS 16
+#define RANKERS 16 // work-items that find the place of an event
 
-// Counts the events of a step that come before one of them, in one of several parts.
 void rankEvent(const World *w, int k, int part, int drafts) {
     const Reporting *r = &w->reporting;
     int4 own = r->drafts[3 * k];
@@ -191,9 +183,8 @@ void rankEvent(const World *w, int k, int part, int drafts) {
     if (before > 0) atomic_add(&r->eventOrder[k], before);
 }
 
-// Decides what a step reports: the phases of Events.cl, but the place of each event is found by comparing it with all: there are so few
-// that this costs less than barriers. sensing: whether the host has pairs looked for that are only sensed, and the phases behind that
-// made. Returns whether the step waits for the host.
+// The phases of Events.cl, but an event's place is found by comparing it with all: that costs less than barriers. sensing: sensed pairs and the
+// phases behind them follow. Returns whether the step waits for the host.
 bool reportAll(const World *w, bool sensing) {
     volatile global int *arrivals = w->status + ARRIVALS;
     const Reporting *r = &w->reporting;
@@ -226,9 +217,8 @@ bool reportAll(const World *w, bool sensing) {
 #define DECIDING_PARAMETERS
 #endif
 
-// Index space: no more work-groups than run at once, of RESIDENT_GROUP. steps: how many to make, unless one is out of room. No
-// reqd_work_group_size: NVIDIA's compiler would make room for two work-groups on a compute unit, with 128 registers and many
-// spills. One is all that runs there.
+// Index space: no more work-groups than run at once, of RESIDENT_GROUP. No reqd_work_group_size: NVIDIA's compiler would make room for two on a
+// compute unit, with 128 registers and many spills.
 kernel void persistentGpu_steps(WORLD_PARAMETERS, int steps DECIDING_PARAMETERS) {
     World w = WORLD;
 #ifdef RECORDING

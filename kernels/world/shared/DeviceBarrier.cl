@@ -1,11 +1,8 @@
 // uses: world/stages/World.cl
-// A barrier over all work-groups of a launch. It needs all of them to run at once, which OpenCL does not promise: the host enqueues no
-// more than the device has room for, and only on devices where that and the barrier are known to hold. One work-group alone runs anywhere.
+// A barrier over all work-groups of a launch. They must all run at once, which OpenCL does not promise: see the Java class ResidentGroups.
+// OpenCL 1.2 orders nothing beyond a work-group, so two functions are PTX, on NVIDIA devices. One work-group alone needs neither.
 
-// OpenCL 1.2 orders nothing beyond a work-group, and its fences leave the first-level cache stale: the two functions that do
-// are PTX, for NVIDIA devices. From the host: PTX. On others one work-group alone may run this, which needs neither.
-
-// Counts this work-group, after all that it has written is visible; returns how many were counted before.
+// Counts this work-group, once its writes are visible; returns how many came before.
 int arrive(volatile global int *arrivals) {
 #if PTX
     int before;
@@ -16,7 +13,7 @@ int arrive(volatile global int *arrivals) {
 #endif
 }
 
-// How many have been counted; what these have written is visible from here on.
+// How many have come; their writes are visible from here on.
 int arrived(volatile global int *arrivals) {
 #if PTX
     int count;
@@ -27,7 +24,7 @@ int arrived(volatile global int *arrivals) {
 #endif
 }
 
-// Waits until all work-groups are here; a single one for its own work-items alone. arrivals: counts them; starts at 0.
+// arrivals: 0 at first.
 void deviceBarrier(volatile global int *arrivals) {
     int groups = (int) get_num_groups(0);
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
@@ -39,7 +36,7 @@ void deviceBarrier(volatile global int *arrivals) {
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
 }
 
-// Ends a work-group. The last one makes the counters ready for the next launch.
+// The last work-group makes the counters ready for the next launch.
 void leave(const World *w) {
     barrier(CLK_LOCAL_MEM_FENCE | CLK_GLOBAL_MEM_FENCE);
     if (get_local_id(0) != 0 || get_num_groups(0) == 1) return;

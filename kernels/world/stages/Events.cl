@@ -1,41 +1,33 @@
 // uses: world/shared/Contact.cl world/shared/TouchRule.cl world/stages/World.cl
-// Decides what a step reports: which pairs begin to touch, hit each other, and end to touch; in the order of a step's events. The Java
-// class world.events.TouchTracker does the same. It goes by phases, each behind all of the one before:
+// Decides what a step reports: which pairs begin to touch, hit each other, and end to touch, in the order of a step's events. The Java class
+// TouchTracker does the same. The phases, each behind all of the one before:
 //
-// 1. startEvents, by one work-item.
-// 2. tell, for each pair that may be in touch: contacts, walls and sensed pairs.
-// 3. tellOfEnds, for each place of the table.
-// 4. eventStart: prefix sums of eventTally.
-// 5. settleEvents, for each draft and newcomer; or the step waits for the host, since there is too little room.
-// 6. writeEvent, for each draft; and writeHeader, by one work-item.
+// 1. startEvents, by one work-item. 2. tell, for each pair that may be in touch. 3. tellOfEnds, for each place of the table.
+// 4. eventStart: prefix sums of eventTally. 5. settleEvents; or the step waits for the host to make room. 6. writeEvent and writeHeader.
 //
-// touching: a hash table of the pairs that touch, with linear probing: ids (the higher may be a wall), the number of the last step in
-// which the pair touched, its hit that is not complete. A pair whose last step is over is no longer there, and its place is free again.
-// newcomers: pairs that begin to touch, as in the table. openHits: by hit and parity of the step, two float4: the values of an event.
-// drafts: the events of a step in no order, three int4 each (the Java class EventRow), in the last of which is its number among those of
-// its lower id. decided: a header of three int4, then events in order, of one step or more. eventTally, eventStart: by id.
+// touching: a hash table of pairs, with linear probing: ids (the higher may be a wall), the last step in which the pair touched, its hit that
+// is not complete. A place whose last step is over is free. newcomers: pairs that begin, as in the table. openHits: by hit and parity of the
+// step, an event's values. drafts: events in no order, three int4 each (EventRow), with the number among those of the lower id. decided: a
+// header of three int4, then events in order. eventTally, eventStart: by id.
 //
-// What fails for lack of room is made again: until phase 5 nothing changes that a second try does not change in the same way.
+// A step that lacks room is decided again: until phase 5 nothing changes that a second try would not change in the same way.
 
 #ifdef REPORTING
+#define NEVER_USED (-1) // step of a place that no pair has had
+#define NO_STEP 0       // step of a pair that is gone
+#define MANY_OF_ONE 64  // events of one circle of lower id, beyond which the host sorts
 
-#define NEVER_USED (-1) // the step of a place that no pair has had
-#define NO_STEP 0       // the step of a pair that is not there any more
-#define MANY_OF_ONE 64  // events of one circle of lower id, beyond which the host sorts those of the step
-
-// Where the header has what it says of a batch of steps: events, the number of the last step, whether the host has to sort them.
+// Of a batch of steps.
 #define HEADER_EVENTS 0
 #define HEADER_STEP 1
 #define HEADER_UNORDERED 2
 
-// Where the table of what is reported has its parts.
 #define REPORTED_BY_KIND 0 // whether types go by kinds
-#define REPORTED_TYPES 1   // else those of all pairs,
-#define REPORTED_WALLS 2   // and those of all walls
-#define REPORTED_AXES 3    // a bit for each axis that has walls
+#define REPORTED_TYPES 1   // else of all pairs
+#define REPORTED_WALLS 2   // and of all walls
+#define REPORTED_AXES 3    // a bit for each axis with walls
 #define REPORTED_TABLE 4   // types of pairs of kinds, then of kinds and walls, four to an int
 
-// What is to be told of a pair.
 #define BEGINS 1
 #define HITS 2
 #define GOES_ON 4 // with the hit of the step before
@@ -46,7 +38,6 @@ typedef struct {
 
 int reportedAt(const World *w, int n) { return (w->reporting.reported[REPORTED_TABLE + (n >> 2)] >> 8 * (n & 3)) & 255; }
 
-// The types of events that are reported of a pair.
 int typesOf(const World *w, int lower, int higher) {
     global const int *reported = w->reporting.reported;
     int wall = higher - FIRST_WALL;
@@ -56,7 +47,7 @@ int typesOf(const World *w, int lower, int higher) {
     return reportedAt(w, wall >= 0 ? 256 * 256 + kind : 256 * kind + w->fields[higher].kind);
 }
 
-// The place in the table of a pair that touched in the step before, or that this one has told of; or NONE.
+// Of a pair that touched in the step before, or that this one has told of; or NONE.
 int findTouching(const World *w, int lower, int higher) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(lower, higher) & r->mask;; place = (place + 1) & r->mask) {
@@ -67,15 +58,13 @@ int findTouching(const World *w, int lower, int higher) {
     }
 }
 
-// A hit that is not complete, as the table has it: its number and the step, of which two bits tell whether it is of the one before.
+// A hit that is not complete: its number, and two bits of its step.
 int openOf(int hit, int step) { return hit << 2 | (step & 3); }
-
 bool isOpen(int open, int step) { return open != NONE && (open & 3) == (step & 3); }
-
 global float4 *openHit(const World *w, int hit, int step) { return w->reporting.openHits + 2 * (2 * hit + (step & 1)); }
 
-// Whether there is something to tell of a pair that is in touch, or near enough to stay so. touches: whether it touches even if it did
-// not before; threshold: the square of the speed of a hit.
+// Whether a pair has something to tell that is in touch, or near enough to stay so. touches: even if it did not before; threshold: square of
+// the speed of a hit.
 bool concerns(const World *w, int lower, int higher, bool touches, float approach, float impulse, float threshold, Told *told) {
     const Reporting *r = &w->reporting;
     told->types = typesOf(w, lower, higher);
@@ -98,7 +87,7 @@ bool concerns(const World *w, int lower, int higher, bool touches, float approac
     return told->flags != 0;
 }
 
-// Drafts an event, if it is reported. rank: of EventRow.
+// rank: of EventRow.
 void draft(const World *w, int lower, int higher, int types, int type, int rank, float4 values, float2 point) {
     const Reporting *r = &w->reporting;
     if (!(types & type)) return;
@@ -111,7 +100,7 @@ void draft(const World *w, int lower, int higher, int types, int type, int rank,
     r->eventOrder[k] = 0; // for those who find the place otherwise
 }
 
-// Tells of a pair. vn: normal speed after the step.
+// vn: normal speed after the step.
 void tell(const World *w, const Told *told, float approach, float impulse, float vn, float2 normal, float2 point) {
     const Reporting *r = &w->reporting;
     float4 values = (float4)(approach, impulse > 0.0f ? impulse : 0.0f, normal.x, normal.y);
@@ -144,10 +133,9 @@ void tell(const World *w, const Told *told, float approach, float impulse, float
     }
 }
 
-// Whether the step of the events has been made. Whether it was refused does not tell that: a plan may take fast circles unasked.
+// Not whether it was refused: a plan may take fast circles unasked.
 bool isMade(const World *w) { return w->status[STEPS_DONE] == w->reporting.step - 1 && !w->status[EVENTS_LACK]; }
 
-// Phase 1. A single work-item.
 void startEvents(const World *w) {
     const Reporting *r = &w->reporting;
     global int *header = (global int *) r->decided;
@@ -163,7 +151,6 @@ void startEvents(const World *w) {
     w->status[OPEN_HITS] = 0;
 }
 
-// Phase 3: ends the pair of a place of the table, if it touched in the step before and not in this one.
 void tellOfEnds(const World *w, int place) {
     const Reporting *r = &w->reporting;
     int4 pair = r->touching[place];
@@ -177,7 +164,7 @@ void tellOfEnds(const World *w, int place) {
     draft(w, pair.x, pair.y, types, TYPE_END, RANK_END, (float4)(0.0f), (float2)(0.0f));
 }
 
-// Whether there is too little room to go on from phase 5; the same for all work-items.
+// The same for all work-items.
 bool lacksEventRoom(const World *w) {
     const Reporting *r = &w->reporting;
     int drafts = w->status[DRAFTS];
@@ -186,13 +173,13 @@ bool lacksEventRoom(const World *w) {
            newcomers > r->mask - (r->mask >> 2) - w->status[PLACES_BEFORE];
 }
 
-// Refuses all steps behind this one, until the host has made room. A single work-item.
+// Refuses all steps behind this one, until the host has made room.
 void noteLackOfEventRoom(const World *w) {
     w->status[EVENTS_LACK] = 1;
     w->status[OUT_OF_ROOM] = 1;
 }
 
-// Puts a pair into the table. Pairs that are put there at the same time are all others.
+// No two work-items add the same pair.
 void addTouching(const World *w, int4 pair) {
     const Reporting *r = &w->reporting;
     for (int place = pairHash(pair.x, pair.y) & r->mask;; place = (place + 1) & r->mask) {
@@ -208,7 +195,6 @@ void addTouching(const World *w, int4 pair) {
     }
 }
 
-// Phase 5. first, each: which drafts and newcomers a work-item takes.
 void settleEvents(const World *w, int first, int each) {
     const Reporting *r = &w->reporting;
     int drafts = w->status[DRAFTS];
@@ -220,12 +206,10 @@ void settleEvents(const World *w, int first, int each) {
     for (int k = first; k < newcomers; k += each) addTouching(w, r->newcomers[k]);
 }
 
-// Whether an event comes before another of the same step.
 bool comesBefore(int4 event, int4 other) {
     return event.x < other.x || (event.x == other.x && (event.y < other.y || (event.y == other.y && event.z < other.z)));
 }
 
-// Phase 6: writes an event to its place among those of the step.
 void writeEventAt(const World *w, int k, int place) {
     const Reporting *r = &w->reporting;
     global int4 *row = r->decided + 3 * (1 + w->status[EVENTS_BEFORE] + place);
@@ -258,7 +242,7 @@ void writeHeader(const World *w) {
     w->status[TOUCHING] += w->status[NEWCOMERS] - w->status[LEAVERS];
 }
 
-// What the kernels below have of a world: an argument costs the host a part of a microsecond.
+// An argument costs the host a part of a microsecond.
 #define EVENT_PARAMETERS global int *status, global CircleFields *fields REPORTING_PARAMETERS
 #define EVENTS_IN(w)                                                                                                   \
     World w;                                                                                                           \
@@ -298,20 +282,18 @@ kernel void events_write(EVENT_PARAMETERS) {
     if (get_global_id(0) == 0) writeHeader(&w);
 }
 
-// Empties the table.
 kernel void events_clear(global int4 *touching, int mask) {
     for (int place = (int) get_global_id(0); place <= mask; place += (int) get_global_size(0)) {
         touching[place] = (int4)(NONE, NONE, NEVER_USED, NONE);
     }
 }
 
-// Puts the first newcomers into the table.
 kernel void events_add(EVENT_PARAMETERS, int count) {
     EVENTS_IN(w)
     for (int k = (int) get_global_id(0); k < count; k += (int) get_global_size(0)) addTouching(&w, w.reporting.newcomers[k]);
 }
 
-// Puts the pairs of another table, which touched in the step before, into the table.
+// The pairs of another table, which touched in the step before.
 kernel void events_move(EVENT_PARAMETERS, global const int4 *from, int fromMask) {
     EVENTS_IN(w)
     for (int place = (int) get_global_id(0); place <= fromMask; place += (int) get_global_size(0)) {
@@ -323,14 +305,14 @@ kernel void events_move(EVENT_PARAMETERS, global const int4 *from, int fromMask)
     }
 }
 
-// Marks circles in eventTally, which is all zeros between steps, or takes the marks away.
+// In eventTally, which is all zeros between steps.
 kernel void events_mark(global const int *ids, int count, global int *eventTally, int mark, global int *status) {
     int k = (int) get_global_id(0);
     if (k == 0 && mark) status[PAIRS_MARKED] = 0;
     if (k < count) eventTally[ids[k]] = mark;
 }
 
-// Lists the pairs of marked circles as newcomers, or forgets them.
+// Lists pairs as newcomers, or forgets them.
 kernel void events_ofMarked(EVENT_PARAMETERS, int forgets) {
     EVENTS_IN(w)
     const Reporting *r = &w.reporting;

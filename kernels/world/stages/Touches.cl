@@ -5,7 +5,6 @@
 // impulse of it that is not kept. wallTouch: by slot and axis: approach speed, impulse, where along the wall, side.
 
 #ifdef RECORDING
-
 // Where, only if that may be elsewhere after the step.
 void noteTouch(const World *w, global float4 *t, int c, float approach, float4 n, float impulse, float separation) {
     bool touching = impulse > 0.0f || separation <= 0.0f;

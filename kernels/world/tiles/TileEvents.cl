@@ -1,10 +1,8 @@
 // uses: world/shared/DeviceBarrier.cl world/stages/Scan.cl world/tiles/TileTouches.cl
-// Decides what a step by tiles reports in one launch: the phases of Events.cl, with a barrier over all work-groups between them. Seven
-// launches would take the host longer than the device takes for the phases.
+// The phases of Events.cl in one launch: seven would take the host longer than they take the device.
 
 #ifdef RECORDING
-
-// Phase 4: eventStart from eventTally, which is all zeros afterwards. Each work-group takes one part of the ids. sums: by work-group.
+// Phase 4. Leaves eventTally all zeros. sums: by work-group, each of a part of the ids.
 void startsOfEvents(const World *w, global int *sums, local int *cells) {
     const Reporting *r = &w->reporting;
     int count = r->ids + 1;
@@ -45,7 +43,7 @@ kernel __attribute__((reqd_work_group_size(EVENT_GROUP, 1, 1))) void events_deci
     int first = (int) get_global_id(0);
     int each = (int) get_global_size(0);
     int groups = (int) get_num_groups(0);
-    // The same for all work-groups: nobody writes these words before all have passed the first barrier.
+    // The same for all work-groups: nobody writes it before the first barrier.
     if (!isMade(&w)) return;
     SET_TOUCH_NUMBERS(w);
     if (first == 0) startEvents(&w);

@@ -1,37 +1,30 @@
 // uses: world/stages/Touches.cl world/stages/CrossSolver.cl world/tiles/Tiles.cl
-// Records what contacts do in a step, as Touches.cl does, if events are reported: each tile for its own contacts, by their numbers.
-// Three arrays lie one behind the other, so that a pass touches no more memory than it needs:
-// - of the sub-step, the approach speed, negative (also -0) if the surfaces did not touch in the biased pass; the impulse that the
-//   contact does not keep;
-// - of the step, the approach speed and the impulse;
-// - where it touched, which is noted only if it is fast: normal x, y (0: not known yet), point x, y.
+// Records contacts as Touches.cl does: each tile its own, by their numbers. Three arrays, so that a pass touches little memory:
+// - of the sub-step: approach speed, negative (also -0) if the surfaces did not touch in the biased pass; impulse that is not kept;
+// - of the step: approach speed, impulse;
+// - where it touched, if it is fast: normal x, y (0: not known yet), point x, y.
 
 #ifdef RECORDING
-
-// Sets the room of each for the numbers of like contacts. Cross contacts lie behind all three, as Touches.cl has them.
+// Cross contacts lie behind all three, as Touches.cl has them.
 #define SET_TOUCH_NUMBERS_OF_ONE_LEVEL(w) (w).recording.numbers = (w).contactRoom
 #define SET_TOUCH_NUMBERS(w) (w).recording.numbers = hasOneLevel(&(w)) ? (w).contactRoom : likeContacts(&(w))
 
 global float2 *touchNow(const World *w) { return (global float2 *) w->recording.touch; }
-
 global float2 *touchSoFar(const World *w) { return touchNow(w) + w->recording.numbers; }
-
 global float4 *touchPlace(const World *w) { return (global float4 *) (touchSoFar(w) + w->recording.numbers); }
 
-// Begins a step for a contact.
 void clearTouch(const World *w, int number) {
     touchSoFar(w)[number] = (float2)(NO_TOUCH, 0.0f);
     touchPlace(w)[number] = (float4)(0.0f);
 }
 
-// Begins a step for the walls of a circle.
 void clearWallTouch(const World *w, int slot) {
     if (!w->recording.walls) return;
     w->recording.wallTouch[2 * slot] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
     w->recording.wallTouch[2 * slot + 1] = (float4)(NO_TOUCH, 0.0f, 0.0f, 0.0f);
 }
 
-// Notes where a contact touches. motion: of the circles, as the pass has their displacements. Not inlined: few contacts are fast.
+// motion: as the pass has displacements.
 void placeTouch(const World *w, int number, global const float4 *motion, float nx, float ny, float separation) {
     uint lower = w->ordered[number].x;
     float4 c = w->circle[lower];
@@ -40,8 +33,7 @@ void placeTouch(const World *w, int number, global const float4 *motion, float n
         (float4)(nx, ny, touchPoint(c.x, m.x, nx, c.z, separation), touchPoint(c.y, m.y, ny, c.z, separation));
 }
 
-// Looks at a contact after its biased pass. before: normal speed before any impulse. The step's numbers follow in the relaxing pass,
-// but if it is fast: then the normal is noted with them.
+// before: normal speed before any impulse. The step's numbers follow in the relaxing pass, but those of a fast contact, with its normal.
 void noteSolved(const World *w, int number, float before, float nx, float ny, float separation, float radii,
                 const Visited *visited) {
     float approach = approachSpeed(before);
@@ -54,7 +46,7 @@ void noteSolved(const World *w, int number, float before, float nx, float ny, fl
     }
 }
 
-// Looks at a contact after its relaxing pass. now, soFar: as noteSolved left them; normalImpulse, bounce: before the pass.
+// now, soFar: as noteSolved left them; normalImpulse, bounce: before the pass.
 void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float normalImpulse, float bounce, float nx, float ny,
                  float separation, float radii, const Visited *visited) {
     float approach = fabs(now.x);
@@ -69,7 +61,7 @@ void noteRelaxed(const World *w, int number, float2 now, float2 soFar, float nor
     }
 }
 
-// Tells of the contacts of a tile, once all tiles have made the step.
+// Once all tiles have made the step.
 void tellOfTile(const World *w, int tile) {
     global int *record = recordOf(w, tile);
     int contacts = record[RECORD_CIRCLES] > 0 ? record[RECORD_STARTS + record[RECORD_PARTS]] : 0;
@@ -85,7 +77,6 @@ void tellOfTile(const World *w, int tile) {
     }
 }
 
-// Tells of cross contacts.
 void tellOfCrossContacts(const World *w, int first, int each) {
     if (hasOneLevel(w)) return;
     World cross = crossWorld(*w);
