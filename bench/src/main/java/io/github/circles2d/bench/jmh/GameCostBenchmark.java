@@ -46,6 +46,8 @@ public class GameCostBenchmark {
         "nothing",
         "positions",
         "hits",
+        "hits-later",
+        "kind",
         "walls",
         "half-ignored",
         "sensors",
