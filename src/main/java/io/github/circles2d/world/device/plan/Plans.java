@@ -92,7 +92,9 @@ public enum Plans {
 
     /** The same, with what they must know of a device. */
     public static KernelSource source(List<Plan> plans, Device device) {
-        return source(plans).define("PTX", ResidentGroups.fit(device));
+        return source(plans)
+                .define("PTX", ResidentGroups.fit(device))
+                .define("EVENT_GROUP", Tiles.eventGroup(device.maxWorkGroupSize()));
     }
 
     private static boolean isGpu(Device device) {

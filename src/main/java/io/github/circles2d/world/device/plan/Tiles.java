@@ -18,7 +18,7 @@ public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
 
-    /** Work-items of a work-group that decides what steps report. */
+    /** The most work-items of a work-group that decides what steps report. */
     private static final int EVENT_GROUP = 512;
 
     /** Circles for each work-group that decides what steps report: with more of them launches cost less than the barriers gain. */
@@ -42,6 +42,7 @@ public final class Tiles implements Plan {
 
     private Kernel decide;
     private int deciders;
+    private int eventGroup;
 
     Tiles(TileSizes sizes) {
         this.sizes = sizes;
@@ -50,6 +51,15 @@ public final class Tiles implements Plan {
     /** Whether a device can run the tiles at all. */
     public static boolean fit(Device device) {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
+    }
+
+    /**
+     * Work-items of a work-group that decides what steps report: many GPUs run no more than 256, and their compilers refuse more.
+     *
+     * @param most work-items of a work-group on the device
+     */
+    static int eventGroup(int most) {
+        return Math.min(EVENT_GROUP, most);
     }
 
     @Override
@@ -64,7 +74,6 @@ public final class Tiles implements Plan {
                 .define("TILE_ROUNDS", TileRecord.ROUNDS)
                 .define("TILE_PARTS", TileRecord.PARTS)
                 .define("TILE_GROUP", TileRecord.GROUP)
-                .define("EVENT_GROUP", EVENT_GROUP)
                 .define("HALO_COLUMNS", TileSizes.HALO_COLUMNS);
     }
 
@@ -85,6 +94,7 @@ public final class Tiles implements Plan {
         storeImpulses = stages.kernel("solver_storeImpulses");
         tell = stages.recording() ? stages.kernel("touches_tellByTile") : null;
         decide = stages.recording() ? stages.kernel("events_decideByTile") : null;
+        eventGroup = eventGroup(stages.device().maxWorkGroupSize());
         deciders = Math.min(ResidentGroups.most(stages.device()), EventArrays.MOST_DECIDERS);
     }
 
@@ -123,14 +133,14 @@ public final class Tiles implements Plan {
         return steps.recording()
                 && !steps.sensing()
                 && steps.circles() <= (long) CIRCLES_PER_GROUP * deciders
-                && decide.maxWorkGroupSize() >= EVENT_GROUP;
+                && decide.maxWorkGroupSize() >= eventGroup;
     }
 
     private void decide() {
         EventArrays events = stages.reporting();
         stages.tell(decide, 0)
                 .arg(StageKernels.own(TouchArrays.ARGUMENTS + EventArrays.ARGUMENTS), events.blockSums())
-                .run((long) deciders * EVENT_GROUP, EVENT_GROUP);
+                .run((long) deciders * eventGroup, eventGroup);
         events.nextStep();
     }
 

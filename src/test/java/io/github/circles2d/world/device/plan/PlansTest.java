@@ -100,6 +100,12 @@ class PlansTest {
     }
 
     @Test
+    void noKernelIsCompiledForMoreWorkItemsThanTheDeviceRunsInAWorkGroup() {
+        assertThat(Tiles.eventGroup(256)).isEqualTo(256);
+        assertThat(Tiles.eventGroup(1024)).isEqualTo(512);
+    }
+
+    @Test
     void theFingerprintIsOfTheFilesOfAllPlans() {
         assertThat(Plans.source(Plans.all()).toString()).contains("Solver.cl", "TileSolver.cl", "PersistentGpu.cl");
     }
