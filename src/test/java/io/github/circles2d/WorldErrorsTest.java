@@ -233,7 +233,7 @@ class WorldErrorsTest {
     @Test
     void whereverMemoryEndsInAReadOrBeforeAChangeNothingIsLost() {
         ForkedJvm.Result result = new ForkedJvm()
-                .option("-Xmx12m")
+                .option("-Xmx24m")
                 .option("-XX:+UseSerialGC")
                 .option("-XX:TieredStopAtLevel=1")
                 .run(MemoryEnds.class);
