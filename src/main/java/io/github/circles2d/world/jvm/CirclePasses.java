@@ -14,7 +14,6 @@ import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
 import static io.github.circles2d.world.model.CircleRow.PATH_X;
 import static io.github.circles2d.world.model.CircleRow.PATH_Y;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
-import static io.github.circles2d.world.model.CircleRow.RESTITUTION;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 import static io.github.circles2d.world.model.CircleRow.WALL_X;
@@ -22,7 +21,6 @@ import static io.github.circles2d.world.model.CircleRow.WALL_Y;
 import static io.github.circles2d.world.model.CircleRow.X;
 import static io.github.circles2d.world.model.CircleRow.Y;
 
-import io.github.circles2d.world.model.Bounce;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.Branchless;
 import io.github.circles2d.world.model.CircleMath;
@@ -38,18 +36,14 @@ import io.github.circles2d.world.model.Walls;
 import io.github.circles2d.world.model.Wrapping;
 import java.util.Arrays;
 
-/** The circles' part of stage Solver: gravity, walls, motion. {@link Constraints} has the formulas of walls. */
+/** The circles' part of stage Solver: gravity, motion, and when a circle visits walls. Each worker has its own. */
 final class CirclePasses {
-    /** Effective mass of a wall's constraint. */
-    private static final float WALL_MASS = 1f;
-
     private final State state;
-
-    /** What is told of visits of walls; null if they are not recorded. */
-    WallTouches touches;
+    final WallVisits walls;
 
     CirclePasses(State state) {
         this.state = state;
+        walls = new WallVisits(state);
     }
 
     void clearImpulses(int from, int to) {
@@ -66,7 +60,6 @@ final class CirclePasses {
         float[] traits = state.traits;
         float[] load = state.load;
         float[] circle = state.circle;
-        float[] bounce = state.wallBounce;
         float[] kinds = state.kindMotion;
         float h = k.h;
         float inverseH = k.inverseH;
@@ -111,85 +104,16 @@ final class CirclePasses {
             int clear = Constraints.staysClear(gapX, impulseX, sideX * nextX, sideX * vx, h, inverseH)
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
-                // adding zeros, as solveWall does: the sign of a zero is part of the state
-                m[s + VX] = nextX + sideX * 0f;
-                m[s + VY] = nextY + sideY * 0f;
-                traits[s + WALL_X] = sideX * 0f;
-                traits[s + WALL_Y] = sideY * 0f;
-                bounce[CircleRow.vector(slot) + X] = 0f;
-                bounce[CircleRow.vector(slot) + Y] = 0f;
+                walls.leave(slot, sideX, sideY);
             } else {
-                solveWall(slot, X, minX, maxX, k, sub);
-                solveWall(slot, Y, minY, maxY, k, sub);
-                if (touches != null) {
-                    touches.solved(slot, X, sideX, vx, nextX, gapX, k, sub);
-                    touches.solved(slot, Y, sideY, vy, nextY, gapY, k, sub);
+                walls.solve(slot, X, minX, maxX, k, sub);
+                walls.solve(slot, Y, minY, maxY, k, sub);
+                if (walls.touches != null) {
+                    walls.touches.solved(slot, X, sideX, vx, nextX, gapX, k, sub);
+                    walls.touches.solved(slot, Y, sideY, vy, nextY, gapY, k, sub);
                 }
             }
         }
-    }
-
-    private static float thresholdRate(int axis, StepConstants k) {
-        return axis == X ? k.thresholdRateX : k.thresholdRateY;
-    }
-
-    /**
-     * The biased pass over the nearer wall of an axis: warm start, then a visit. A wall that moves is where it will be at the end of
-     * the sub-step; the visit is made in its frame, by where it is now.
-     */
-    private void solveWall(int slot, int axis, float min, float max, StepConstants k, int sub) {
-        int s = CircleRow.of(slot);
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float base = state.circle[s + X + axis];
-        float r = state.circle[s + RADIUS];
-        float loaded = state.load[s + LOADED];
-        float restitution = traits[s + RESTITUTION];
-        float side = Walls.wallSide(base, min, max);
-        int wall = WallMotion.of(axis, side);
-        float ahead = Walls.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
-        float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
-        float v = m[s + VX + axis] + side * impulse;
-        float beforeImpulses = side * state.load[s + BEFORE_X + axis];
-        if (Constraints.staysClear(ahead, impulse, side * v, beforeImpulses, k.h, k.inverseH) != 0) {
-            m[s + VX + axis] = v;
-            traits[s + WALL_X + axis] = side * impulse;
-            state.wallBounce[CircleRow.vector(slot) + axis] = 0f;
-            return;
-        }
-        float gap = ahead + k.walls.sweepFor(wall, r);
-        float speed = k.walls.speedFor(wall, r);
-        float vn = side * v - speed;
-        float before = beforeImpulses - speed;
-        float threshold =
-                Bounce.bounceThreshold(2f * r, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
-        float pushSpeed = k.pushRate * (2f * r);
-        float bounce = Constraints.bounceSpeed(restitution, loaded, before, gap, k.h, threshold, pushSpeed);
-        state.wallBounce[CircleRow.vector(slot) + axis] = bounce;
-        int meets = Constraints.meets(gap, vn, k.inverseH);
-        int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, meets, threshold);
-        float next = impulse;
-        float applied = 0f;
-        if (visit == Constraints.SOLVE) {
-            next = Constraints.solve(
-                    impulse,
-                    WALL_MASS,
-                    vn,
-                    gap,
-                    bounce,
-                    pushSpeed,
-                    k.deepRate,
-                    k.inverseH,
-                    k.wallBiasRate,
-                    k.wallMassScale,
-                    k.wallImpulseScale);
-            applied = next - impulse;
-        } else if (visit == Constraints.BOUNCE) {
-            applied = Bounce.freeBounce(restitution, vn, WALL_MASS);
-            m[s + DX + axis] -= Bounce.leftBehind(gap, vn, side * applied, k.dt, r);
-        }
-        m[s + VX + axis] = v + side * applied;
-        traits[s + WALL_X + axis] = side * next;
     }
 
     /** Moves the circles, keeps them within the walls, and makes the relaxing pass over the walls. */
@@ -254,8 +178,8 @@ final class CirclePasses {
                 }
                 m[s + VX] = Walls.stopAtFarWall(m[s + VX], dx, m[s + DX], Walls.wallSide(circle[s + X], minX, maxX));
                 m[s + VY] = Walls.stopAtFarWall(m[s + VY], dy, m[s + DY], Walls.wallSide(circle[s + Y], minY, maxY));
-                relaxWall(slot, X, minX, maxX, k, sub);
-                relaxWall(slot, Y, minY, maxY, k, sub);
+                walls.relax(slot, X, minX, maxX, k, sub);
+                walls.relax(slot, Y, minY, maxY, k, sub);
             }
         }
     }
@@ -310,47 +234,6 @@ final class CirclePasses {
         float keep = within ? 1f : allowance / off;
         state.motion[s + DX] = within ? dx : x + keep * offX;
         state.motion[s + DY] = within ? dy : y + keep * offY;
-    }
-
-    /** The relaxing pass over the nearer wall of an axis. */
-    private void relaxWall(int slot, int axis, float min, float max, StepConstants k, int sub) {
-        int s = CircleRow.of(slot);
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float base = state.circle[s + X + axis];
-        float r = state.circle[s + RADIUS];
-        float side = Walls.wallSide(base, min, max);
-        float gap = Walls.wallGap(base, m[s + DX + axis], r, side, min, max)
-                + k.walls.behind(WallMotion.of(axis, side), sub);
-        float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
-        float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
-        if (Constraints.isIdle(gap, impulse, bounce) == 0) {
-            float v = m[s + VX + axis];
-            relaxWall(s, axis, side, gap, impulse, bounce, k);
-            if (touches != null) {
-                touches.relaxed(slot, axis, side, v, gap, k);
-            }
-        }
-    }
-
-    private void relaxWall(int s, int axis, float side, float gap, float impulse, float bounce, StepConstants k) {
-        float[] m = state.motion;
-        float[] traits = state.traits;
-        float v = m[s + VX + axis];
-        float vn = side * v - k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
-        float loaded = state.load[s + LOADED];
-        float restitution = traits[s + RESTITUTION];
-        float radii = 2f * state.circle[s + RADIUS];
-        float threshold =
-                Bounce.bounceThreshold(radii, restitution, thresholdRate(axis, k), k.restRate, k.fixedThreshold);
-        int visit = Constraints.visitOf(restitution, loaded, 0, impulse, vn, Constraints.ALWAYS, threshold);
-        if (visit == Constraints.SOLVE) {
-            float next = Constraints.relax(impulse, WALL_MASS, vn, gap, bounce, k.inverseH);
-            m[s + VX + axis] = v + side * (next - impulse);
-            traits[s + WALL_X + axis] = bounce > 0f ? 0f : side * next;
-        } else if (visit == Constraints.BOUNCE) {
-            m[s + VX + axis] = v + side * Bounce.freeBounce(restitution, vn, WALL_MASS);
-        }
     }
 
     /** Ends the step: the base takes the displacement, the displacement what that lost. */

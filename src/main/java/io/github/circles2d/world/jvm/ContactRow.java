@@ -1,9 +1,8 @@
 package io.github.circles2d.world.jvm;
 
 /**
- * The table of a contact: where its numbers lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other. But
- * the inverse masses of a cross contact are those of the light circle and of the heavy one, and its effective mass counts the heavy one
- * as lighter.
+ * The table of a contact: where its numbers lie in the arrays of {@link Contacts}. A is the circle of the lower id, B the other.
+ * The inverse masses of a cross contact are those of the light circle and of the heavy one.
  */
 final class ContactRow {
     /** Floats per contact. */
@@ -37,7 +36,7 @@ final class ContactRow {
     /** Target speed of a bounce, between the two passes of a sub-step. */
     static final int BOUNCE_SPEED = 11;
 
-    /** Effective mass. */
+    /** Effective mass; that of a cross contact counts the heavy circle as lighter. */
     static final int MASS = 12;
 
     /** Square of the speed. */

@@ -87,7 +87,7 @@ public final class Contacts {
     int[] pair = new int[0];
 
     /** By cross contact: twice the number of its heavy circle; and 1 more if the light one has the higher id. */
-    int[] heavyAndSide = new int[0];
+    private int[] heavyAndSide = new int[0];
 
     /** What records contacts, and has to have room for them; null if nothing does. */
     Touches touches;
@@ -311,17 +311,14 @@ public final class Contacts {
             }
             heavyAndSide[c - firstCross] = 2 * cross.heavyNumber(c - firstCross) + (isLightLower ? 0 : 1);
             int o = ContactRow.of(c);
-            float ofLight = state.traits[CircleRow.of(light) + CircleRow.INVERSE_MASS];
-            float ofHeavy = state.traits[CircleRow.of(heavy) + CircleRow.INVERSE_MASS];
-            contact[o + INV_MASS_A] = ofLight;
-            contact[o + INV_MASS_B] = ofHeavy;
-            contact[o + MASS] = CrossRule.mass(ofLight, ofHeavy, cross.share(c - firstCross));
+            contact[o + INV_MASS_A] = inverseMass(light);
+            contact[o + INV_MASS_B] = inverseMass(heavy);
+            contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), cross.share(c - firstCross));
         }
     }
 
-    /** Where the row of the light circle of a cross contact begins. */
-    int light(int c) {
-        return pair[ContactRow.a(c) + (heavyAndSide[c - firstCross] & 1)];
+    private float inverseMass(int slot) {
+        return state.traits[CircleRow.of(slot) + CircleRow.INVERSE_MASS];
     }
 
     /** The number of the heavy circle of a cross contact. */
@@ -329,9 +326,9 @@ public final class Contacts {
         return heavyAndSide[c - firstCross] >> 1;
     }
 
-    /** 1 if the light circle of a cross contact has the lower id, else -1. */
-    float side(int c) {
-        return 1 - 2 * (heavyAndSide[c - firstCross] & 1);
+    /** 1 if the light circle of a cross contact has the higher id, else 0. */
+    int isLightB(int c) {
+        return heavyAndSide[c - firstCross] & 1;
     }
 
     private void fill(int c, long ids, long slots, StepConstants constants) {
@@ -384,13 +381,14 @@ public final class Contacts {
     }
 
     /** What half a sub-step of gravity adds to the normal speed of a contact, of which one circle is static; else 0. */
-    float halfFall(int c, float invMassOfLower, float invMassOfHigher, StepConstants k) {
-        // Of the circle that is not static; if neither is, halfFall is 0.
-        int falling = invMassOfLower == 0f ? higherSlot(c) : lowerSlot(c);
+    float halfFall(int c, StepConstants k) {
         int o = ContactRow.of(c);
+        float invMassA = inverseMass(lowerSlot(c));
+        // Of the circle that is not static; if neither is, halfFall is 0.
+        int falling = invMassA == 0f ? higherSlot(c) : lowerSlot(c);
         float fall = CircleMath.dot(
                 contact[o + NORMAL_X], contact[o + NORMAL_Y], state.gainX(falling, k), state.gainY(falling, k));
-        return Bounce.halfFall(fall, invMassOfLower, invMassOfHigher);
+        return Bounce.halfFall(fall, invMassA, inverseMass(higherSlot(c)));
     }
 
     /** The contacts of circles of different levels. */
@@ -403,14 +401,13 @@ public final class Contacts {
         return impulseCache;
     }
 
-    /** Stores a contact's impulse for the step to come. No two contacts with a circle in common at once. */
+    /** Stores a contact's impulse for the step to come. Other workers may do so for cross contacts of the same circle. */
     void storeImpulse(int c, float normalImpulse) {
-        impulseCache.store(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
-    }
-
-    /** Stores a cross contact's impulse for the step to come. Other workers may do so for contacts of the same circle. */
-    void storeCrossImpulse(int c, float normalImpulse) {
-        impulseCache.storeShared(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
+        if (c < firstCross) {
+            impulseCache.store(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
+        } else {
+            impulseCache.storeShared(c, lowerSlot(c), state.id[higherSlot(c)], normalImpulse);
+        }
     }
 
     /** Takes over saved impulses, for which there is room, in place of contacts; the circles have been taken over before. */

@@ -8,7 +8,7 @@ import io.github.circles2d.world.model.StepConstants;
  * Stage Solver: moves the circles through the sub-steps of one step.
  *
  * <p>Contacts are soft, with warm starting and restitution; each sub-step has a biased and a relaxing pass over them (after
- * E. Catto, "Solver2D", 2024). The package's documentation has the order. {@link ContactPasses} treats contacts, {@link CirclePasses}
+ * E. Catto, "Solver2D", 2024). The package's documentation has the order. {@link PairVisits} treats contacts, {@link CirclePasses}
  * treats circles, and this class says which worker does so when.
  *
  * <p>The groups of a row touch circles of that row of cells and of the next one. So all even rows may run at the same time, and
@@ -35,13 +35,13 @@ public final class Solver {
     private final Contacts contacts;
     private final GridLevels levels;
     private final Team team;
-    private final CirclePasses mover;
-
     /** By worker: each has its own place to work. */
-    private final ContactPasses[] passes;
+    private final CirclePasses[] movers;
 
-    /** By worker, as {@link #passes}. */
-    private final CrossPasses[] crossPasses;
+    private final PairVisits[] likeVisits;
+
+    /** By worker, as {@link #likeVisits}. */
+    private final PairVisits[] crossVisits;
 
     /** By worker: what it has where contacts are solved pass after pass. */
     private final Share[] shares;
@@ -58,13 +58,14 @@ public final class Solver {
         this.contacts = contacts;
         this.levels = levels;
         this.team = team;
-        mover = new CirclePasses(state);
-        passes = new ContactPasses[team.most()];
-        crossPasses = new CrossPasses[team.most()];
+        movers = new CirclePasses[team.most()];
+        likeVisits = new PairVisits[team.most()];
+        crossVisits = new PairVisits[team.most()];
         shares = new Share[team.most()];
-        for (int worker = 0; worker < passes.length; worker++) {
-            passes[worker] = new ContactPasses(state, contacts);
-            crossPasses[worker] = new CrossPasses(state, contacts, worker);
+        for (int worker = 0; worker < likeVisits.length; worker++) {
+            movers[worker] = new CirclePasses(state);
+            likeVisits[worker] = PairVisits.ofLike(state, contacts);
+            crossVisits[worker] = PairVisits.ofCross(state, contacts, worker);
             shares[worker] = new Share(grid, levels, contacts.cross());
         }
         heavyCircles = contacts.cross().heavyCircles;
@@ -74,11 +75,13 @@ public final class Solver {
     /** Sets what records the contacts of the steps to come, or null. */
     void record(Touches recorder) {
         touches = recorder;
-        mover.touches = recorder == null ? null : recorder.walls;
-        for (ContactPasses each : passes) {
+        for (CirclePasses each : movers) {
+            each.walls.touches = recorder == null ? null : recorder.walls;
+        }
+        for (PairVisits each : likeVisits) {
             each.touches = recorder;
         }
-        for (CrossPasses each : crossPasses) {
+        for (PairVisits each : crossVisits) {
             each.touches = recorder;
         }
     }
@@ -89,9 +92,9 @@ public final class Solver {
             boolean sweeps = levels.usedCount == 1;
             bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);
         }
-        mover.clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
-        if (mover.touches != null) {
-            mover.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
+        movers[worker].clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
+        if (movers[worker].walls.touches != null) {
+            movers[worker].walls.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
         }
         team.sync(worker);
         for (int l = 0; l < levels.usedCount; l++) {
@@ -130,7 +133,7 @@ public final class Solver {
             int from = firstCross(share, l);
             int to = endCross(share, l);
             contacts.fillCross(from, to, k);
-            crossPasses[worker].prepare(from, to);
+            crossVisits[worker].prepare(from, to);
             if (touches != null) {
                 touches.clear(from, to);
             }
@@ -178,8 +181,8 @@ public final class Solver {
                 behind += LAG;
             }
             if (endSub == k.subSteps) {
-                finalizePositions(front - lag, low + inwards * lag, high - inwards * lag, k);
-                finalizePositions(front - lag + 1, low + inwards * lag, high - inwards * lag, k);
+                finalizePositions(worker, front - lag, low + inwards * lag, high - inwards * lag, k);
+                finalizePositions(worker, front - lag + 1, low + inwards * lag, high - inwards * lag, k);
             }
         }
     }
@@ -187,8 +190,8 @@ public final class Solver {
     /** All stages of a sub-step, each on what of [low, high) it can do, where its sweep has come to an even row. */
     private void subStep(int worker, int row, int low, int high, int inwards, int sub, StepConstants k) {
         if (low <= row && row < high) {
-            integrateVelocities(row, sub, k);
-            integrateVelocities(row + 1, sub, k);
+            integrateVelocities(worker, row, sub, k);
+            integrateVelocities(worker, row + 1, sub, k);
             solveRow(worker, row, k);
         }
         int from = low + inwards;
@@ -196,8 +199,8 @@ public final class Solver {
         if (from <= row - 1 && row - 1 < to) {
             solveRow(worker, row - 1, k);
         }
-        integratePositions(row - 2, from, to, sub, k);
-        integratePositions(row - 1, from, to, sub, k);
+        integratePositions(worker, row - 2, from, to, sub, k);
+        integratePositions(worker, row - 1, from, to, sub, k);
         relaxRow(worker, row - 2, from + inwards, to - inwards, sub, k);
         relaxRow(worker, row - 3, from + 2 * inwards, to - 2 * inwards, sub, k);
     }
@@ -214,17 +217,17 @@ public final class Solver {
         return grid.start[levels.rowStart(levels.used[0], ring(row) + 1)];
     }
 
-    private void integrateVelocities(int row, int sub, StepConstants k) {
-        mover.integrateVelocities(firstSlot(row), endSlot(row), k, sub);
+    private void integrateVelocities(int worker, int row, int sub, StepConstants k) {
+        movers[worker].integrateVelocities(firstSlot(row), endSlot(row), k, sub);
     }
 
     private void solveRow(int worker, int row, StepConstants k) {
         solve(worker, levels.used[0], ring(row), k);
     }
 
-    private void integratePositions(int row, int from, int to, int sub, StepConstants k) {
+    private void integratePositions(int worker, int row, int from, int to, int sub, StepConstants k) {
         if (from <= row && row < to) {
-            mover.integratePositions(firstSlot(row), endSlot(row), k, sub);
+            movers[worker].integratePositions(firstSlot(row), endSlot(row), k, sub);
         }
     }
 
@@ -234,9 +237,9 @@ public final class Solver {
         }
     }
 
-    private void finalizePositions(int row, int from, int to, StepConstants k) {
+    private void finalizePositions(int worker, int row, int from, int to, StepConstants k) {
         if (from <= row && row < to) {
-            mover.finalizePositions(firstSlot(row), endSlot(row), k);
+            movers[worker].finalizePositions(firstSlot(row), endSlot(row), k);
         }
     }
 
@@ -249,7 +252,7 @@ public final class Solver {
         for (int sub = 0; sub < k.subSteps; sub++) {
             boolean last = sub == k.subSteps - 1;
             for (int l = 0; l < share.count; l++) {
-                mover.integrateVelocities(share.fromSlot[l], share.toSlot[l], k, sub);
+                movers[worker].integrateVelocities(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
             passOverAll(worker, false, sub, k);
@@ -257,7 +260,7 @@ public final class Solver {
                 solveCross(worker, k);
             }
             for (int l = 0; l < share.count; l++) {
-                mover.integratePositions(share.fromSlot[l], share.toSlot[l], k, sub);
+                movers[worker].integratePositions(share.fromSlot[l], share.toSlot[l], k, sub);
             }
             team.sync(worker);
             passOverAll(worker, true, sub, k);
@@ -266,7 +269,7 @@ public final class Solver {
             }
         }
         for (int l = 0; l < share.count; l++) {
-            mover.finalizePositions(share.fromSlot[l], share.toSlot[l], k);
+            movers[worker].finalizePositions(share.fromSlot[l], share.toSlot[l], k);
         }
         team.sync(worker);
     }
@@ -320,7 +323,7 @@ public final class Solver {
         look(share);
         team.sync(worker);
         for (int l = 0; l < share.count; l++) {
-            crossPasses[worker].solve(firstCross(share, l), endCross(share, l), k);
+            crossVisits[worker].solve(firstCross(share, l), endCross(share, l), k);
             if (touches != null) {
                 touches.afterSolve(worker, firstCross(share, l), endCross(share, l), k);
             }
@@ -335,7 +338,7 @@ public final class Solver {
         look(share);
         team.sync(worker);
         for (int l = 0; l < share.count; l++) {
-            crossPasses[worker].relax(firstCross(share, l), endCross(share, l), k, last);
+            crossVisits[worker].relax(firstCross(share, l), endCross(share, l), k, last);
             if (touches != null) {
                 touches.afterRelax(worker, firstCross(share, l), endCross(share, l), k, last);
             }
@@ -379,21 +382,21 @@ public final class Solver {
     private void prepare(int worker, int l, int row, StepConstants k) {
         contacts.fillRow(worker, l, row, k);
         int level = levels.used[l];
-        passes[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
+        likeVisits[worker].prepare(firstContact(level, row), firstContact(level, row + 1));
         if (touches != null) {
             touches.clear(firstContact(level, row), firstContact(level, row + 1));
         }
     }
 
     private void solve(int worker, int level, int row, StepConstants k) {
-        passes[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
+        likeVisits[worker].solve(firstContact(level, row), firstContact(level, row + 1), k);
         if (touches != null) {
             touches.afterSolve(worker, firstContact(level, row), firstContact(level, row + 1), k);
         }
     }
 
     private void relax(int worker, int level, int row, int sub, StepConstants k) {
-        passes[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
+        likeVisits[worker].relax(firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);
         if (touches != null) {
             touches.afterRelax(
                     worker, firstContact(level, row), firstContact(level, row + 1), k, sub == k.subSteps - 1);

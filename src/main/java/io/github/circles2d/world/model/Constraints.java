@@ -126,10 +126,6 @@ public final class Constraints {
      *
      * @param mass effective mass
      * @param pushSpeed greatest push-out speed of overlaps that are not deep
-     * @param deepRate gain of the push-out speed per depth of deep overlaps, 1/s
-     * @param biasRate push-out speed per depth, 1/s
-     * @param massScale softness: share of the impulse
-     * @param impulseScale softness: decay of the impulse
      */
     public static float solve(
             float normalImpulse,
@@ -138,16 +134,13 @@ public final class Constraints {
             float separation,
             float bounceSpeed,
             float pushSpeed,
-            float deepRate,
-            float inverseH,
-            float biasRate,
-            float massScale,
-            float impulseScale) {
+            Softness softness,
+            StepConstants k) {
         int rigid = Branchless.isPositive(separation) | Branchless.isPositive(bounceSpeed);
-        float soft = massScale * pushOut(separation, pushSpeed, deepRate, biasRate);
-        float bias = bias(separation, bounceSpeed, inverseH, soft);
-        float decay = Branchless.choose(rigid, 0f, impulseScale) * normalImpulse;
-        return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, massScale), vn, bias, decay);
+        float soft = softness.massScale * pushOut(separation, pushSpeed, k.deepRate, softness.biasRate);
+        float bias = bias(separation, bounceSpeed, k.inverseH, soft);
+        float decay = Branchless.choose(rigid, 0f, softness.impulseScale) * normalImpulse;
+        return visit(normalImpulse, mass, Branchless.choose(rigid, 1f, softness.massScale), vn, bias, decay);
     }
 
     /**

@@ -22,20 +22,10 @@ public final class StepConstants {
 
     public float fallY;
 
-    /** Softness of contacts: push-out speed per depth, 1/s. */
-    public float biasRate;
+    public final Softness contactSoftness = new Softness();
 
-    /** Share of the impulse of a rigid contact. */
-    public float massScale;
-
-    /** Share of the accumulated impulse that a visit takes away. */
-    public float impulseScale;
-
-    public float wallBiasRate;
-
-    public float wallMassScale;
-
-    public float wallImpulseScale;
+    /** Of walls, which are stiffer. */
+    public final Softness oneBodySoftness = new Softness();
 
     /** Gravity's part of the square of the restitution threshold, per sum of radii. */
     public float thresholdRate;
@@ -110,16 +100,8 @@ public final class StepConstants {
 
         float omega = 2f * 3.14159265f * Math.min(contacts.frequency() * h, Tuning.GREATEST_FREQUENCY); // times h
         float damping = 2f * contacts.damping();
-        biasRate = (omega / (damping + omega)) * inverseH;
-        float a2 = omega * (damping + omega);
-        impulseScale = 1f / (1f + a2);
-        massScale = a2 * impulseScale;
-
-        float wallOmega = Tuning.WALL_STIFFNESS * omega;
-        wallBiasRate = (wallOmega / (damping + wallOmega)) * inverseH;
-        float wallA2 = wallOmega * (damping + wallOmega);
-        wallImpulseScale = 1f / (1f + wallA2);
-        wallMassScale = wallA2 * wallImpulseScale;
+        contactSoftness.set(omega, damping, inverseH);
+        oneBodySoftness.set(Tuning.WALL_STIFFNESS * omega, damping, inverseH);
 
         setThresholds(gravityX, gravityY, contacts.restitutionThreshold());
         pushRate = 0.5f * contacts.pushOutSpeed();

@@ -10,6 +10,15 @@ class ConstraintsTest {
     private static final float[] EDGES = {0f, Float.MIN_VALUE, Float.MIN_NORMAL, 1f, Math.nextUp(1f), 1e9f, 0x1p-60f};
 
     private final SplittableRandom random = new SplittableRandom(13);
+    private final StepConstants constants = new StepConstants();
+
+    ConstraintsTest() {
+        constants.deepRate = Tuning.DEEP_RATE;
+        constants.inverseH = 240f;
+        constants.contactSoftness.biasRate = 45f;
+        constants.contactSoftness.massScale = 0.9f;
+        constants.contactSoftness.impulseScale = 0.1f;
+    }
 
     @Test
     void everyFormulaHasTheBitsOfItsPlainForm() {
@@ -33,7 +42,7 @@ class ConstraintsTest {
             }
             same(
                     Constraints.solve(
-                            impulse, mass, vn, separation, bounce, push, Tuning.DEEP_RATE, 240f, 45f, 0.9f, 0.1f),
+                            impulse, mass, vn, separation, bounce, push, constants.contactSoftness, constants),
                     max(next, 0f));
             same(Constraints.relax(impulse, mass, vn, separation, bounce, 240f), max(relaxed, 0f));
 

@@ -21,12 +21,16 @@ public final class StepParameters {
             .field("float", "gravityStepY", (k, to) -> to.put(k.gravityStepY), "the same")
             .field("float", "fallX", (k, to) -> to.put(k.fallX), "what gravity moves a circle in the step")
             .field("float", "fallY", (k, to) -> to.put(k.fallY), "the same")
-            .field("float", "biasRate", (k, to) -> to.put(k.biasRate), "softness of contacts: push-out speed per depth")
-            .field("float", "massScale", (k, to) -> to.put(k.massScale), "share of the impulse")
-            .field("float", "impulseScale", (k, to) -> to.put(k.impulseScale), "decay of the impulse")
-            .field("float", "wallBiasRate", (k, to) -> to.put(k.wallBiasRate), "softness of walls")
-            .field("float", "wallMassScale", (k, to) -> to.put(k.wallMassScale), "the same")
-            .field("float", "wallImpulseScale", (k, to) -> to.put(k.wallImpulseScale), "the same")
+            .field(
+                    "float",
+                    "biasRate",
+                    (k, to) -> to.put(k.contactSoftness.biasRate),
+                    "softness of contacts: push-out speed per depth")
+            .field("float", "massScale", (k, to) -> to.put(k.contactSoftness.massScale), "share of the impulse")
+            .field("float", "impulseScale", (k, to) -> to.put(k.contactSoftness.impulseScale), "decay of the impulse")
+            .field("float", "wallBiasRate", (k, to) -> to.put(k.oneBodySoftness.biasRate), "softness of walls")
+            .field("float", "wallMassScale", (k, to) -> to.put(k.oneBodySoftness.massScale), "the same")
+            .field("float", "wallImpulseScale", (k, to) -> to.put(k.oneBodySoftness.impulseScale), "the same")
             .field("float", "thresholdRate", (k, to) -> to.put(k.thresholdRate), "bounce threshold")
             .field(
                     "float",

@@ -1,0 +1,119 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.HeavyCircles.GAIN_X;
+import static io.github.circles2d.world.jvm.HeavyCircles.GAIN_Y;
+import static io.github.circles2d.world.jvm.HeavyCircles.IMPULSE_SCALE;
+import static io.github.circles2d.world.jvm.HeavyCircles.SEEN_VX;
+import static io.github.circles2d.world.jvm.HeavyCircles.SEEN_VY;
+import static io.github.circles2d.world.jvm.HeavyCircles.SUM_IMPULSE_X;
+import static io.github.circles2d.world.jvm.HeavyCircles.SUM_IMPULSE_Y;
+import static io.github.circles2d.world.jvm.HeavyCircles.VELOCITY_SCALE;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
+import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.CrossRule;
+
+/**
+ * The circles of contacts of different levels, a light and a heavy one. Visits see heavy circles as they were before the pass, and what
+ * they give to them {@link HeavyCircles} sums up. {@link CrossRule} says why.
+ *
+ * <p>The side of a contact is 1 if its light circle is A, else -1. So side times normal points from the light circle to the heavy one.
+ */
+final class CrossBodies {
+    private final State state;
+    private final Contacts contacts;
+    private final HeavyCircles heavyCircles;
+    private final int worker;
+
+    CrossBodies(State state, Contacts contacts, int worker) {
+        this.state = state;
+        this.contacts = contacts;
+        this.worker = worker;
+        heavyCircles = contacts.cross().heavyCircles;
+    }
+
+    /** As {@link LikeBodies#normalSpeed}. */
+    float normalSpeed(int c, float nx, float ny) {
+        float[] m = state.motion;
+        float[] seen = heavyCircles.seen;
+        int isB = contacts.isLightB(c);
+        float side = side(isB);
+        int light = contacts.pair[ContactRow.a(c) + isB];
+        int heavy = HeavyCircles.row(contacts.heavy(c));
+        return CircleMath.dot(
+                side * nx, side * ny, seen[heavy + SEEN_VX] - m[light + VX], seen[heavy + SEEN_VY] - m[light + VY]);
+    }
+
+    /** As {@link LikeBodies#apply}. */
+    void apply(int c, float nx, float ny, float impulse) {
+        float[] m = state.motion;
+        float[] q = contacts.contact;
+        int isB = contacts.isLightB(c);
+        int o = ContactRow.of(c);
+        float x = side(isB) * nx;
+        float y = side(isB) * ny;
+        float ofLight = q[o + INV_MASS_A] * impulse;
+        float ofHeavy = q[o + INV_MASS_B] * impulse;
+        int light = contacts.pair[ContactRow.a(c) + isB];
+        m[light + VX] -= x * ofLight;
+        m[light + VY] -= y * ofLight;
+        int heavy = contacts.heavy(c);
+        float scale = heavyCircles.seen[HeavyCircles.row(heavy) + VELOCITY_SCALE];
+        long[] sums = heavyCircles.sumsOf(worker);
+        int sum = HeavyCircles.sum(heavy);
+        sums[sum + GAIN_X] += CrossRule.toFixed(x * ofHeavy, scale);
+        sums[sum + GAIN_Y] += CrossRule.toFixed(y * ofHeavy, scale);
+    }
+
+    /** As {@link LikeBodies#addToSums}. */
+    void addToSums(int c, float nx, float ny, float impulse) {
+        float[] load = state.load;
+        int isB = contacts.isLightB(c);
+        float x = side(isB) * nx * impulse;
+        float y = side(isB) * ny * impulse;
+        int light = contacts.pair[ContactRow.a(c) + isB];
+        load[light + IMPULSE_X] -= x;
+        load[light + IMPULSE_Y] -= y;
+        int heavy = contacts.heavy(c);
+        float scale = heavyCircles.seen[HeavyCircles.row(heavy) + IMPULSE_SCALE];
+        long[] sums = heavyCircles.sumsOf(worker);
+        int sum = HeavyCircles.sum(heavy);
+        sums[sum + SUM_IMPULSE_X] += CrossRule.toFixed(x, scale);
+        sums[sum + SUM_IMPULSE_Y] += CrossRule.toFixed(y, scale);
+    }
+
+    /**
+     * Whether circles that are to bounce freely have to wait for others of the heavy circle. With bias, those that may wait claim it;
+     * without, the light circle that has claimed it bounces.
+     */
+    boolean waits(int c, int a, int b, float separation, boolean relaxing) {
+        int o = ContactRow.of(c);
+        float restitution = contacts.contact[o + RESTITUTION];
+        float invMassOfHeavy = contacts.contact[o + INV_MASS_B];
+        float[] circle = state.circle;
+        if (!CrossRule.mayWait(restitution, invMassOfHeavy, separation, circle[a + RADIUS], circle[b + RADIUS])) {
+            return false;
+        }
+        int light = CircleRow.slot(contacts.pair[ContactRow.a(c) + contacts.isLightB(c)]);
+        int heavy = contacts.heavy(c);
+        if (!relaxing) {
+            heavyCircles.claim(heavy, state.id[light]);
+            return true;
+        }
+        boolean hasClaimed = heavyCircles.isClaimedBy(heavy, state.id[light])
+                && !heavyCircles.isClaimed(contacts.cross().numberOf(light));
+        return !hasClaimed;
+    }
+
+    private static float side(int isLightB) {
+        return 1 - 2 * isLightB;
+    }
+}

@@ -1,0 +1,341 @@
+package io.github.circles2d.world.jvm;
+
+import static io.github.circles2d.world.jvm.ContactRow.BASE_X;
+import static io.github.circles2d.world.jvm.ContactRow.BASE_Y;
+import static io.github.circles2d.world.jvm.ContactRow.BOUNCE_SPEED;
+import static io.github.circles2d.world.jvm.ContactRow.FLIGHT_THRESHOLD;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
+import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
+import static io.github.circles2d.world.jvm.ContactRow.MASS;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_IMPULSE;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_X;
+import static io.github.circles2d.world.jvm.ContactRow.NORMAL_Y;
+import static io.github.circles2d.world.jvm.ContactRow.RADII;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION_THRESHOLD;
+import static io.github.circles2d.world.jvm.ContactRow.SEPARATION;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_X;
+import static io.github.circles2d.world.model.CircleRow.BEFORE_Y;
+import static io.github.circles2d.world.model.CircleRow.DX;
+import static io.github.circles2d.world.model.CircleRow.DY;
+import static io.github.circles2d.world.model.CircleRow.LOADED;
+import static io.github.circles2d.world.model.CircleRow.LOADED_NEXT;
+import static io.github.circles2d.world.model.CircleRow.VX;
+import static io.github.circles2d.world.model.CircleRow.VY;
+
+import io.github.circles2d.world.model.Bounce;
+import io.github.circles2d.world.model.CircleMath;
+import io.github.circles2d.world.model.Constraints;
+import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Tuning;
+
+/**
+ * The visits of contacts of two circles: the passes over a range of contacts, one after the other. {@link Constraints} has the formulas.
+ * {@link LikeBodies} and {@link CrossBodies} know how a pass sees the velocities of the circles, and what becomes of the impulses.
+ *
+ * <p>A is the circle of the lower id, B the other; the normal points from A to B. a and b are where their rows begin.
+ */
+final class PairVisits {
+    /** Contacts that the relaxing pass works on at a time. */
+    private static final int BLOCK = 256;
+
+    private final State state;
+    private final Contacts contacts;
+
+    /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
+    Touches touches;
+
+    /** Contacts of a block that are still to do something with. */
+    private final int[] listed = new int[BLOCK];
+
+    private final LikeBodies like;
+
+    /** Null if the contacts are of circles of one level. */
+    private final CrossBodies cross;
+
+    private PairVisits(State state, Contacts contacts, CrossBodies cross) {
+        this.state = state;
+        this.contacts = contacts;
+        like = new LikeBodies(state, contacts);
+        this.cross = cross;
+    }
+
+    /** Visits contacts of circles of one level. */
+    static PairVisits ofLike(State state, Contacts contacts) {
+        return new PairVisits(state, contacts, null);
+    }
+
+    /** Visits contacts of circles of different levels. */
+    static PairVisits ofCross(State state, Contacts contacts, int worker) {
+        return new PairVisits(state, contacts, new CrossBodies(state, contacts, worker));
+    }
+
+    // ---- which bodies: a branch on a local variable, which the compiler takes out of loops; a virtual call it does
+    // not
+    // ---------------------------------------
+
+    private float normalSpeed(CrossBodies cross, int c, int a, int b, float nx, float ny) {
+        return cross == null ? like.normalSpeed(a, b, nx, ny) : cross.normalSpeed(c, nx, ny);
+    }
+
+    private void apply(CrossBodies cross, int c, int a, int b, float nx, float ny, float impulse) {
+        if (cross == null) {
+            like.apply(c, a, b, nx, ny, impulse);
+        } else {
+            cross.apply(c, nx, ny, impulse);
+        }
+    }
+
+    private void addToSums(CrossBodies cross, int c, int a, int b, float nx, float ny, float impulse) {
+        if (cross == null) {
+            like.addToSums(a, b, nx, ny, impulse);
+        } else {
+            cross.addToSums(c, nx, ny, impulse);
+        }
+    }
+
+    // ---- measured
+    // ------------------------------------------------------------------------------------------------------------------
+
+    /** Measures contacts for the first sub-step, and adds their impulses to the sums of their circles. */
+    void prepare(int from, int to) {
+        CrossBodies cross = this.cross;
+        for (int c = from; c < to; c++) {
+            measure(c);
+            float[] q = contacts.contact;
+            float[] m = state.motion;
+            int o = ContactRow.of(c);
+            int a = contacts.pair[ContactRow.a(c)];
+            int b = contacts.pair[ContactRow.b(c)];
+            float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
+            float impulse = q[o + NORMAL_IMPULSE];
+            addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
+            if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
+                load(a, b);
+            }
+        }
+    }
+
+    /** Measures a contact: separation, and the normal where there is a direction. */
+    private void measure(int c) {
+        float[] q = contacts.contact;
+        float[] m = state.motion;
+        int o = ContactRow.of(c);
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float dx = CircleMath.difference(q[o + BASE_X], m[a + DX], m[b + DX]);
+        float dy = CircleMath.difference(q[o + BASE_Y], m[a + DY], m[b + DY]);
+        float d = CircleMath.length(dx, dy);
+        float radii = q[o + RADII];
+        if (d > Tuning.COINCIDENT * radii) {
+            q[o + NORMAL_X] = dx / d;
+            q[o + NORMAL_Y] = dy / d;
+        }
+        q[o + SEPARATION] = d - radii;
+    }
+
+    /** Marks circles as loaded. Other workers may mark a heavy one too; none takes a mark away. */
+    private void load(int a, int b) {
+        state.load[a + LOADED_NEXT] = 1f;
+        state.load[b + LOADED_NEXT] = 1f;
+    }
+
+    // ---- the biased pass
+    // -----------------------------------------------------------------------------------------------------------
+
+    /** The biased pass: stops approaches, pushes overlaps out, bounces. */
+    void solve(int from, int to, StepConstants k) {
+        int c = solveUntilFlight(from, to, -1, k);
+        while (c < to) {
+            c = solveFlying(c, k) ? solveUntilFlight(c + 1, to, -1, k) : solveUntilFlight(c, to, c, k);
+        }
+    }
+
+    /**
+     * The biased pass up to the first contact of circles that fly free of each other, which it returns. Few contacts of a pile do, and
+     * in this loop they would slow down all others.
+     *
+     * @param asked a contact that is to be solved even if its circles fly
+     */
+    private int solveUntilFlight(int from, int to, int asked, StepConstants k) {
+        CrossBodies cross = this.cross;
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        float[] load = state.load;
+        for (int c = from; c < to; c++) {
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float separation = q[o + SEPARATION];
+            float restitution = q[o + RESTITUTION];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float pushSpeed = k.pushRate * q[o + RADII];
+            float vn = normalSpeed(cross, c, a, b, nx, ny);
+            float bounce = 0f;
+            // without restitution it stays so, and none flies: this only spares the reads
+            if (restitution > 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && c != asked) {
+                    return c;
+                }
+                float before = CircleMath.dot(
+                        nx, ny, load[b + BEFORE_X] - load[a + BEFORE_X], load[b + BEFORE_Y] - load[a + BEFORE_Y]);
+                float threshold = q[o + RESTITUTION_THRESHOLD];
+                bounce = Constraints.bounceSpeed(restitution, loaded, before, separation, k.h, threshold, pushSpeed);
+            }
+            q[o + BOUNCE_SPEED] = bounce;
+            float next =
+                    Constraints.solve(impulse, q[o + MASS], vn, separation, bounce, pushSpeed, k.contactSoftness, k);
+            q[o + NORMAL_IMPULSE] = next;
+            apply(cross, c, a, b, nx, ny, next - impulse);
+        }
+        return to;
+    }
+
+    /** Visits a contact of circles that fly free of each other with bias; returns false if it is to be solved as others are. */
+    private boolean solveFlying(int c, StepConstants k) {
+        float[] q = contacts.contact;
+        float[] load = state.load;
+        int o = ContactRow.of(c);
+        int a = contacts.pair[ContactRow.a(c)];
+        int b = contacts.pair[ContactRow.b(c)];
+        float separation = q[o + SEPARATION];
+        float beforeX = load[b + BEFORE_X] - load[a + BEFORE_X];
+        float beforeY = load[b + BEFORE_Y] - load[a + BEFORE_Y];
+        int lingers = Constraints.lingers(separation, beforeX * beforeX + beforeY * beforeY);
+        float vn = normalSpeed(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+        int meets = Constraints.meets(separation, vn, k.inverseH);
+        q[o + BOUNCE_SPEED] = 0f;
+        int visit = visitOf(c, vn, lingers, meets);
+        if (visit == Constraints.BOUNCE && !(cross != null && cross.waits(c, a, b, separation + vn * k.h, false))) {
+            bounce(c, a, b, vn - contacts.halfFall(c, k));
+        }
+        return visit != Constraints.SOLVE;
+    }
+
+    private int visitOf(int c, float vn, int lingers, int meets) {
+        float[] q = contacts.contact;
+        int o = ContactRow.of(c);
+        return Constraints.visitOf(q[o + RESTITUTION], 0f, lingers, 0f, vn, meets, q[o + FLIGHT_THRESHOLD]);
+    }
+
+    /** Lets the circles of a contact bounce freely. No pile pushes them, so the mass of a heavy one is not split. */
+    private void bounce(int c, int a, int b, float vn) {
+        float[] q = contacts.contact;
+        int o = ContactRow.of(c);
+        float mass = 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
+        float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, mass);
+        apply(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
+        if (touches != null) {
+            touches.add(c, impulse);
+        }
+    }
+
+    // ---- the relaxing pass
+    // ---------------------------------------------------------------------------------------------------------
+
+    /** The relaxing pass: measures the contacts anew, takes the push-out speed away again, and sums up for what follows. */
+    void relax(int from, int to, StepConstants k, boolean last) {
+        for (int block = from; block < to; block += BLOCK) {
+            int open = measureAll(block, Math.min(to, block + BLOCK));
+            int carrying = relaxOpen(open, k);
+            if (last) {
+                storeImpulses(carrying);
+            } else {
+                warmStart(carrying);
+            }
+        }
+    }
+
+    /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
+    private int measureAll(int from, int to) {
+        float[] q = contacts.contact;
+        int open = 0;
+        for (int c = from; c < to; c++) {
+            measure(c);
+            int o = ContactRow.of(c);
+            listed[open] = c;
+            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
+        }
+        return open;
+    }
+
+    /** Visits the contacts that are listed, and lists those of them that carry; returns their number. */
+    private int relaxOpen(int open, StepConstants k) {
+        CrossBodies cross = this.cross;
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        float[] load = state.load;
+        int carrying = 0;
+        for (int n = 0; n < open; n++) {
+            int c = listed[n];
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            float separation = q[o + SEPARATION];
+            float bounce = q[o + BOUNCE_SPEED];
+            float impulse = q[o + NORMAL_IMPULSE];
+            float nx = q[o + NORMAL_X];
+            float ny = q[o + NORMAL_Y];
+            float threshold = q[o + RESTITUTION_THRESHOLD];
+            float vn = normalSpeed(cross, c, a, b, nx, ny);
+            if (q[o + RESTITUTION] > 0f && impulse == 0f) {
+                float loaded = load[a + LOADED] + load[b + LOADED];
+                if (Constraints.flies(loaded, impulse, vn, q[o + FLIGHT_THRESHOLD]) != 0 && relaxFlying(c, a, b, vn)) {
+                    continue;
+                }
+            }
+            float next = Constraints.relax(impulse, q[o + MASS], vn, separation, bounce, k.inverseH);
+            float applied = next - impulse;
+            float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
+            apply(cross, c, a, b, nx, ny, applied);
+            if (bounce > 0f) {
+                next = 0f;
+                if (touches != null) {
+                    touches.add(c, impulse + applied);
+                }
+            }
+            q[o + NORMAL_IMPULSE] = next;
+            listed[carrying] = c;
+            carrying -= Constraints.carries(next, separation, after, threshold);
+        }
+        return carrying;
+    }
+
+    /** As {@link #solveFlying} without bias. */
+    private boolean relaxFlying(int c, int a, int b, float vn) {
+        int visit = visitOf(c, vn, 0, Constraints.ALWAYS);
+        if (visit == Constraints.BOUNCE
+                && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
+            bounce(c, a, b, vn);
+        }
+        return visit != Constraints.SOLVE;
+    }
+
+    /** Adds the impulses of the contacts that carry, which are listed, to the sums of their circles, and marks these as loaded. */
+    private void warmStart(int carrying) {
+        CrossBodies cross = this.cross;
+        float[] q = contacts.contact;
+        int[] pair = contacts.pair;
+        for (int n = 0; n < carrying; n++) {
+            int c = listed[n];
+            int o = ContactRow.of(c);
+            int a = pair[ContactRow.a(c)];
+            int b = pair[ContactRow.b(c)];
+            addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
+            load(a, b);
+        }
+    }
+
+    /** Stores the impulses of the contacts that carry for the step to come; one at rest may have none. */
+    private void storeImpulses(int carrying) {
+        for (int n = 0; n < carrying; n++) {
+            float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
+            if (impulse > 0f) {
+                contacts.storeImpulse(listed[n], impulse);
+            }
+        }
+    }
+}
