@@ -6,7 +6,6 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.PairRule;
 import io.github.circles2d.world.model.Tuning;
 import java.util.Arrays;
 
@@ -86,14 +85,18 @@ final class Candidates {
         return count[slot];
     }
 
-    /** Counts the pairs of some circles without a list: every circle looks at all cells around it. Returns the greatest number. */
-    int countAll(Nearby nearby, int from, int to) {
+    /**
+     * Counts the pairs of some circles without a list: every circle looks at all cells around it. Returns the greatest number.
+     *
+     * @param near room to work in
+     */
+    int countAll(Nearby cells, NearSlots near, int from, int to) {
         int most = 0;
         for (int slot = from; slot < to; slot++) {
             int level = grid.level[slot];
             int sum = 0;
             for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] <= level; k--) {
-                sum += countInLevel(nearby, slot, levels.used[k]);
+                sum += countInLevel(cells, near, slot, levels.used[k]);
             }
             count[slot] = sum;
             most = Math.max(most, sum);
@@ -101,52 +104,19 @@ final class Candidates {
         return most;
     }
 
-    private int countInLevel(Nearby nearby, int slot, int level) {
+    private int countInLevel(Nearby cells, NearSlots near, int slot, int level) {
         float x = state.circle[CircleRow.of(slot) + X];
         float y = state.circle[CircleRow.of(slot) + Y];
-        nearby.beginAround(level, x, y, !state.isStatic(slot));
+        cells.beginAround(level, x, y, !state.isStatic(slot));
         int sum = 0;
-        while (nearby.next()) {
-            sum += countIn(slot, nearby.from, nearby.to);
-        }
-        return sum;
-    }
-
-    private int countIn(int slot, int from, int to) {
-        if (state.wraps) {
-            return countTheShortWay(slot, from, to);
-        }
-        float[] circle = state.circle;
-        float[] speculativeDistance = grid.speculativeDistance;
-        float x = circle[CircleRow.of(slot) + X];
-        float y = circle[CircleRow.of(slot) + Y];
-        float own = speculativeDistance[slot];
-        int sum = 0;
-        for (int other = from; other < to; other++) {
-            float dx = circle[CircleRow.of(other) + X] - x;
-            float dy = circle[CircleRow.of(other) + Y] - y;
-            if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && mayMeet(slot, other)) {
-                sum++;
+        while (cells.next()) {
+            near.count = 0;
+            near.scan(state, grid, slot, cells.from, cells.to);
+            for (int k = 0; k < near.count; k++) {
+                int other = near.slots[k];
+                sum += other != slot && PairFilter.mayMeet(state, slot, other) ? 1 : 0;
             }
         }
         return sum;
-    }
-
-    private int countTheShortWay(int slot, int from, int to) {
-        float[] speculativeDistance = grid.speculativeDistance;
-        float own = speculativeDistance[slot];
-        int sum = 0;
-        for (int other = from; other < to; other++) {
-            float dx = state.differenceX(slot, other);
-            float dy = state.differenceY(slot, other);
-            if (PairRule.isNear(dx, dy, own, speculativeDistance[other]) != 0 && mayMeet(slot, other)) {
-                sum++;
-            }
-        }
-        return sum;
-    }
-
-    private boolean mayMeet(int slot, int other) {
-        return other != slot && PairFilter.mayMeet(state, slot, other);
     }
 }

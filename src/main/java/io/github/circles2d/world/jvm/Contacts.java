@@ -157,8 +157,8 @@ public final class Contacts {
     /** Finds the pairs, but only a share of those in a crowd. */
     void findShare(int worker) {
         team.sync(worker); // all have asked for crowds before that changes
-        found[worker].most =
-                candidates.countAll(nearby[worker], team.part(state.n, worker), team.part(state.n, worker + 1));
+        found[worker].most = candidates.countAll(
+                nearby[worker], cross.near(worker), team.part(state.n, worker), team.part(state.n, worker + 1));
         team.sync(worker);
         if (worker == 0) {
             wereCrowded = false;

@@ -9,7 +9,6 @@ import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
-import io.github.circles2d.world.model.PairRule;
 import java.util.Arrays;
 
 /**
@@ -166,6 +165,11 @@ final class CrossContacts {
         team.sync(worker);
     }
 
+    /** Room of a worker for slots, outside of {@link #find}. */
+    NearSlots near(int worker) {
+        return found[worker].near;
+    }
+
     /** Whether the contacts were given up because there are too many. */
     boolean overflowed() {
         for (int w = 0; w < team.size(); w++) {
@@ -250,13 +254,13 @@ final class CrossContacts {
         for (int k = levels.usedCount - 1; k >= 0 && levels.used[k] < level; k--) {
             findInCoarserLevel(f, near, slot, levels.used[k]);
         }
-        if (f.hitCount == 0) {
+        if (f.near.count == 0) {
             f.most = Math.max(f.most, candidates.countFound(slot, 0));
             return;
         }
         float w = state.traits[CircleRow.of(slot) + INVERSE_MASS];
-        for (int k = 0; k < f.hitCount; k++) {
-            int other = f.hits[k];
+        for (int k = 0; k < f.near.count; k++) {
+            int other = f.near.slots[k];
             if (!candidates.keeps(slot, other)) {
                 continue;
             }
@@ -269,8 +273,8 @@ final class CrossContacts {
         f.sort(before);
         int own = f.count - before;
         f.rank(before, own == 0 ? 0 : countIn(lightStart, slot, own));
-        for (int k = 0; k < f.hitCount; k++) {
-            int other = f.hits[k];
+        for (int k = 0; k < f.near.count; k++) {
+            int other = f.near.slots[k];
             float v = state.traits[CircleRow.of(other) + INVERSE_MASS];
             if (!CrossRule.isFinerLight(w, v) && candidates.keeps(slot, other)) {
                 f.addFromFiner(other, (long) state.id[slot] << 32 | slot, countIn(lightStart, other, 1));
@@ -278,7 +282,7 @@ final class CrossContacts {
                 fromFiner++;
             }
         }
-        f.hitCount = 0;
+        f.near.count = 0;
         f.most = Math.max(f.most, candidates.countFound(slot, own + fromFiner));
     }
 
@@ -347,35 +351,10 @@ final class CrossContacts {
     }
 
     private void scan(FoundCross f, int slot, int from, int to) {
-        if (from == to) {
-            return;
+        if (from < to) {
+            f.near.scan(state, grid, slot, from, to);
+            f.tested += to - from;
         }
-        int[] hits = f.ensureHits(to - from);
-        float[] speculativeDistance = grid.speculativeDistance;
-        float own = speculativeDistance[slot];
-        int count = f.hitCount;
-        f.tested += to - from;
-        if (state.wraps) {
-            for (int other = from; other < to; other++) {
-                hits[count] = other;
-                count -= PairRule.isNear(
-                        state.differenceX(slot, other),
-                        state.differenceY(slot, other),
-                        own,
-                        speculativeDistance[other]);
-            }
-        } else {
-            float[] circle = state.circle;
-            float x = circle[CircleRow.of(slot) + X];
-            float y = circle[CircleRow.of(slot) + Y];
-            for (int other = from; other < to; other++) {
-                float dx = circle[CircleRow.of(other) + X] - x;
-                float dy = circle[CircleRow.of(other) + Y] - y;
-                hits[count] = other;
-                count -= PairRule.isNear(dx, dy, own, speculativeDistance[other]);
-            }
-        }
-        f.hitCount = count;
     }
 
     /** Pairs whose distance was tested. */

@@ -35,10 +35,8 @@ final class FoundCross {
     /** Heavy circles among the slots of the worker. */
     int heavyCircles;
 
-    /** Slots of circles near the one that is looked at. */
-    int[] hits = new int[64];
-
-    int hitCount;
+    /** The circles near the one that is looked at. */
+    final NearSlots near = new NearSlots();
 
     void begin(int newRoom) {
         room = newRoom;
@@ -48,20 +46,12 @@ final class FoundCross {
         tested = 0;
         anyFromFiner = false;
         heavyCircles = 0;
-        hitCount = 0;
+        near.count = 0;
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 16L * heavy.length + 4L * hits.length;
-    }
-
-    /** Makes room for some more hits. */
-    int[] ensureHits(int more) {
-        if (hitCount + more > hits.length) {
-            hits = Arrays.copyOf(hits, 2 * (hitCount + more));
-        }
-        return hits;
+        return 16L * heavy.length + 4L * near.slots.length;
     }
 
     /** Adds a contact of the circle that is looked at. */
