@@ -1,50 +1,26 @@
 package com.example.merge;
 
-import com.badlogic.gdx.ApplicationAdapter;
 import com.badlogic.gdx.Gdx;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3Application;
 import com.badlogic.gdx.backends.lwjgl3.Lwjgl3ApplicationConfiguration;
 import com.badlogic.gdx.files.FileHandle;
-import com.badlogic.gdx.graphics.Color;
 import com.badlogic.gdx.graphics.Pixmap;
 import com.badlogic.gdx.graphics.PixmapIO;
-import com.badlogic.gdx.graphics.g2d.BitmapFont;
-import com.badlogic.gdx.graphics.g2d.SpriteBatch;
-import com.badlogic.gdx.graphics.glutils.ShapeRenderer;
 import com.badlogic.gdx.utils.GdxRuntimeException;
-import com.badlogic.gdx.utils.ScreenUtils;
 import io.github.circles2d.Backend;
-import io.github.circles2d.FixedStep;
 import io.github.circles2d.opencl.OpenClException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.util.zip.Deflater;
 
 /** A window to play in; or with {@code --frames N} a game that plays itself, and one line of what became of it. */
-public final class Main extends ApplicationAdapter {
-    private static final int SCALE = 50; // pixels for a length of 1
-    private static final Color INK = Color.valueOf("331a14");
-    private static final String[] COLORS = {
-        "e63946", "f4845f", "9d4edd", "f6bd60", "f77f00", "ef476f", "b5c95a", "f9a8c9", "ffd60a", "80c06b", "2a9d8f"
-    };
-    private final Backend backend;
+public final class Main extends MergeApplication {
     private final String picture;
-    private final int[] kinds = new int[1000];
-    private Merge game;
-    private FixedStep loop;
-    private ShapeRenderer shapes;
-    private SpriteBatch batch;
-    private BitmapFont font;
+    private boolean isOpen;
 
     private Main(Backend backend, long seed, String picture) {
-        this.backend = backend;
+        super(backend, seed);
         this.picture = picture;
-        start(seed);
-    }
-
-    private void start(long seed) {
-        game = new Merge(backend, seed);
-        loop = new FixedStep(game.world, 1 / 60f);
     }
 
     public static void main(String[] arguments) {
@@ -53,7 +29,7 @@ public final class Main extends ApplicationAdapter {
         try {
             Main main = new Main(options.backend(), frames > 0 ? 1 : System.nanoTime(), options.picture());
             if (frames > 0) {
-                main.playAlone(frames);
+                System.out.println(main.playAlone(frames));
             }
             if (frames == 0 || !main.picture.isEmpty()) { // a picture needs a window, too
                 main.open(frames == 0);
@@ -68,7 +44,7 @@ public final class Main extends ApplicationAdapter {
     private void open(boolean isVisible) {
         Lwjgl3ApplicationConfiguration configuration = new Lwjgl3ApplicationConfiguration();
         configuration.setTitle("Merge: click to drop a ball");
-        configuration.setWindowedMode(12 * SCALE, 16 * SCALE);
+        configuration.setWindowedMode(WIDTH, HEIGHT);
         configuration.setResizable(false);
         configuration.setBackBufferConfig(8, 8, 8, 8, 16, 0, 4); // smooth edges
         configuration.disableAudio(true);
@@ -77,7 +53,7 @@ public final class Main extends ApplicationAdapter {
         try {
             new Lwjgl3Application(this, configuration);
         } catch (GdxRuntimeException e) {
-            if (shapes != null) {
+            if (isOpen) {
                 throw e;
             }
             String why = "no window can be shown here: " + e.getMessage();
@@ -85,24 +61,13 @@ public final class Main extends ApplicationAdapter {
         }
     }
 
-    private void playAlone(int frames) {
-        for (int frame = 0; frame < frames; frame++) {
-            game.playAlone();
-            loop.advance(1 / 60f, game);
-        }
-        String format = "merge: %d frames, %d balls, %d points, hash %016x%n";
-        System.out.printf(format, frames, game.world.size(), game.score, game.world.hash());
-    }
-
     @Override
     public void create() {
-        shapes = new ShapeRenderer();
-        batch = new SpriteBatch();
-        font = new BitmapFont();
-        font.getData().setScale(2);
+        isOpen = true;
+        super.create();
         if (!picture.isEmpty()) {
             draw();
-            Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, 12 * SCALE, 16 * SCALE);
+            Pixmap pixels = Pixmap.createFromFrameBuffer(0, 0, WIDTH, HEIGHT);
             try {
                 PixmapIO.writePNG(new FileHandle(picture), pixels, Deflater.BEST_COMPRESSION, true);
             } catch (GdxRuntimeException e) {
@@ -110,65 +75,5 @@ public final class Main extends ApplicationAdapter {
             }
             Gdx.app.exit();
         }
-    }
-
-    @Override
-    public void render() {
-        game.mouseX = (float) Gdx.input.getX() / SCALE - 1;
-        if (Gdx.input.justTouched() && game.isOver()) {
-            game.world.close();
-            start(System.nanoTime());
-        }
-        game.isDropWanted |= Gdx.input.justTouched();
-        loop.advance(Gdx.graphics.getDeltaTime(), game);
-        draw();
-    }
-
-    private void draw() {
-        ScreenUtils.clear(Color.valueOf("fdf0d5"));
-        shapes.getProjectionMatrix().setToOrtho2D(-1, -1, 12, 16); // a margin of 1 around the box
-        shapes.begin(ShapeRenderer.ShapeType.Filled);
-        box("c9975b", -0.3f, -0.3f, Merge.WIDTH + 0.6f, Merge.LINE + 0.8f);
-        box("fff8ea", 0, 0, Merge.WIDTH, Merge.LINE + 0.5f);
-        box("f3b9a5", 0, Merge.LINE, Merge.WIDTH, 0.06f);
-        if (game.isReady()) {
-            box("f3b9a5", game.dropX() - 0.02f, 0, 0.04f, Merge.DROP_HEIGHT);
-            ball(game.next, game.dropX(), Merge.DROP_HEIGHT, Merge.RADII[game.next]);
-        }
-        var positions = loop.positions(null);
-        var radii = loop.radii();
-        game.world.readKindsById(kinds, null);
-        for (int id = 0; id < game.world.idLimit(); id++) {
-            if (!Float.isNaN(positions.get(2 * id))) {
-                ball(kinds[id], positions.get(2 * id), positions.get(2 * id + 1), radii.get(id));
-            }
-        }
-        shapes.end();
-        batch.begin();
-        font.setColor(Color.valueOf("6b4226"));
-        String text = game.isOver() ? " points. Game over: click to play again" : " points";
-        font.draw(batch, game.score + text, SCALE, 770);
-        batch.end();
-    }
-
-    private void box(String color, float x, float y, float width, float height) {
-        shapes.setColor(Color.valueOf(color));
-        shapes.rect(x, y, width, height);
-    }
-
-    private void ball(int kind, float x, float y, float radius) {
-        Color color = Color.valueOf(COLORS[kind]);
-        disc(color.cpy().mul(0.8f, 0.8f, 0.8f, 1), x, y, radius);
-        disc(color, x, y, 0.88f * radius);
-        disc(Color.WHITE, x - 0.42f * radius, y + 0.5f * radius, 0.15f * radius); // shine
-        disc(INK, x - 0.3f * radius, y, 0.1f * radius); // eyes
-        disc(INK, x + 0.3f * radius, y, 0.1f * radius);
-        disc(INK, x, y - 0.2f * radius, 0.22f * radius); // the lower edge of a disc is a mouth
-        disc(color, x, y - 0.14f * radius, 0.22f * radius);
-    }
-
-    private void disc(Color color, float x, float y, float radius) {
-        shapes.setColor(color);
-        shapes.circle(x, y, radius, 64);
     }
 }

@@ -32,7 +32,12 @@ final class Merge implements Runnable {
             world.report(kind, kind, Events.BEGIN);
         }
         random = new Random(seed);
-        next = random.nextInt(DROPPED_KINDS);
+        next = nextKind();
+    }
+
+    /** As nextInt(bound), which gives other numbers in a browser. */
+    private int nextKind() {
+        return (random.nextInt() >>> 1) % DROPPED_KINDS;
     }
 
     /** Where the next ball drops. */
@@ -67,7 +72,7 @@ final class Merge implements Runnable {
         stepsAboveLine = isAboveLine ? stepsAboveLine + 1 : 0; // a ball that falls is soon below it
         if (isDropWanted && isReady()) {
             world.add(dropX(), DROP_HEIGHT, RADII[next], RADII[next] * RADII[next], 0, -5, next);
-            next = random.nextInt(DROPPED_KINDS);
+            next = nextKind();
             nextDrop = step + STEPS_BETWEEN_DROPS;
             isDropWanted = false;
         }
@@ -91,7 +96,8 @@ final class Merge implements Runnable {
 
     /** A player without hands drops each ball onto an equal one if a ray finds one. */
     void playAlone() {
-        mouseX = step * 0.618034f % 1 * WIDTH;
+        float turns = step * 0.618034f;
+        mouseX = (turns - (int) turns) * WIDTH; // not % 1, which is not the JVM's in a browser
         for (float x = 0.25f; x < WIDTH; x += 0.25f) {
             long below = world.queries().rayCast(x, DROP_HEIGHT, 0, -HEIGHT, null);
             mouseX = below != 0 && world.kindOf(below) == next ? x : mouseX;

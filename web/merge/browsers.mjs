@@ -1,0 +1,112 @@
+// Plays the game in headless browsers, with real clicks: `node browsers.mjs SITE EXPECTED PICTURES BROWSER=PROGRAM...`, where BROWSER
+// is chrome or firefox, and EXPECTED is a file with what the game on the JVM says of 300 frames. Writes screenshots, and fails if
+// something is not as it should be.
+import assert from 'node:assert/strict';
+import { mkdirSync, readFileSync } from 'node:fs';
+import http from 'node:http';
+import { createRequire } from 'node:module';
+import { join } from 'node:path';
+import { pathToFileURL } from 'node:url';
+
+// From the folder of the call, which has node_modules.
+const require = createRequire(join(process.cwd(), 'x.js'));
+const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
+
+const [site, expected, pictures, ...browsers] = process.argv.slice(2);
+const TYPES = { html: 'text/html', js: 'text/javascript', wasm: 'application/wasm' };
+const MOST_CLICKS = 60;
+
+mkdirSync(pictures, { recursive: true });
+const missing = [];
+const server = http.createServer((request, response) => {
+  const path = new URL(request.url, 'http://localhost').pathname;
+  const name = path === '/' ? 'index.html' : path.slice(1);
+  try {
+    const body = readFileSync(join(site, name));
+    response.writeHead(200, { 'content-type': TYPES[name.split('.').pop()] ?? 'application/octet-stream' });
+    response.end(body);
+  } catch {
+    missing.push(name);
+    response.writeHead(404);
+    response.end();
+  }
+}).listen(0, '127.0.0.1');
+await new Promise(resolve => server.on('listening', resolve));
+const address = `http://127.0.0.1:${server.address().port}/`;
+
+const sleep = millis => new Promise(resolve => setTimeout(resolve, millis));
+
+async function until(holds, millis, what) {
+  for (const end = Date.now() + millis; !(await holds()); await sleep(100)) {
+    assert.ok(Date.now() < end, what);
+  }
+}
+
+/** Opens the page. Collects what it says on the console, and its errors. */
+async function open(browser, query) {
+  const page = await browser.newPage();
+  const [lines, errors] = [[], []];
+  page.on('console', message => lines.push(message.text()));
+  page.on('pageerror', error => errors.push(error.message));
+  page.on('request', r => assert.ok(/^(data|blob):/.test(r.url()) || r.url().startsWith(address), r.url()));
+  await page.setViewport({ width: 620, height: 860 });
+  await page.goto(address + query);
+  return { page, lines, errors };
+}
+
+/** The points in the title, or -1 before the first frame. */
+const points = async page => Number((await page.title()).match(/^Merge: (\d+) points$/)?.[1] ?? -1);
+
+async function play(name, program) {
+  const browser = await puppeteer.launch({
+    browser: name,
+    executablePath: program,
+    headless: true,
+    args: name === 'chrome' ? ['--no-sandbox', '--enable-unsafe-swiftshader'] : [],
+    protocolTimeout: 120_000,
+  });
+  const version = await browser.version();
+
+  const alone = await open(browser, '?frames=300');
+  const line = () => alone.lines.find(text => text.startsWith('merge: '));
+  await until(line, 60_000, 'the game plays by itself');
+  assert.equal(line(), readFileSync(expected, 'utf8').trim(), "the hash is the JVM's");
+  if (name === 'firefox' && !await alone.page.evaluate(() => document.createElement('canvas').getContext('webgl'))) {
+    console.log(`${version}: ${line()}; not drawn, for there is no WebGL in this Firefox without a window`);
+    await browser.close();
+    return;
+  }
+  await until(async () => await points(alone.page) >= 0, 60_000, 'the game is drawn');
+  assert.ok(await points(alone.page) >= Number(line().match(/(\d+) points/)[1]), 'the game goes on from there');
+  assert.deepEqual(alone.errors, []);
+  await alone.page.close();
+
+  const { page, errors } = await open(browser, '');
+  await until(async () => await points(page) === 0, 60_000, 'a new game begins');
+  const box = await (await page.$('#canvas')).boundingBox();
+  let clicks = 0;
+  for (; await points(page) === 0 && clicks < MOST_CLICKS; clicks++) {
+    await page.mouse.click(box.x + 250 + 100 * (clicks % 2), box.y + 300);
+    await sleep(700);
+  }
+  assert.ok(await points(page) > 0, `balls merge within ${MOST_CLICKS} clicks`);
+  await page.screenshot({ path: join(pictures, `${name}-merge.png`) });
+  assert.deepEqual(errors, []);
+  assert.deepEqual(missing, []);
+
+  const old = await browser.newPage();
+  await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
+  await old.goto(address);
+  assert.match(await old.$eval('#message', e => e.textContent), /too old/);
+  console.log(`${version}: ${line()}; then ${await points(page)} points by ${clicks} clicks`);
+  await browser.close();
+}
+
+try {
+  for (const browser of browsers) {
+    const [name, program] = browser.split('=');
+    await play(name, program);
+  }
+} finally {
+  server.close();
+}
