@@ -157,7 +157,7 @@ async function play(name, program) {
   const old = await browser.newPage();
   await old.evaluateOnNewDocument(() => { WebAssembly.validate = () => false; });
   await old.goto(address);
-  assert.match(await text(old, '#message'), /no WebAssembly GC/);
+  assert.match(await text(old, '#message'), /too old/);
   await browser.close();
 }
 

@@ -300,12 +300,11 @@ function fail(text) {
   $('message').textContent = text;
 }
 
-// A module with one struct type: a browser that accepts it has WebAssembly GC.
-const STRUCT = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 95, 1, 120, 0]);
+// A module with a struct and an exception reference: a browser that accepts it has what the page needs.
+const NEEDED = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 9, 2, 95, 1, 120, 0, 96, 1, 105, 0]);
 
-if (typeof WebAssembly !== 'object' || !WebAssembly.validate(STRUCT)) {
-  fail('This browser has no WebAssembly GC, which this page needs. Chrome and Edge have it from version 119 on, '
-    + 'Firefox from 120, Safari from 18.2.');
+if (typeof WebAssembly !== 'object' || !WebAssembly.validate(NEEDED)) {
+  fail('This browser is too old for the page. It needs Chrome or Edge 137, Firefox 131 or Safari 18.4, or a later one.');
 } else {
   worker = new Worker('worker.js', { type: 'module' });
   worker.onmessage = received;
