@@ -70,9 +70,10 @@ final class PairVisits {
         return new PairVisits(state, contacts, new CrossBodies(state, contacts, worker));
     }
 
-    // ---- which bodies: a branch on a local variable, which the compiler takes out of loops; a virtual call it does
-    // not
-    // ---------------------------------------
+    // ---- which bodies
+    // -------------------------------------------------------------------------------------------------------------
+
+    // A branch on what a loop keeps in a local variable: the compiler takes it out of the loop, and a virtual call not.
 
     private float normalSpeed(CrossBodies cross, int c, int a, int b, float nx, float ny) {
         return cross == null ? like.normalSpeed(a, b, nx, ny) : cross.normalSpeed(c, nx, ny);
