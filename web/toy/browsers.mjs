@@ -70,6 +70,10 @@ async function play(name, program) {
   await page.goto(address);
   await page.waitForSelector('#hash', { timeout: 60_000 });
 
+  await sleep(300); // until it is drawn
+  assert.deepEqual(await colourAt(page, 4, 72), [90, 104, 120], 'the end of a wall');
+  assert.deepEqual(await colourAt(page, 159, 99), [19, 25, 34], 'where nothing is');
+
   await page.click('[data-tool=pour]');
   const before = await circles(page);
   await drag(page, [80, 85], [82, 85], [84, 85], [80, 85]);
@@ -121,9 +125,12 @@ async function play(name, program) {
 
   await page.select('#stage', 'crowd');
   await page.click('[data-mode="2"]');
-  await sleep(6000);
-  const figures = await text(page, '#figures');
-  console.log(`${name} ${await browser.version()}: ${figures}`);
+  await sleep(3000); // the pile falls, and V8 compiles
+  const framesASecond = await meanOf(5, async () => {
+    await sleep(1000);
+    return figure(page, 3);
+  });
+  console.log(`${name} ${await browser.version()}: ${framesASecond.toFixed(0)} frames a second; ${await text(page, '#figures')}`);
   assert.equal(await circles(page), 5000);
   await picture('crowd');
 
@@ -159,6 +166,21 @@ async function play(name, program) {
   await old.goto(address);
   assert.match(await text(old, '#message'), /too old/);
   await browser.close();
+}
+
+async function colourAt(page, x, y) {
+  return page.$eval('#arena', (canvas, u, v) => {
+    const { data } = canvas.getContext('2d').getImageData(Math.floor(u * canvas.width), Math.floor(v * canvas.height), 1, 1);
+    return [...data.subarray(0, 3)];
+  }, x / 160, 1 - y / 100);
+}
+
+async function meanOf(count, measure) {
+  let sum = 0;
+  for (let k = 0; k < count; k++) {
+    sum += await measure();
+  }
+  return sum / count;
 }
 
 async function centre(page, selector) {

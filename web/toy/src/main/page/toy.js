@@ -1,4 +1,6 @@
 // The page: it draws what the worker sends, and tells it what the pointer does.
+import { Discs, shadesOf } from './discs.js';
+
 const WIDTH = 160;
 const HEIGHT = 100;
 const STEP_MILLIS = 1000 / 60;
@@ -6,7 +8,8 @@ const MOST_STEPS = 3; // a frame; a slow machine falls behind instead of choking
 const SHADES = 24;
 const SCENES = [['thesis', 300], ['gas', 300], ['wrapped', 300], ['barrel', 300], ['balls2', 100], ['no-collide', 300],
   ['billiards', 1000], ['mixed-100', 100], ['boulder', 100]]; // and steps
-const STATIC = ['#5a6878', '#76869a'];
+const GROUND = '#131922';
+const STATIC = '#5a6878';
 const RAMPS = [
   ['#4aa8d8', '#5bc0be', '#7fb7e6', '#9b8cf0', '#6d9eeb', '#48c9b0', '#8fd3f4', '#74a9cf'],
   ['#2c4a7c', '#3178b8', '#35b6c4', '#9fdc7c', '#ffd166', '#ff7a45', '#ffe9dc'],
@@ -37,45 +40,21 @@ let testing = false;
 
 // ---- Drawing
 
-const mixed = (a, b, share) => {
-  const part = shift => Math.round((a >> shift & 255) + ((b >> shift & 255) - (a >> shift & 255)) * share);
-  return `rgb(${part(16)},${part(8)},${part(0)})`;
-};
-const number = colour => parseInt(colour.slice(1), 16);
+const rgb = colour => [16, 8, 0].map(shift => parseInt(colour.slice(1), 16) >> shift & 255);
 
-function shadesOf(ramp) {
-  return Array.from({ length: SHADES }, (_, k) => {
-    const place = k / (SHADES - 1) * (ramp.length - 1);
-    const stop = Math.min(Math.floor(place), ramp.length - 2);
-    return mixed(number(ramp[stop]), number(ramp[stop + 1]), place - stop);
+/** The static colour, then those of a ramp. */
+function coloursOf(ramp) {
+  const stops = ramp.map(rgb);
+  const colours = Array.from({ length: SHADES }, (_, k) => {
+    const place = k / (SHADES - 1) * (stops.length - 1);
+    const stop = Math.min(Math.floor(place), stops.length - 2);
+    return stops[stop].map((part, channel) => part + (stops[stop + 1][channel] - part) * (place - stop));
   });
+  return [rgb(STATIC), ...colours];
 }
 
-// A disc of each colour and of some sizes, drawn once: copying pictures is faster than filling thousands of paths.
-const sprites = new Map();
-function sprite(colour, radius) {
-  const size = Math.max(2, 2 ** Math.ceil(Math.log2(radius * 4)) / 4); // powers of two, in quarter pixels
-  const key = colour + size;
-  let image = sprites.get(key);
-  if (!image) {
-    const edge = Math.ceil(size) * 2 + 2;
-    image = new OffscreenCanvas(edge, edge);
-    image.radius = size;
-    const c = image.getContext('2d');
-    c.translate(edge / 2, edge / 2);
-    const disc = r => { c.beginPath(); c.arc(0, 0, r, 0, 7); c.fill(); };
-    c.fillStyle = colour;
-    disc(size);
-    c.fillStyle = 'rgba(0,0,0,0.38)'; // the rim
-    disc(size);
-    c.fillStyle = colour;
-    disc(size * 0.86);
-    sprites.set(key, image);
-  }
-  return image;
-}
-
-let palettes = RAMPS.map(shadesOf);
+const palettes = RAMPS.map(ramp => shadesOf(coloursOf(ramp)));
+let discs;
 
 function draw() {
   const ratio = Math.min(devicePixelRatio || 1, 2);
@@ -84,19 +63,18 @@ function draw() {
   if (canvas.width !== width || canvas.height !== height) {
     canvas.width = width;
     canvas.height = height;
+    discs = new Discs(width, height, rgb(GROUND));
   }
   const scale = width / WIDTH;
-  context.fillStyle = '#131922';
-  context.fillRect(0, 0, width, height);
   const { circles } = picture;
   const palette = palettes[mode];
+  discs.clear();
   for (let k = 0; k < circles.length; k += 4) {
-    const radius = circles[k + 2] * scale;
     const shade = circles[k + 3];
-    const image = sprite(shade < 0 ? STATIC[0] : palette[Math.round(shade * (SHADES - 1))], radius);
-    const edge = image.width * radius / image.radius;
-    context.drawImage(image, circles[k] * scale - edge / 2, height - circles[k + 1] * scale - edge / 2, edge, edge);
+    const colour = shade < 0 ? 0 : 1 + Math.round(shade * (SHADES - 1));
+    discs.draw(circles[k] * scale, height - circles[k + 1] * scale, circles[k + 2] * scale, palette, colour);
   }
+  context.putImageData(discs.image, 0, 0);
   for (const blast of blasts) {
     const age = (performance.now() - blast.at) / 400;
     context.strokeStyle = `rgba(255,180,84,${Math.max(0, 1 - age)})`;

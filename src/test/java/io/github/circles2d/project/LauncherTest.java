@@ -414,6 +414,27 @@ class LauncherTest {
         assertThat(without.output).contains("going on without npm", "WARNING: there is no npm");
     }
 
+    @Test
+    void benchWebPutsEnginesInPlaceAndSaysWhereTheyAre() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        machine.fake("chromium", "");
+        Path job = Files.createDirectories(machine.clone.resolve("web")).resolve("run");
+        Files.writeString(job, "#!/bin/sh\necho web/run \"$*\"\nexit ${WEB_STATUS:-0}\n");
+        assertThat(job.toFile().setExecutable(true)).isTrue();
+        FakeMachine.Result bench = machine.launch("bench", "web", "--quick");
+        assertThat(bench.status).as(bench.output).isZero();
+        assertThat(bench.output).contains("web/run bench");
+        assertThat(machine.calls())
+                .contains("benchmarks.jar web --node " + machine.clone + "/web/target/node/node_modules/node/bin/node")
+                .contains(" --chromium " + machine.bin().resolve("chromium"))
+                .contains(" --programs " + machine.clone + "/bench/web --quick\n");
+        machine.forgetCalls();
+        machine.set("WEB_STATUS", "6");
+        assertThat(machine.launch("bench", "web").status).isEqualTo(6);
+        assertThat(machine.calls()).doesNotContain("benchmarks.jar web");
+    }
+
     /** As on a release without a package of it, or where nothing may be installed. */
     @Test
     void withoutOclgrindTestWarnsAndTellsTheTestsThatItIsAbsent() throws Exception {

@@ -8,6 +8,7 @@ import io.github.circles2d.bench.report.Charts;
 import io.github.circles2d.bench.report.ConsoleTable;
 import io.github.circles2d.bench.report.Page;
 import io.github.circles2d.bench.results.ResultsFolder;
+import io.github.circles2d.bench.web.WebBench;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -76,6 +77,9 @@ public final class Bench {
                     break;
                 case "games":
                     GameCosts.run(rest, System.out);
+                    break;
+                case "web":
+                    WebBench.run(rest, System.out);
                     break;
                 case "table":
                     ConsoleTable.print(folder(rest), System.out);

@@ -68,7 +68,7 @@ public final class Outside {
         KEY_OF_ROW.forEach(column -> row.put(column, first.get(column)));
         row.put("skipped", Integer.toString(series.skipped));
         row.put("steps", Integer.toString(Series.STEPS));
-        Stopwatch.putEnd(row, scene, end);
+        EndState.put(row, scene, end);
         Stopwatch.putTimes(
                 row,
                 runs.stream().map(run -> Double.valueOf(run.get("median_ms"))).toList(),

@@ -17,7 +17,7 @@ import java.util.Map;
  * of each as floats; an end state is x, y, vx and vy of each, in the scene's units. All little-endian. The arena is the unit square,
  * and every circle starts at rest.
  */
-final class SceneFiles {
+public final class SceneFiles {
     /** The list of the scenes. */
     static final String LIST = "scenes.csv";
 
@@ -54,7 +54,8 @@ final class SceneFiles {
         out.println("wrote " + folder.resolve(LIST));
     }
 
-    private static double arenaMetres(Scene scene) {
+    /** The width of the arena in metres, for an engine that thinks in metres. */
+    public static double arenaMetres(Scene scene) {
         double sum = 0;
         for (int i = 0; i < scene.size(); i++) {
             sum += scene.radius(i);
@@ -63,7 +64,7 @@ final class SceneFiles {
     }
 
     /** A scene as its file has it. */
-    static byte[] bytes(Scene scene) {
+    public static byte[] bytes(Scene scene) {
         ByteBuffer bytes = ByteBuffer.allocate(4 + 16 * scene.size()).order(ByteOrder.LITTLE_ENDIAN);
         bytes.putInt(scene.size());
         for (int i = 0; i < scene.size(); i++) {
@@ -73,12 +74,23 @@ final class SceneFiles {
         return bytes.array();
     }
 
+    /** An end state as its file has it. */
+    public static byte[] bytes(Motion end) {
+        int n = end.x.length;
+        ByteBuffer bytes = ByteBuffer.allocate(16 * n).order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < n; i++) {
+            bytes.putFloat(end.x[i]).putFloat(end.y[i]);
+            bytes.putFloat(end.vx[i]).putFloat(end.vy[i]);
+        }
+        return bytes.array();
+    }
+
     /**
      * Reads an end state.
      *
      * @throws IllegalArgumentException if the file has another length than n circles give
      */
-    static Motion endState(Path file, int n) throws IOException {
+    public static Motion endState(Path file, int n) throws IOException {
         ByteBuffer bytes = ByteBuffer.wrap(Files.readAllBytes(file)).order(ByteOrder.LITTLE_ENDIAN);
         if (bytes.remaining() != 16L * n) {
             throw new IllegalArgumentException(

@@ -37,7 +37,7 @@ public enum Series {
             n -> Scenes.boulder(n, Scenes.SEED));
 
     /** Steps that count. */
-    static final int STEPS = 100;
+    public static final int STEPS = 100;
 
     private static final List<Integer> SIZES = List.of(1250, 10_000, 100_000, 1_000_000);
 
@@ -50,7 +50,7 @@ public enum Series {
     public final String description;
 
     /** Steps before those that count. */
-    final int skipped;
+    public final int skipped;
 
     private final IntFunction<Scene> factory;
 
@@ -62,7 +62,7 @@ public enum Series {
     }
 
     /** The scene. */
-    Scene scene(int n) {
+    public Scene scene(int n) {
         return factory.apply(n);
     }
 

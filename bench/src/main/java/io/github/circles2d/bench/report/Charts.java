@@ -76,6 +76,7 @@ public final class Charts {
             save(peers(folder, scene), folder.path(), peersFile(scene));
         }
         WorldCharts.draw(folder);
+        WebCharts.draw(folder);
     }
 
     /** Draws what compares machines, into the folder of their folders; says so where it cannot, as {@link #draw} does. */

@@ -75,6 +75,7 @@ public final class Page {
         part("world storms", () -> perMachine("", folder -> block(WorldTables.storms(folder)), folder -> ""));
         part("world transfers", () -> perDevice((folder, device) -> block(WorldTables.transfers(folder, device))));
         part("world quality", this::quality);
+        part("web", () -> perMachine("", folder -> block(WebTables.steps(folder)), this::webRest));
     }
 
     private void part(String name, Supplier<String> text) {
@@ -195,6 +196,13 @@ public final class Page {
     private String seriesChart(Series series) {
         String chart = chart("", SeriesCharts.file(series));
         return chart.isEmpty() ? "" : "**" + series.title + "**: " + series.description + ".\n\n" + chart;
+    }
+
+    private String webRest(ResultsFolder folder) {
+        return "As multiples of World on the JVM:\n\n"
+                + block(WebTables.ratios(folder))
+                + picture("µs a step by number of circles", folder.name() + "/" + WebCharts.FILE)
+                + "Versions: " + WebTables.programs(folder) + ".\n\n";
     }
 
     private String quality() {

@@ -54,6 +54,11 @@ public final class ResultsFolder {
                 "engine series n threads",
                 "skipped steps runs median_ms middle_median_ms mean_ms mean_depth max_depth deep_pairs kinetic_energy"
                         + " outside state_hash date status remarks"),
+        /** World on the JVM and in WebAssembly, and engines for JavaScript, by n: a step on one thread. */
+        WEB(
+                "engine runs_in n",
+                "skipped steps runs median_us middle_median_us mean_us mean_depth max_depth deep_pairs kinetic_energy outside"
+                        + " state_hash date status remarks"),
         /** Broad phases by scene and n: processor time of one thread, and work, both a step. */
         BROADPHASE("scene n broad_phase", "motion_radii " + TIMES + "pairs tests swaps nodes estimated_bytes");
 

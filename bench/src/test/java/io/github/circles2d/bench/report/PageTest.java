@@ -396,6 +396,37 @@ class PageTest {
     }
 
     @Test
+    void worldInABrowserStandsBesideEnginesForJavaScript() throws IOException {
+        assertThat(Page.of(temporary)).doesNotContain("box2d-wasm 7.0.0");
+        web("world", "JVM", Map.of("median_us", "400", "mean_depth", "0.001"));
+        web("world", "Node", Map.of("median_us", "500", "mean_depth", "0.001", "remarks", "Node 24"));
+        web("box2d-wasm", "Node", Map.of("median_us", "4800", "mean_depth", "0.06", "outside", "3"));
+        web("planck", "Node", Map.of("status", "left out: a run would take ..", "mean_us", "90000"));
+        assertThat(Page.of(temporary))
+                .contains("| engine | in | µs, n = 5,000 | depth, n = 5,000 |")
+                .contains("| world | JVM | 400 | 0.001 |")
+                .contains("| box2d-wasm | Node | 4,800 | 0.06, 3 outside |")
+                .contains("| planck | Node | about 90,000 | - |")
+                .contains("| world | Node | 1.25 |")
+                .contains("| box2d-wasm | Node | 12 |")
+                .contains("| planck | Node | - |")
+                .contains("Versions: ", "Node 24")
+                .doesNotContain("| world | JVM | 1.00 |")
+                .doesNotContain("box/web.svg");
+        assertThat(WebCharts.chart(folder).getSeriesMap())
+                .containsOnlyKeys("World, JVM", "World, Node", "box2d-wasm, Node");
+        WebCharts.draw(folder);
+        assertThat(Page.of(temporary)).contains("(../bench/results/box/web.svg)");
+    }
+
+    private void web(String engine, String runsIn, Map<String, String> figures) throws IOException {
+        Map<String, String> row = new LinkedHashMap<>(Map.of("engine", engine, "runs_in", runsIn, "n", "5000"));
+        row.putAll(Map.of("outside", "0", "status", "ok"));
+        row.putAll(figures);
+        folder.put(Kind.WEB, row);
+    }
+
+    @Test
     void theSeriesShowWhatIsMeasuredWhatWasGivenUpAndWhatIsStillMissing() throws IOException {
         assertThat(machinePage()).contains("## Series", "- Not measured on box: world@gpu.\n");
         folder.put(Kind.MACHINE, Map.of("property", "cores", "value", "4"));

@@ -1,0 +1,77 @@
+// Discs as pixels. A canvas fills thousands of paths, or copies thousands of pictures, in more time than a frame has.
+const LEVELS = 32; // between the colour of a disc and that of its rim
+const RIM = 0.62; // of the colour's light
+const INNER = 0.86; // of the radius: the rim is outside
+
+/** Opaque, as a little-endian machine has the four bytes of a pixel. */
+const pixel = (red, green, blue) => 0xff000000 | blue << 16 | green << 8 | red;
+
+/** All shades of some colours, which are arrays of red, green and blue: for each colour from that of its rim to its own. */
+export function shadesOf(colours) {
+  const shades = new Int32Array(colours.length * (LEVELS + 1));
+  colours.forEach((colour, k) => {
+    for (let level = 0; level <= LEVELS; level++) {
+      const light = RIM + (1 - RIM) * level / LEVELS;
+      shades[k * (LEVELS + 1) + level] = pixel(...colour.map(part => Math.round(part * light)));
+    }
+  });
+  return shades;
+}
+
+export class Discs {
+  constructor(width, height, ground) {
+    this.image = new ImageData(width, height);
+    this.pixels = new Int32Array(this.image.data.buffer);
+    this.ground = pixel(...ground);
+  }
+
+  clear() {
+    this.pixels.fill(this.ground);
+  }
+
+  /** Draws a disc about (x, y) in a colour of the shades. Lengths are in pixels, and y points down. */
+  draw(x, y, radius, shades, colour) {
+    const { pixels } = this;
+    const { width, height } = this.image;
+    const first = colour * (LEVELS + 1);
+    const own = shades[first + LEVELS];
+    const outer = radius + 0.5; // nothing is drawn from here on
+    const inner = INNER * radius;
+    const solid = Math.max(0, inner - 0.5); // own colour up to here
+    const bottom = Math.min(height, Math.ceil(y + outer - 0.5));
+    for (let row = Math.max(0, Math.ceil(y - outer - 0.5)); row < bottom; row++) {
+      const dy = row + 0.5 - y;
+      const half = Math.sqrt(Math.max(0, outer * outer - dy * dy));
+      const solidHalf = dy * dy < solid * solid ? Math.sqrt(solid * solid - dy * dy) : 0;
+      const line = row * width;
+      const end = line + Math.min(width, Math.ceil(x + half - 0.5));
+      const solidBegin = line + Math.max(0, Math.ceil(x - solidHalf - 0.5));
+      const solidEnd = line + Math.min(width, Math.ceil(x + solidHalf - 0.5));
+      let at = line + Math.max(0, Math.ceil(x - half - 0.5));
+      while (at < end) {
+        if (at === solidBegin && solidEnd > solidBegin) {
+          while (at < solidEnd) {
+            pixels[at++] = own;
+          }
+          continue;
+        }
+        const dx = at - line + 0.5 - x;
+        const distance = Math.sqrt(dx * dx + dy * dy);
+        const lit = Math.min(1, Math.max(0, inner - distance + 0.5));
+        const shade = shades[first + (lit * LEVELS | 0)];
+        const cover = outer - distance;
+        pixels[at] = cover >= 1 ? shade : blend(pixels[at], shade, cover * 256 | 0);
+        at++;
+      }
+    }
+  }
+}
+
+/** A pixel under another that covers a part of it, in 256ths. */
+function blend(below, above, part) {
+  const redBlue = below & 0xff00ff;
+  const green = below & 0xff00;
+  return 0xff000000
+    | redBlue + (Math.imul((above & 0xff00ff) - redBlue, part) >> 8) & 0xff00ff
+    | green + (Math.imul((above & 0xff00) - green, part) >> 8) & 0xff00;
+}
