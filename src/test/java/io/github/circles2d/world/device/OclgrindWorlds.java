@@ -357,9 +357,9 @@ final class OclgrindWorlds {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
 
-    /** Sums up more counts than a small world has: a last block that is not full. */
+    /** Sums up more blocks than a work-group has work-items, or than a small world has; the last one is not full. */
     private Set<String> scan() {
-        int count = 2 * 2048 + 100;
+        int count = small ? 300 : 2 * 2048 + 100;
         int[] counts = new int[count];
         Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {
