@@ -414,6 +414,18 @@ class LauncherTest {
     }
 
     @Test
+    void testOnASecondJdkLeavesOutTheBenchmarksAndTheGames() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 25);
+        pretendToBuild(machine);
+        machine.set("CIRCLES2D_SECOND_JDK", "yes");
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.status).as(test.output).isZero();
+        assertThat(machine.calls())
+                .contains("WithoutOpenCl\n", "-f playground/pom.xml")
+                .doesNotContain("-f bench/pom.xml", "benchmarks.jar", "-f samples/swarm/pom.xml");
+    }
+
+    @Test
     void testComparesWorldInWebAssemblyWithTheJvmIfThereIsNpm() throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
