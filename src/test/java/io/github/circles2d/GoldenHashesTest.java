@@ -66,7 +66,7 @@ class GoldenHashesTest {
     @ParameterizedTest
     @MethodSource("scenesAndDevices")
     void everyOpenClDeviceGivesTheHashesOnRecord(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device).build(), SHORTEST);
+        check(scene, scene.builder().device(device).build(), TestScale.EXHAUSTIVE ? LONG : SHORTEST);
     }
 
     @ParameterizedTest
@@ -74,13 +74,6 @@ class GoldenHashesTest {
     @Tag("exhaustive")
     void theJvmBackEndGivesTheHashesOfLongRuns(GoldenScene scene, int threads) throws IOException {
         check(scene, jvm(scene, threads), LONG);
-    }
-
-    @ParameterizedTest
-    @MethodSource("scenesAndDevices")
-    @Tag("exhaustive")
-    void everyOpenClDeviceGivesTheHashesOfLongRuns(GoldenScene scene, Device device) throws IOException {
-        check(scene, scene.builder().device(device).build(), LONG);
     }
 
     private static World jvm(GoldenScene scene, int threads) {

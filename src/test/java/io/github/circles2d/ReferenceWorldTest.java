@@ -2,10 +2,10 @@ package io.github.circles2d;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.github.circles2d.opencl.TestScale;
 import io.github.circles2d.reference.ReferenceWorld;
 import io.github.circles2d.scenes.Scene;
 import java.util.List;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -13,8 +13,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** World has the same bits as its description in the plainest form, after every step. */
 class ReferenceWorldTest {
     private static final int CIRCLES = 5_000;
-    private static final int FEW_STEPS = 10;
-    private static final int STEPS = 100;
+    private static final int STEPS = TestScale.of(10, 100);
     private static final int SUB_STEPS = 4;
 
     static List<GoldenScene> scenes() {
@@ -26,17 +25,6 @@ class ReferenceWorldTest {
     @ParameterizedTest
     @MethodSource("scenes")
     void everyStepOfTheScenesOnRecordIsTheReferences(GoldenScene golden) {
-        assertEveryStepIsTheReferences(golden, FEW_STEPS);
-    }
-
-    @ParameterizedTest
-    @MethodSource("scenes")
-    @Tag("exhaustive")
-    void everyStepOfLongRunsIsTheReferences(GoldenScene golden) {
-        assertEveryStepIsTheReferences(golden, STEPS);
-    }
-
-    private static void assertEveryStepIsTheReferences(GoldenScene golden, int steps) {
         Scene scene = golden.scene();
         ReferenceWorld reference =
                 new ReferenceWorld(scene.restitution(), World.builder().build().subSteps());
@@ -47,7 +35,7 @@ class ReferenceWorldTest {
                         golden.start(golden.builder().subSteps(SUB_STEPS).build());
                 GoldenScene.Run expected = golden.start(reference)) {
             assertThat(run.hash()).as("hash before the first step").isEqualTo(expected.hash());
-            for (int step = 1; step <= steps; step++) {
+            for (int step = 1; step <= STEPS; step++) {
                 run.advanceTo(step);
                 expected.advanceTo(step);
                 assertThat(run.hash()).as("hash after step %d", step).isEqualTo(expected.hash());

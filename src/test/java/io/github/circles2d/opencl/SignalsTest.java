@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
@@ -48,17 +47,8 @@ class SignalsTest {
 
     @Test
     void threadsThatStopAtOnceWhileKernelsCompileDoNotEndTheProcess() {
-        assertSurvives(5);
-    }
-
-    @Test
-    @Tag("exhaustive")
-    void threadsThatStopAtOnceWhileThreeHundredKernelsCompileDoNotEndTheProcess() {
-        assertSurvives(300);
-    }
-
-    private void assertSurvives(int rounds) {
-        ForkedJvm.Result result = cold().run(SafepointProgram.class, Integer.toString(rounds));
+        int kernels = TestScale.of(5, 300);
+        ForkedJvm.Result result = cold().run(SafepointProgram.class, Integer.toString(kernels));
         assertThat(result.exitStatus()).as(result.output()).isZero();
         assertThat(result.output()).contains("survived");
     }

@@ -368,19 +368,19 @@ class LauncherTest {
     }
 
     @Test
-    void testRunsTheSuiteThenTheBenchmarksThenTheConsumerThePlaygroundAndTheGamesOnTheInstalledArtifact()
+    void testRunsTheSuiteThenTheBenchmarksBesideTheConsumerThePlaygroundAndTheGamesOnTheInstalledArtifact()
             throws Exception {
         FakeMachine machine = FakeMachine.withEverything(folder, 17);
         pretendToBuild(machine);
         FakeMachine.Result test = machine.launch("test", "-Dtest=Some");
         assertThat(test.status).as(test.output).isZero();
         String repository = machine.clone + "/target/consumer/repository";
+        String suite = "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dcircles2d.oclgrind="
+                + machine.oclgrind() + " -Dtest=Some install\n";
         assertThat(machine.calls())
+                .containsSubsequence(suite, "-f bench/pom.xml", "benchmarks.jar smoke\n")
                 .containsSubsequence(
-                        "mvn -B --no-transfer-progress -Dcircles2d.device.required=true -Dcircles2d.oclgrind="
-                                + machine.oclgrind() + " -Dtest=Some install\n",
-                        "-f bench/pom.xml",
-                        "benchmarks.jar smoke\n",
+                        suite,
                         "install:install-file -Dfile=" + machine.clone + "/target/circles2d-9.jar",
                         "-DlocalRepositoryPath=" + repository,
                         "-Dmaven.repo.local=" + repository,
@@ -396,6 +396,33 @@ class LauncherTest {
                 .doesNotContain("apt-get -q -y");
         machine.set("JAVA_STATUS", "5");
         assertThat(machine.launch("test").status).as("a program that fails").isEqualTo(5);
+    }
+
+    @Test
+    void testFailsIfTheBenchmarksFailOrAProgramBesideThemAndShowsWhatBothSaid() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 17);
+        pretendToBuild(machine);
+        machine.set("BENCH_STATUS", "3");
+        FakeMachine.Result benchmarks = machine.launch("test");
+        assertThat(benchmarks.status).as(benchmarks.output).isEqualTo(3);
+        assertThat(benchmarks.output).contains("building the benchmarks", "playing 300 frames of each");
+        machine.set("BENCH_STATUS", "0");
+        machine.set("PLAYGROUND_STATUS", "4");
+        FakeMachine.Result programs = machine.launch("test");
+        assertThat(programs.status).as(programs.output).isEqualTo(4);
+        assertThat(programs.output).contains("executing every benchmark once", "testing the playground");
+    }
+
+    @Test
+    void testOnASecondJdkLeavesOutTheBenchmarksAndTheGames() throws Exception {
+        FakeMachine machine = FakeMachine.withEverything(folder, 25);
+        pretendToBuild(machine);
+        machine.set("CIRCLES2D_SECOND_JDK", "yes");
+        FakeMachine.Result test = machine.launch("test");
+        assertThat(test.status).as(test.output).isZero();
+        assertThat(machine.calls())
+                .contains("WithoutOpenCl\n", "-f playground/pom.xml")
+                .doesNotContain("-f bench/pom.xml", "benchmarks.jar", "-f samples/swarm/pom.xml");
     }
 
     @Test
@@ -538,7 +565,8 @@ class LauncherTest {
                 "mvn",
                 FakeMachine.logged("mvn")
                         + "case \"$*\" in\n"
-                        + "*install-file*|*bench*) ;;\n"
+                        + "*install-file*) ;;\n"
+                        + "*'-f bench'*) exit ${BENCH_STATUS:-0};;\n"
                         + "*'-f playground'*) mkdir -p playground/target/lib\n"
                         + "  cp target/circles2d-9.jar playground/target/lib; exit ${PLAYGROUND_STATUS:-0};;\n"
                         + "*samples*) mkdir -p samples/swarm/target/lib\n"

@@ -53,9 +53,13 @@ final class OclgrindWorlds {
     private final Device device;
     private final boolean small;
 
+    /** Of a step. A kernel asks of a sub-step no more than whether it is the first and whether it is the last: two are both of that. */
+    private final int subSteps;
+
     private OclgrindWorlds(Device device, boolean small) {
         this.device = device;
         this.small = small;
+        subSteps = small ? 1 : 2;
     }
 
     public static void main(String[] args) {
@@ -85,7 +89,7 @@ final class OclgrindWorlds {
                 kernels.addAll(changes(Scenes.mixed(small ? 20 : 40, 1)));
                 break;
             case "TILES":
-                kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(steps(Plans.TILES, Scenes.thesis(60, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.TILES, Scenes.thesis(40, 1)));
                 kernels.addAll(listedTiles());
                 break;
@@ -99,11 +103,11 @@ final class OclgrindWorlds {
                 kernels.addAll(queries(Scenes.mixed(small ? 20 : 60, 3)));
                 break;
             case "levels of tiles":
-                kernels.addAll(steps(Plans.TILES, Scenes.mixed(20, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(steps(Plans.TILES, Scenes.mixed(20, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.TILES, Scenes.mixed(20, 2)));
                 break;
             case "levels of PERSISTENT_GPU":
-                kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.mixed(20, 1), 1 / 60f, 2, small ? 2 : 4));
+                kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.mixed(20, 1), 1 / 60f, 2, 2));
                 kernels.addAll(events(Plans.PERSISTENT_GPU, Scenes.mixed(20, 2)));
                 break;
             case "wide":
@@ -111,7 +115,7 @@ final class OclgrindWorlds {
                 kernels.addAll(steps(Plans.PERSISTENT_GPU, Scenes.gas(1024, 1), 1e-4f, 1, 1));
                 break;
             case "fast":
-                kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 4));
+                kernels.addAll(steps(Plans.COLOURS, Scenes.gas(20, 1), 1f, small ? 1 : 2, subSteps));
                 break;
             case "crowd":
                 kernels.addAll(crowd(Plans.COLOURS, false));
@@ -135,7 +139,7 @@ final class OclgrindWorlds {
 
     /** Two steps of a tile that stays in local memory; then one that is refused for fast circles at first. */
     private Set<String> persistent(Plans plans) {
-        Set<String> kernels = new TreeSet<>(steps(plans, Scenes.thesis(60, 1), 1 / 60f, 2, small ? 2 : 4));
+        Set<String> kernels = new TreeSet<>(steps(plans, Scenes.thesis(60, 1), 1 / 60f, 2, 2));
         kernels.addAll(steps(plans, Scenes.gas(20, 1), 1f, small ? 1 : 2, small ? 1 : 2));
         return kernels;
     }
@@ -167,7 +171,7 @@ final class OclgrindWorlds {
     private Set<String> crowd(Plans plans, boolean withLevels) {
         DevicePipeline pipeline = pipeline(plans, 2100);
         Scene scene = Scenes.onePoint(withLevels ? 47 : 64, 1);
-        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             if (withLevels) {
                 twins.set(Commands.RADIUS, 0, 4 * scene.radius(0), 0);
             }
@@ -201,7 +205,7 @@ final class OclgrindWorlds {
     private Set<String> levels() {
         Scene scene = Scenes.mixed(small ? 20 : 40, 8, 2);
         DevicePipeline pipeline = pipeline(Plans.COLOURS, scene.size());
-        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             twins.step(scene.timeStep(), 2);
             twins.assertEqual(scene.name());
             return pipeline.kernelNanos().keySet();
@@ -233,7 +237,7 @@ final class OclgrindWorlds {
     private Set<String> changes(Scene scene) {
         DevicePipeline pipeline = pipeline(Plans.COLOURS);
         SplittableRandom random = new SplittableRandom(3);
-        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
             for (int k = 0; k < 2; k++) {
                 twins.step(scene.timeStep(), 1);
@@ -253,7 +257,7 @@ final class OclgrindWorlds {
     private Set<String> edges(Plans plans) {
         Scene scene = Scenes.gas(20, 1);
         DevicePipeline pipeline = pipeline(plans);
-        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             twins.restoreWithEdges(AxisEdge.WRAP, AxisEdge.OPEN);
             twins.step(0.3f, 2);
             twins.assertEqual(scene.name());
@@ -264,7 +268,7 @@ final class OclgrindWorlds {
     /** Steps that record what contacts do; those behind the first ones also what sensors notice. */
     private Set<String> events(Plans plans, Scene scene) {
         DevicePipeline pipeline = pipeline(plans);
-        try (Twins twins = Twins.load(scene, small ? 1 : 4, jvm(), pipeline)) {
+        try (Twins twins = Twins.load(scene, subSteps, jvm(), pipeline)) {
             twins.report(ContactEvents.ALL);
             int events = 0;
             for (int k = 0; k < 3; k++) {
@@ -357,9 +361,9 @@ final class OclgrindWorlds {
         return new JvmPipeline(1, JvmPipeline.LEAST_SHARE, 0, false);
     }
 
-    /** Sums up more counts than a small world has: a last block that is not full. */
+    /** Sums up more blocks than a work-group has work-items, or than a small world has; the last one is not full. */
     private Set<String> scan() {
-        int count = 2 * 2048 + 100;
+        int count = small ? 300 : 2 * 2048 + 100;
         int[] counts = new int[count];
         Arrays.fill(counts, 3);
         try (Session session = Session.open(device, true)) {

@@ -52,17 +52,8 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void scenesHaveTheSameBitsOnTheDeviceAsInJava(Device device) {
-        compareScenes(device, 4, 1);
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
-    @Tag("exhaustive")
-    void scenesHaveTheSameBitsForLongerOnTheDeviceAsInJava(Device device) {
-        compareScenes(device, 20, 3);
-    }
-
-    private static void compareScenes(Device device, int rounds, int roundsOfLarge) {
+        int rounds = TestScale.of(4, 20);
+        int roundsOfLarge = TestScale.of(1, 3);
         compare(device, Scenes.thesis(1250, 1), rounds, 5, 1 / 60f);
         compare(device, Scenes.packed(5000, 1), 2 * roundsOfLarge, 5, 1 / 60f);
         compare(device, Scenes.gas(1250, 1), rounds, 5, 1 / 60f);
@@ -232,21 +223,10 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void changesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
-        compareChanges(device, 11);
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
-    @Tag("exhaustive")
-    void manyChangesHaveTheSameEffectOnTheDeviceAsInJava(Device device) {
-        compareChanges(device, 40);
-    }
-
-    private static void compareChanges(Device device, int rounds) {
         for (Scene scene : new Scene[] {Scenes.thesis(1250, 3), Scenes.mixed(1250, 3), Scenes.gas(1250, 3)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(7);
-                for (int k = 0; k < rounds; k++) {
+                for (int k = 0; k < TestScale.of(11, 40); k++) {
                     twins.step(scene.timeStep(), 2);
                     twins.assertEqual(scene.name() + " after change " + k);
                     for (int changes = 0; changes < 5; changes++) {
@@ -304,24 +284,13 @@ class PipelinesAgreeTest {
     @ParameterizedTest
     @MethodSource("devices")
     void positionsRequestedAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
-        compareRequests(device, 21);
-    }
-
-    @ParameterizedTest
-    @MethodSource("devices")
-    @Tag("exhaustive")
-    void positionsOfManyRequestsAreThoseOfTheRequestWhateverIsDoneBehindIt(Device device) {
-        compareRequests(device, 80);
-    }
-
-    private static void compareRequests(Device device, int rounds) {
         // With steps that are refused at first, before requests and behind them: no room yet, a crowd, fast circles.
         for (Scene scene : new Scene[] {Scenes.thesis(600, 8), Scenes.mixed(600, 8), Scenes.onePoint(200, 8)}) {
             try (Twins twins = Twins.load(scene, pipelines(device))) {
                 SplittableRandom random = new SplittableRandom(9);
                 twins.requestPositions();
                 twins.assertSameRequestedPositions();
-                for (int k = 0; k < rounds; k++) {
+                for (int k = 0; k < TestScale.of(21, 80); k++) {
                     float dt = k % 20 == 19 ? 0.5f : 1 / 60f;
                     twins.step(dt, 1 + k % 3);
                     if (k % 7 == 0) {

@@ -39,6 +39,9 @@ final class Twins implements AutoCloseable {
     /** By id: the handle of the last circle that had it. */
     private long[] handles = new long[0];
 
+    /** How many ids have been given. */
+    private int ids;
+
     /** The circles at the last request for positions. */
     private float[] requested;
 
@@ -70,6 +73,7 @@ final class Twins implements AutoCloseable {
                 .map(pipeline -> SimulationScenes.simulation(scene, subSteps, pipeline))
                 .toArray(Simulation[]::new));
         twins.handles = new long[scene.size()];
+        twins.ids = scene.size();
         twins.simulations[0].readings().readHandles(twins.handles);
         return twins;
     }
@@ -134,7 +138,7 @@ final class Twins implements AutoCloseable {
     void giveSensors(int kind, int every) {
         for (Simulation simulation : simulations) {
             simulation.kinds().set(KindField.SENSOR, kind, 1);
-            for (int id = 0; id < handles.length; id += every) {
+            for (int id = 0; id < ids; id += every) {
                 if (lives(id)) {
                     simulation.circles().setKind(handles[id], kind);
                 }
@@ -294,7 +298,7 @@ final class Twins implements AutoCloseable {
 
     /** Those of circles that are still there. */
     private void assertRequestedById(Simulation simulation) {
-        long[] living = new long[handles.length / 64 + 1];
+        long[] living = new long[ids / 64 + 1];
         FloatBuffer positions = simulation.readings().takePositionsById(living);
         float[] expected = new float[positions.limit()];
         Arrays.fill(expected, Float.NaN);
@@ -376,6 +380,7 @@ final class Twins implements AutoCloseable {
                 simulation.snapshots().restore(snapshot(one.simulations[0]));
             }
             handles = one.handles;
+            ids = one.ids;
         }
     }
 
@@ -412,9 +417,10 @@ final class Twins implements AutoCloseable {
             long handle = simulation.circles().add(x, y, r, mass, vx, vy);
             int id = (int) handle;
             if (id >= handles.length) {
-                handles = Arrays.copyOf(handles, id + 1);
+                handles = Arrays.copyOf(handles, 2 * (id + 1));
             }
             handles[id] = handle;
+            ids = Math.max(ids, id + 1);
             simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
         }
     }
@@ -443,7 +449,7 @@ final class Twins implements AutoCloseable {
     /** Makes some change of each kind. */
     void change(Scene scene, SplittableRandom random) {
         Bounds bounds = simulations[0].bounds();
-        int id = random.nextInt(handles.length);
+        int id = random.nextInt(ids);
         if (lives(id)) {
             long[] twice = {handles[id], handles[id]};
             boolean alone = random.nextBoolean();
@@ -463,7 +469,7 @@ final class Twins implements AutoCloseable {
             add(x, y, r, between(random, 1, 2), 0.5f, between(random, -r, r), between(random, -r, r));
         }
         for (int operation = Commands.POSITION; operation <= Commands.IMPULSE; operation++) {
-            id = random.nextInt(handles.length);
+            id = random.nextInt(ids);
             if (!lives(id)) {
                 continue;
             }
@@ -482,12 +488,12 @@ final class Twins implements AutoCloseable {
             changeKinds(random);
         }
         for (int k = 0; k < 5; k++) {
-            grow(random.nextInt(handles.length), r * between(random, 0.8f, 1.3f), 1 + random.nextInt(6));
+            grow(random.nextInt(ids), r * between(random, 0.8f, 1.3f), 1 + random.nextInt(6));
         }
         for (CircleField field : CircleField.values()) {
             boolean isOfCalls = field != CircleField.TARGET && field != CircleField.GROWTH;
             for (int k = 0; k < 20 && isOfCalls; k++) {
-                setField(field, random.nextInt(handles.length), random.nextLong() >> random.nextInt(Long.SIZE));
+                setField(field, random.nextInt(ids), random.nextLong() >> random.nextInt(Long.SIZE));
             }
         }
     }
@@ -530,8 +536,7 @@ final class Twins implements AutoCloseable {
     /** Makes a change of some circles at once, of which some may be gone, and now and then an explosion. */
     private void changeSome(Bounds bounds, SplittableRandom random) {
         int call = random.nextInt(5);
-        long[] some =
-                random.ints(5, 0, handles.length).mapToLong(id -> handles[id]).toArray();
+        long[] some = random.ints(5, 0, ids).mapToLong(id -> handles[id]).toArray();
         float[] values = new float[2 * some.length];
         for (int k = 0; k < values.length; k++) {
             values[k] = k % 2 == 0
@@ -559,7 +564,7 @@ final class Twins implements AutoCloseable {
     /** Makes some circles ignore others, by kind and by group, and some move by their kind; some become static. */
     void giveKinds() {
         for (Simulation simulation : simulations) {
-            for (int id = 0; id < handles.length; id++) {
+            for (int id = 0; id < ids; id++) {
                 if (lives(id)) {
                     simulation.circles().setKind(handles[id], id % 3 == 0 ? 200 : id % 2);
                     if (id % 11 == 0) {

@@ -146,9 +146,11 @@ class WorldOclgrindTest {
     }
 
     private static List<String> runWorld(String driver, String world, String size) throws IOException {
-        ForkedJvm.Result result = new ForkedJvm()
-                .option("-Djavacl.cacheBinaries=false")
-                .environment("OCL_ICD_VENDORS", driver)
+        ForkedJvm jvm = new ForkedJvm().option("-Djavacl.cacheBinaries=false");
+        if (size.equals("small")) {
+            jvm.option("-Dcircles2d.groups.small=true");
+        }
+        ForkedJvm.Result result = jvm.environment("OCL_ICD_VENDORS", driver)
                 .environment("OCLGRIND_DATA_RACES", "1")
                 .environment("OCLGRIND_UNINITIALIZED", OclgrindWorlds.MISJUDGED.contains(world) ? "0" : "1")
                 .environment("OCLGRIND_CHECK_API", "1")

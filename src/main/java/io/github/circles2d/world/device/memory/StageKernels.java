@@ -13,6 +13,12 @@ public final class StageKernels {
     /** Lets a kernel choose the size of its work-groups, if it leaves that open. */
     public static final int USUAL_GROUPS = Integer.MAX_VALUE;
 
+    /**
+     * Whether the kernels that fix the size of their work-groups take a small one, if they can. Tests ask for it: an interpreter is quicker
+     * then, and a small world has several blocks and rounds.
+     */
+    public static final boolean SMALL_GROUPS = Boolean.getBoolean("circles2d.groups.small");
+
     private static final int OWN_ARGUMENTS = DeviceArguments.COUNT + DeviceCount.COUNT;
 
     private final Program program;

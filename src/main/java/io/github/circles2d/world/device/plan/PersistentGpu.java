@@ -19,7 +19,7 @@ public final class PersistentGpu implements Plan {
     private static final int MOST_CIRCLES = 32_000;
 
     /** Work-items of a work-group. */
-    private static final int GROUP = 256;
+    private static final int GROUP = StageKernels.SMALL_GROUPS ? TileRecord.GROUP : 256;
 
     private final TileSizes sizes;
     private Stages stages;

@@ -19,7 +19,7 @@ public final class Tiles implements Plan {
     private static final int LOCAL_BYTES = 40 << 10;
 
     /** The most work-items of a work-group that decides what steps report. */
-    private static final int EVENT_GROUP = 512;
+    private static final int EVENT_GROUP = StageKernels.SMALL_GROUPS ? 16 : 512;
 
     /** Circles for each work-group that decides what steps report: with more of them launches cost less than the barriers gain. */
     private static final int CIRCLES_PER_GROUP = 2_000;
