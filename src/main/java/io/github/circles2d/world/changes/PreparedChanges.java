@@ -102,7 +102,6 @@ public final class PreparedChanges {
         }
     }
 
-    /** Prepares another force. */
     void setForce(int id, float x, float y) {
         Limits.force(x, y);
         setField(CircleField.FORCE_X, id, Forces.bits(x));
@@ -145,11 +144,7 @@ public final class PreparedChanges {
         }
     }
 
-    /**
-     * Makes all changes that are prepared.
-     *
-     * @param operation the operation of all of them, by which reads are forgotten; {@link Commands#FIELD} also if some are of restitutions
-     */
+    /** Reads are forgotten by the operation; {@link Commands#FIELD} also if some are of restitutions. */
     void make(int operation) {
         if (travels < count) {
             copies.forgetBy(operation);

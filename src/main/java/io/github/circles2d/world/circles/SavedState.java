@@ -30,7 +30,6 @@ public final class SavedState {
     /** What events go on from. */
     public final SavedTouches touches = new SavedTouches();
 
-    /** Number of circles. */
     public int circles;
 
     /** By circle: its id, ascending. All arrays "by circle" have this order. */
@@ -60,20 +59,10 @@ public final class SavedState {
     /** An empty state. */
     public SavedState() {}
 
-    /**
-     * The world's parameters.
-     *
-     * @return the parameters
-     */
     public WorldParameters parameters() {
         return parameters;
     }
 
-    /**
-     * Takes the world's parameters.
-     *
-     * @param p the parameters
-     */
     public void setParameters(WorldParameters p) {
         parameters = p;
     }

@@ -20,11 +20,7 @@ public final class SnapshotRing {
     private int first;
     private int size;
 
-    /**
-     * A ring without frames, and without memory for them.
-     *
-     * @param frames how many it has at most, at least 1
-     */
+    /** Without frames, and without memory for them. */
     public SnapshotRing(int frames) {
         bytes = new ByteBuffer[frames];
         parameters = new WorldParameters[frames];
@@ -55,7 +51,6 @@ public final class SnapshotRing {
         return sum;
     }
 
-    /** Whether there is a frame. */
     public boolean has(int frame) {
         int k = search(frame);
         return k < size && frame(k) == frame;

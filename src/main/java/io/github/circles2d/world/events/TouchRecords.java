@@ -36,7 +36,6 @@ public final class TouchRecords {
     private int[] ended = new int[0];
     private int endedCount;
 
-    /** No records. */
     public TouchRecords() {}
 
     /** Forgets all records. */
@@ -73,11 +72,7 @@ public final class TouchRecords {
     }
 
     /**
-     * Adds the record of a pair.
-     *
-     * @param number its number, or {@link ContactEvents#NONE} if it did not touch in the step before
-     * @param vn normal speed after the step
-     * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
+     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link ContactEvents#concerns}.
      */
     public void add(
             int number,

@@ -30,13 +30,7 @@ final class Bands {
         surplus = new long[team.most() + 1];
     }
 
-    /**
-     * Divides the rows of all levels; one worker does it for all.
-     *
-     * @param contactsBefore by row of all levels: contacts before it; null where they are not known
-     * @param cross the cross contacts; null where they are not known, or there is one level
-     * @param least even number of rows that a band has at least, where there are so many; else some have none
-     */
+    /** By one worker. contactsBefore and cross are null if not known. A band has at least an even number of rows, or none. */
     void divide(int[] contactsBefore, CrossContacts cross, int least) {
         narrowest = Integer.MAX_VALUE;
         Arrays.fill(surplus, 0L);
@@ -102,7 +96,6 @@ final class Bands {
         return sum;
     }
 
-    /** Rows of the narrowest band. */
     int narrowest() {
         return narrowest;
     }

@@ -34,12 +34,7 @@ public final class LogReader {
     /** Bytes read. */
     private long position;
 
-    /**
-     * Reads the header.
-     *
-     * @param in the log; is not closed
-     * @param wordsOf the number of ints of a call of a number; negative if there is no such call
-     */
+    /** Reads the header; does not close the stream. wordsOf gives the ints of a call by its number, negative if there is no such call. */
     public LogReader(InputStream in, IntUnaryOperator wordsOf) throws IOException {
         this.in = in;
         this.wordsOf = wordsOf;
@@ -92,12 +87,7 @@ public final class LogReader {
         return Byte.toUnsignedInt(content.get(content.position()));
     }
 
-    /**
-     * Reads the next call.
-     *
-     * @param words takes its ints
-     * @return its number
-     */
+    /** The number of the next call; its ints go to words. */
     public int call(int[] words) {
         int number = Byte.toUnsignedInt(content.get());
         int count = wordsOf.applyAsInt(number);
@@ -111,7 +101,6 @@ public final class LogReader {
         return number;
     }
 
-    /** Reads the next snapshot. */
     public ByteBuffer snapshot() {
         type = LogFormat.CALLS;
         ByteBuffer snapshot = content;
@@ -128,10 +117,7 @@ public final class LogReader {
         return littleEndian(bytes);
     }
 
-    /**
-     * Reads bytes up to the end of the stream, and takes memory as they come. Android 12 has no InputStream.readNBytes, and TeaVM's
-     * ByteArrayInputStream.readNBytes does not move on.
-     */
+    /** Takes memory as bytes come. Android 12 has no InputStream.readNBytes, and TeaVM's readNBytes of bytes does not move on. */
     private byte[] readUpTo(int length) throws IOException {
         byte[] bytes = new byte[Math.min(length, FIRST_BYTES)];
         int size = 0;

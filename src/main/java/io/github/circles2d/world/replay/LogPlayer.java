@@ -31,12 +31,7 @@ public final class LogPlayer {
     private long recordedHash;
     private long hash;
 
-    /**
-     * Reads the head of a log, and makes the world what it was when the log began.
-     *
-     * @param in the log; is not closed
-     * @param simulation makes the calls
-     */
+    /** Reads the head of a log, and makes the world what it was when the log began. Does not close the stream. */
     public LogPlayer(InputStream in, Simulation simulation) throws IOException {
         this.simulation = simulation;
         calls = new RepeatedCalls(simulation);
@@ -132,7 +127,6 @@ public final class LogPlayer {
         return simulation == other;
     }
 
-    /** Makes one call. Returns whether there was one. */
     private boolean call() throws IOException {
         switch (log.next()) {
             case END -> {

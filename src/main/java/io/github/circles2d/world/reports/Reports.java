@@ -74,7 +74,6 @@ public final class Reports {
                 () -> events.reportPair(kindA, kindB, types, handles));
     }
 
-    /** Sets which events of walls are reported of a kind. */
     public void reportWalls(int kind, int types) {
         change(
                 () -> {
@@ -88,13 +87,7 @@ public final class Reports {
                 () -> events.reportWalls(kind, types, handles));
     }
 
-    /**
-     * Changes what is reported.
-     *
-     * @param checks refuses what is not allowed
-     * @param makeRoom for the change, so that it does not run out of memory; all steps have been made
-     * @param change what is asked for
-     */
+    /** Checks refuse what is not allowed; room is made when all steps have been made. */
     private void change(Runnable checks, Runnable makeRoom, Runnable change) {
         guard.change(this, reports -> reports.changeInside(checks, makeRoom, change));
     }
@@ -148,7 +141,6 @@ public final class Reports {
         events.queue().request();
     }
 
-    /** The events that were requested last. */
     public EventRows takeRequested() {
         return guard.read(this, TAKE_REQUESTED);
     }
@@ -164,7 +156,6 @@ public final class Reports {
         return events.queue().takeRequested();
     }
 
-    /** Sets the speed from which on a hit counts. */
     public void setHitSpeed(float speed) {
         guard.change(this, 0, 0, speed, 0, SET_HIT_SPEED);
     }
@@ -181,11 +172,7 @@ public final class Reports {
         return settings;
     }
 
-    /**
-     * Sets again what was reported before, and the hit speed. If it fails half-way, it may be called again.
-     *
-     * @param before what {@link #settings} has given
-     */
+    /** Sets again what {@link #settings} gave. If it fails half-way, it may be called again. */
     public void restore(ReportSettings before) {
         if (before == settings) {
             return;

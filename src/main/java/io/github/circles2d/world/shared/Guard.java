@@ -65,10 +65,7 @@ public final class Guard {
 
     private final Pipeline pipeline;
 
-    /**
-     * The thread that is inside. A call that ends sets it to null by an assignment and no call, for which the stack may have no
-     * room.
-     */
+    /** The thread that is inside. A call ends by an assignment, for which a used-up stack still has room. */
     public volatile Thread user;
 
     /** Whether the state is being changed. If it stays true, a change has ended half-way, and the state is lost. */
@@ -220,11 +217,8 @@ public final class Guard {
     }
 
     /**
-     * Takes note of what a call throws. The state is lost if the call was changing it, or if the pipeline has lost it: a read,
-     * too, is told of steps that were enqueued before. It is not lost if a read found too little memory.
-     *
-     * @param cause what the call throws
-     * @return the same
+     * Takes note of what a call throws, and returns it. The state is lost if the call was changing it, or if the pipeline has lost it:
+     * a read, too, is told of steps that were enqueued before. It is not lost if a read found too little memory.
      */
     public RuntimeException failed(Throwable cause) {
         if (changing || pipeline.isLostBy(cause)) {

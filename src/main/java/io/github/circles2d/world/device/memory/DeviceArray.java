@@ -178,12 +178,6 @@ public enum DeviceArray {
         private final String block;
         private final DeviceCount stride;
 
-        /**
-         * An index.
-         *
-         * @param block the kernels' name of the block; null if each array is an argument of its own
-         * @param stride elements from the start of an array of the block to that of the next; null if there is one alone
-         */
         Index(String words, boolean kept, String block, DeviceCount stride) {
             this.words = words;
             this.kept = kept;
@@ -230,7 +224,6 @@ public enum DeviceArray {
         this.comment = comment;
     }
 
-    /** The name in the kernels and in messages. */
     String kernelName() {
         return kernelName;
     }
@@ -280,7 +273,6 @@ public enum DeviceArray {
         return bytesOf(type);
     }
 
-    /** Bytes of a type of the kernels. */
     static int bytesOf(String type) {
         return switch (type) {
             case "int", "uint", "float" -> 4;

@@ -43,11 +43,7 @@ public final class DeviceArrays {
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
 
-    /**
-     * Memory for a number of circles.
-     *
-     * @param tiled whether there may be steps by tiles; otherwise the arrays for these alone have one element
-     */
+    /** Without steps by tiles, the arrays for these alone have one element. */
     public DeviceArrays(Session session, int capacity, boolean tiled) {
         this.session = session;
         this.tiled = tiled;
@@ -163,11 +159,7 @@ public final class DeviceArrays {
         }
     }
 
-    /**
-     * Makes room for copies that tiles make of contacts.
-     *
-     * @return false if there cannot be so much
-     */
+    /** False if there cannot be so much. */
     public boolean ensureCopies(int copies) {
         if (copies < 0 || copies > MOST_ELEMENTS) {
             return false;
@@ -184,7 +176,6 @@ public final class DeviceArrays {
         return true;
     }
 
-    /** Number of blocks of cells. */
     public static int cellBlocks(int buckets) {
         return buckets >> 2 * BLOCK_LOG;
     }
@@ -193,12 +184,7 @@ public final class DeviceArrays {
         return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), MOST_ELEMENTS);
     }
 
-    /**
-     * Replaces arrays by larger ones: all of them, or none if one does not fit.
-     *
-     * @param kept how many elements stay of an array that is kept
-     * @param elements how many elements the arrays of an index get; {@link #AS_IT_IS} for those that do not grow
-     */
+    /** All or none; {@link #AS_IT_IS} for those that do not grow, and kept elements stay in arrays that are kept. */
     private void grow(int kept, ToLongFunction<Index> elements) {
         Map<Index, Block> added = new EnumMap<>(Index.class);
         try {

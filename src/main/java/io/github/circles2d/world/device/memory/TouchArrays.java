@@ -17,20 +17,12 @@ public final class TouchArrays implements AutoCloseable {
     private DeviceBuffer contacts;
     private DeviceBuffer slots;
 
-    /**
-     * No memory yet.
-     *
-     * @param walls whether walls are reported
-     */
     public TouchArrays(Session session, boolean walls) {
         this.session = session;
         this.walls = walls;
     }
 
-    /**
-     * What kernels have of this memory, if they are compiled for steps that record (RECORDING): a struct, and the arguments that fill
-     * it. Other kernels have none of it.
-     */
+    /** A struct and the arguments that fill it, for kernels of steps that record (RECORDING). */
     static String text() {
         return """
                 #ifdef RECORDING

@@ -10,10 +10,7 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
 
-/**
- * One launch per stage, and per pass over all contacts of circles of one level instead of per colour;
- * {@code kernels/world/tiles/Tiles.cl} says how.
- */
+/** One launch per stage, and per pass over all contacts of a level; {@code kernels/world/tiles/Tiles.cl} says how. */
 public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;
@@ -53,11 +50,7 @@ public final class Tiles implements Plan {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
     }
 
-    /**
-     * Work-items of a work-group that decides what steps report: many GPUs run no more than 256, and their compilers refuse more.
-     *
-     * @param most work-items of a work-group on the device
-     */
+    /** Many GPUs run no more than 256 work-items of events in a work-group, and their compilers refuse more. */
     static int eventGroup(int most) {
         return Math.min(EVENT_GROUP, most);
     }

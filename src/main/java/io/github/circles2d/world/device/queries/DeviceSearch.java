@@ -47,7 +47,6 @@ public final class DeviceSearch implements RemoteSearch {
     private Kernel list;
     private Kernel few;
 
-    /** Whether the compiler has refused the searches. */
     private boolean refused;
 
     private DeviceBuffer words;
@@ -68,12 +67,7 @@ public final class DeviceSearch implements RemoteSearch {
 
     private boolean countedFiltered;
 
-    /**
-     * Searches the circles of a device; takes no memory before the first search.
-     *
-     * @param slots gives how many slots have circles
-     * @param circles gives how many circles there are
-     */
+    /** Takes no memory before the first search. */
     public DeviceSearch(Session session, DeviceArrays arrays, IntSupplier slots, IntSupplier circles) {
         this.session = session;
         this.arrays = arrays;
@@ -187,7 +181,6 @@ public final class DeviceSearch implements RemoteSearch {
                 });
     }
 
-    /** Writes the kinds that count, and the queries. */
     private void write(QueryShape shape, float[] queries, int n, int[] kinds) {
         int numbers = shape.stride() * n;
         hostWords = grown(hostWords, Integer.BYTES, KIND_WORDS + numbers);
