@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** The ends of an axis. The ordinals are in snapshots, in the hash and in kernels. */
+/** Ordinals are in snapshots, the hash and kernels. */
 public enum AxisEdge {
     WALL,
 

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
-/** The arena: a rectangle, and what there is at its edges. */
+/** The arena. */
 public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge edgeX, AxisEdge edgeY) {
-    /** Walls of an axis that wraps: beyond all that circles reach, and near enough for exact formulas. */
+    /** Beyond all that circles reach, near enough for exact formulas. */
     private static final float NOWHERE = 4e9f;
 
     public Bounds(float minX, float minY, float maxX, float maxY) {
@@ -26,7 +26,7 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return minX != other.minX || minY != other.minY || maxX != other.maxX || maxY != other.maxY;
     }
 
-    /** Where walls are in a step: of an open axis where coordinates end, of a wrapped one where no circle comes. */
+    /** In a step an axis without walls has walls that no circle reaches. */
     public Bounds walls() {
         return isWalled()
                 ? this
@@ -51,7 +51,7 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return edgeY == AxisEdge.WRAP ? maxY - minY : Float.POSITIVE_INFINITY;
     }
 
-    /** The greatest coordinate, if the axis wraps. */
+    /** If the axis wraps. */
     public float lastX() {
         return Math.nextDown(maxX);
     }
@@ -60,7 +60,7 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return Math.nextDown(maxY);
     }
 
-    /** A coordinate as circles have it: inside, if the axis wraps. */
+    /** Inside, if the axis wraps. */
     public float placeX(float x) {
         return edgeX == AxisEdge.WRAP ? inside(x, minX, lastX(), periodX()) : x;
     }
@@ -69,7 +69,7 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return edgeY == AxisEdge.WRAP ? inside(y, minY, lastY(), periodY()) : y;
     }
 
-    /** A place that is inside stays, to the bit: a replay brings it here again. */
+    /** A place inside stays to the bit: a replay brings it again. */
     private static float inside(float x, float min, float last, float period) {
         if (x >= min && x <= last) {
             return x;
@@ -78,19 +78,19 @@ public record Bounds(float minX, float minY, float maxX, float maxY, AxisEdge ed
         return laps == 0f ? x : CircleMath.clamp(x - laps * period, min, last);
     }
 
-    /** What bounds the precision of positions: the greatest coordinate or extent. */
+    /** The greatest coordinate or extent, which bounds precision. */
     public float magnitude() {
         float x = Math.max(Math.max(Math.abs(minX), Math.abs(maxX)), maxX - minX);
         float y = Math.max(Math.max(Math.abs(minY), Math.abs(maxY)), maxY - minY);
         return Math.max(x, y);
     }
 
-    /** A circle must be larger than the rounding of its coordinates. */
+    /** Above the rounding of coordinates. */
     public float leastRadius() {
         return magnitude() * Limits.LEAST_RADIUS_SHARE;
     }
 
-    /** Half of the way between two walls; four cells must fit along an axis that wraps, so that circles have one shortest way. */
+    /** Four cells must fit on an axis that wraps, so that circles have one shortest way. */
     public float greatestRadius() {
         return Math.min(greatestRadius(maxX - minX, edgeX), greatestRadius(maxY - minY, edgeY));
     }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Choices without a branch that the processor could not predict. They give the bits of the plain form. */
+/** Choices that a processor could not predict, with the bits of the plain form. */
 public final class Branchless {
     private static final int SIGN = 0x80000000;
 

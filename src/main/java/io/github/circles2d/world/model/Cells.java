@@ -1,10 +1,9 @@
 package io.github.circles2d.world.model;
 
-/** Size classes, cells, and the hashes that thin crowds out. */
 public final class Cells {
     private Cells() {}
 
-    /** Class k has radii in (rmax / 2^(k+1), rmax / 2^k], the last one all smaller ones too. */
+    /** Class k has radii in (rmax / 2^(k+1), rmax / 2^k], the last all smaller ones. */
     public static int sizeClass(float r, float rmax) {
         int k = 0;
         float half = rmax * 0.5f;
@@ -19,7 +18,7 @@ public final class Cells {
         return (int) CircleMath.max((x - min) * inverseEdge, 0f);
     }
 
-    /** Of two columns or rows that are equal or neighbours on a ring. */
+    /** Of two that are equal or neighbours. */
     public static int ringFirst(int a, int b, int size) {
         return (b + 1 == size ? 0 : b + 1) == a ? b : a;
     }
@@ -29,15 +28,12 @@ public final class Cells {
         return mix(mix(lo) + hi);
     }
 
-    /**
-     * All pairs if one circle has few candidates, else a share, drawn by hash: contacts grow with the circles in a point, not with
-     * their square.
-     */
+    /** Contacts grow with the circles in a point, not with their square. */
     public static boolean keeps(int hash, int fewer) {
         return fewer <= Tuning.CROWD || (hash >>> 16) * (long) fewer < (long) Tuning.CROWD << 16;
     }
 
-    /** Two circles with one centre part in this direction; not of unit length, never zero. */
+    /** Of circles with one centre; not of unit length, never zero. */
     public static float partingX(int hash) {
         return (float) (hash & 1023) - 511.5f;
     }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Where the numbers of a circle lie in arrays of circles: four floats per circle, in some two. */
+/** The floats of a circle in arrays. */
 public final class CircleRow {
     public static final int STRIDE = 4;
 
@@ -10,13 +10,13 @@ public final class CircleRow {
     public static final int RADIUS = 2;
     public static final int MASS = 3;
 
-    // motion: displacement since the start of the step, velocity
+    // motion
     public static final int DX = 0;
     public static final int DY = 1;
     public static final int VX = 2;
     public static final int VY = 3;
 
-    // traits; the speed that a wall has given is positive if it is the lower one
+    // traits; wall impulses are speeds, positive from the lower wall
     public static final int INVERSE_MASS = 0;
     public static final int RESTITUTION = 1;
     public static final int WALL_X = 2;
@@ -26,16 +26,15 @@ public final class CircleRow {
     public static final int BEFORE_X = 0;
     public static final int BEFORE_Y = 1;
 
-    // load, once the circle has moved: sum of the contacts' impulses
+    // load, once it has: sum of impulses
     public static final int IMPULSE_X = 0;
     public static final int IMPULSE_Y = 1;
 
-    // load: whether something carries the circle in this sub-step, and in the next (1, 0)
+    // load: 1 if something carries the circle, else 0
     public static final int LOADED = 2;
     public static final int LOADED_NEXT = 3;
 
-    // motionClamp: the path that is free; how far the circle may leave it; and, for a circle that stands at a
-    // static one, the share of the path that it may go
+    // motionClamp: free path; how far the circle may leave it; its share at a static circle
     public static final int PATH_X = 0;
     public static final int PATH_Y = 1;
     public static final int ALLOWANCE = 2;
@@ -51,7 +50,7 @@ public final class CircleRow {
         return row >> 2;
     }
 
-    /** In arrays of two floats a circle. */
+    /** Where a circle has two floats. */
     public static int vector(int slot) {
         return 2 * slot;
     }

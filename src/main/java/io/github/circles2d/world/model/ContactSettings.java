@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Contacts and walls: a speed up to which impacts do not bounce, or {@link #BY_GRAVITY}; hertz; a ratio; mean radii a second. */
+/** Of walls, too: a speed, or {@link #BY_GRAVITY}; hertz; a ratio; mean radii a second. */
 public record ContactSettings(float restitutionThreshold, float frequency, float damping, float pushOutSpeed) {
     /** The threshold follows from gravity and radii. */
     public static final float BY_GRAVITY = -1f;
@@ -17,7 +17,7 @@ public record ContactSettings(float restitutionThreshold, float frequency, float
         Limits.within("the greatest push-out speed", pushOutSpeed, 0f, Limits.PUSH_OUT_SPEED);
     }
 
-    /** A record's own equals would keep its class loader from being collected for long. */
+    /** No {@code equals}, as {@link Bounds#differs}. */
     public boolean isDefault() {
         return restitutionThreshold == DEFAULT.restitutionThreshold
                 && frequency == DEFAULT.frequency
@@ -25,7 +25,7 @@ public record ContactSettings(float restitutionThreshold, float frequency, float
                 && pushOutSpeed == DEFAULT.pushOutSpeed;
     }
 
-    /** Whether formulas need numbers that are constants by default. */
+    /** Whether constants of kernels change. */
     public boolean areTuned() {
         return restitutionThreshold != BY_GRAVITY || pushOutSpeed != DEFAULT.pushOutSpeed;
     }

@@ -1,18 +1,12 @@
 package io.github.circles2d.world.model;
 
 /**
- * How contacts of circles of different levels are solved. A boulder may touch hundreds of grains, which would all wait for each
- * other. So behind all other contacts each light circle visits its cross contacts in order, all light circles at the same time, and
- * then each heavy circle takes the sum of what the visits give it.
- *
- * <p>Sums are whole numbers, so their order does not matter. 2^44 units are the greatest power of two up to the speed, or the
- * impulse, that takes the heavy circle its radius far in a sub-step.
- *
- * <p>A heavy circle that all push at once counts as lighter, by its share (mass splitting: Tonge, Benevolenski and Voroshilov,
- * SIGGRAPH 2012).
+ * Cross contacts. A boulder may touch hundreds of grains, which must not wait for each other: a heavy circle takes the sum of their visits
+ * at the end. Sums are whole numbers, so they need no order. A heavy circle that all push at once counts as lighter, by its share (mass
+ * splitting: Tonge, Benevolenski, Voroshilov, SIGGRAPH 2012).
  */
 public final class CrossRule {
-    /** log2 of the units of a range; a term is cut at 2^12 ranges. */
+    /** log2 of the units of a range: the power of two up to what moves the circle a radius in a sub-step. */
     public static final int RANGE_LOG = 44;
 
     private static final float GREATEST_TERM = 0x1p56f;
@@ -22,15 +16,15 @@ public final class CrossRule {
     private static final int EXPONENT_SHIFT = 23;
     private static final int EXPONENT_OF_ONE = 127;
 
-    /** Ranges are at least 2^-80: a unit is then a normal float. */
+    /** Of 2^-80, so that units are normal floats. */
     private static final int LEAST_EXPONENT = 47;
 
     public static final float LOAD_UNITS = 16384f;
 
-    /** How deep circles may overlap that wait to bounce, in sums of radii. */
+    /** In sums of radii. */
     public static final float WAIT_DEPTH = 0.25f;
 
-    /** In radii of the smaller one. */
+    /** In its radii. */
     public static final float WAIT_DEPTH_OF_SMALLER = 4f;
 
     private CrossRule() {}
@@ -51,10 +45,7 @@ public final class CrossRule {
         return 1f / (inverseMassOfLight + share * inverseMassOfHeavy);
     }
 
-    /**
-     * If two light circles bounced off a heavy one in one pass, each as if alone, energy would change. So they wait, and the one of
-     * the highest id bounces in the relaxing pass; not those who would be too deep, meet a static circle, or lose energy anyway.
-     */
+    /** If two circles bounced off a heavy one in a pass, each as if alone, energy would change; so one does in the relaxing pass. */
     public static boolean mayWait(
             float restitution, float inverseMassOfHeavy, float separation, float radius, float otherRadius) {
         float depth = CircleMath.min(
@@ -88,7 +79,7 @@ public final class CrossRule {
         return (long) CircleMath.clamp(v * scale, -GREATEST_TERM, GREATEST_TERM);
     }
 
-    /** The sum may wrap, which does not depend on the order either. */
+    /** Wrapped sums depend on no order either. */
     public static float fromFixed(long sum, float unit) {
         return (float) sum * unit;
     }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Impulses away from a point. The host alone computes them, so OpenCL C has no second text. */
+/** The host alone computes explosions. */
 public final class Explosion {
     private float x;
     private float y;
@@ -14,7 +14,7 @@ public final class Explosion {
 
     public Explosion() {}
 
-    /** The impulse is whole up to a distance of within to the edge of a circle, and falls to 0 over a distance of beyond. */
+    /** Impulses are whole up to a distance within of a circle's edge, and fall to 0 over beyond. */
     public void set(float px, float py, float within, float strength, float beyond, Bounds bounds) {
         Limits.within("x of the explosion", px, -Limits.COORDINATE, Limits.COORDINATE);
         Limits.within("y of the explosion", py, -Limits.COORDINATE, Limits.COORDINATE);
@@ -30,7 +30,7 @@ public final class Explosion {
         falloff = beyond;
     }
 
-    /** Whether a circle gets an impulse; then {@link #impulseX} and {@link #impulseY} have it. Not if its centre is the point. */
+    /** Whether a circle gets {@link #impulseX} and {@link #impulseY}. */
     public boolean reaches(float[] circles, int row) {
         float dx = Wrapping.shortWay(circles[row + CircleRow.X] - x, periodX);
         float dy = Wrapping.shortWay(circles[row + CircleRow.Y] - y, periodY);

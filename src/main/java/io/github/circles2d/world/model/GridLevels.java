@@ -1,48 +1,37 @@
 package io.github.circles2d.world.model;
 
 /**
- * The shape of the grids: one per level, each on a torus. A level is a size class of radii, a factor of two wide, or two if the
- * smaller class does not outnumber the larger by far: many small circles in a grid for few large ones have many neighbours.
+ * The shape of the grids: for each level a torus of W columns and H rows of buckets, by the rules of docs/step.md. Cells may share a bucket,
+ * which costs time alone, since the distance of circles decides. So the circles bound memory. Arrays are by level.
  *
- * <p>A torus has W columns and H rows of buckets; the cell (cx, cy) lies in column cx mod W and row cy mod H. Cells may share a
- * bucket, which costs time alone, since the distance of circles decides. So memory is bounded by the circles: as powers of two, W
- * and H are at least 4, and their product at most twice the number of circles. In an arena more than four times as wide as the
- * torus, W is twice a prime, and H twice another: with powers of two, a lattice of circles would lie in a few buckets.
- *
- * <p>The torus lies on the arena in sheets: that of a cell is column div W and row div H. A level of many sheets is {@link
- * #folded}: its buckets are in the order of {@link #sheetKey}, and static circles come last in a sheet. {@link RingCells} has axes
- * without walls.
- *
- * <p>A row of buckets begins at a multiple of V, W as a power of two. The group (ox, oy) has colour (ox mod 2) + 2 (oy mod 2) and
- * number (oy / 2)(V / 2) + ox / 2 in it.
+ * <p>The sheet of a cell is column div W, row div H. The buckets of a {@link #folded} level are in the order of {@link #sheetKey}, static
+ * circles last in a sheet. A row begins at a multiple of V, W rounded up to a power of two. The group (ox, oy) has colour
+ * (ox mod 2) + 2 (oy mod 2) and in it number (oy / 2)(V / 2) + ox / 2.
  */
 public final class GridLevels {
-    /** Size classes: factors of two, over all radii that a world takes. */
+    /** Factors of two, over all radii that a world takes. */
     public static final int COUNT = 20;
 
     private static final int LEAST_SIDE_LOG = 2;
 
     private static final int GREATEST_SIDE_LOG = 15;
 
-    /** A bucket of no more circles is looked at as a whole, which is faster than to look for the sheet. */
+    /** A bucket of no more circles is faster read whole than searched for a sheet. */
     public static final int FEW = 2;
 
-    /** A number of sheets that never begin again. */
+    /** Sheets that never begin again. */
     public static final int ENDLESS = 0;
 
-    /** What a sheet along x counts in {@link #sheetKey}. Odd, and without a pattern in common with that along y: two sheets of one
-     * key are tens of thousands of sheets apart.
-     */
+    /** In {@link #sheetKey}: odd, and unlike that of y, so sheets of one key are tens of thousands apart. */
     public static final int SHEET_X_FACTOR = 0x9e3779b1;
 
-    /** The same along y. */
     public static final int SHEET_Y_FACTOR = 0x85ebca77;
 
     private static final int WRAPS = 4;
 
     private static final int LEAST_PRIME_SIDE_LOG = 4;
 
-    /** By log2 of the next power of two, from {@link #LEAST_PRIME_SIDE_LOG} on. */
+    /** By log2 of V, from {@link #LEAST_PRIME_SIDE_LOG} on. */
     private static final int[] PRIME_COLUMNS = {
         2 * 7, 2 * 13, 2 * 31, 2 * 61, 2 * 127, 2 * 251, 2 * 509, 2 * 1021, 2 * 2039, 2 * 4093, 2 * 8191, 2 * 16381
     };
@@ -51,14 +40,14 @@ public final class GridLevels {
         2 * 5, 2 * 11, 2 * 29, 2 * 59, 2 * 113, 2 * 241, 2 * 503, 2 * 1019, 2 * 2029, 2 * 4091, 2 * 8179, 2 * 16369
     };
 
-    /** By size class: the class, or the next larger one. All other arrays are by level. */
+    /** By size class. */
     public final int[] levelOf = new int[COUNT];
 
     final int[] population = new int[COUNT];
 
     public final float[] inverseEdge = new float[COUNT];
 
-    /** log2 of the columns, rounded up. */
+    /** Rounded up. */
     public final int[] columnsLog = new int[COUNT];
 
     public final int[] rowsLog = new int[COUNT];
@@ -67,36 +56,36 @@ public final class GridLevels {
 
     public final int[] rowCount = new int[COUNT];
 
-    /** Columns that circles can be in: fewer if the torus is larger than the arena. */
+    /** Fewer if the torus is larger than the arena. */
     public final int[] columnsUsed = new int[COUNT];
 
     public final int[] rowsUsed = new int[COUNT];
 
-    /** The first bucket, and the first group. */
+    /** Bucket, and group. */
     public final int[] first = new int[COUNT];
 
     public final int[] firstRow = new int[COUNT];
 
-    /** The levels that have circles, finest first: the order of their buckets. */
+    /** Levels with circles, finest first, as their buckets. */
     public final int[] used = new int[COUNT];
 
     /** Greatest radius. */
     public final float[] top = new float[COUNT];
 
-    /** Of an axis without walls: units or cells per length, by {@link RingCells}. */
+    /** Units or cells per length, by {@link RingCells}. */
     public final float[] scaleX = new float[COUNT];
 
     public final float[] scaleY = new float[COUNT];
 
-    /** Of an open axis: units of a cell. */
+    /** Of a cell of an open axis. */
     public final int[] unitsX = new int[COUNT];
 
     public final int[] unitsY = new int[COUNT];
 
-    /** Whether many cells share a bucket. If not, to keep them apart costs more than to look at them. */
+    /** Whether many cells share a bucket; few are cheaper to read than to keep apart. */
     public final boolean[] folded = new boolean[COUNT];
 
-    /** {@link #ENDLESS} but for an axis that wraps. */
+    /** {@link #ENDLESS} unless the axis wraps. */
     public final int[] sheetsX = new int[COUNT];
 
     public final int[] sheetsY = new int[COUNT];
@@ -114,7 +103,7 @@ public final class GridLevels {
 
     public GridLevels() {}
 
-    /** Lays the grids out for so many circles of each size class. */
+    /** Counts are by size class. */
     public void layOut(Bounds bounds, float greatestRadius, int[] counts, boolean someStatic) {
         this.bounds = bounds;
         hasStatics = someStatic;
@@ -181,7 +170,7 @@ public final class GridLevels {
                 || isFolded(bounds.edgeY(), bounds.minY(), bounds.maxY(), level, rowCount[level], sheetsY[level]);
     }
 
-    /** An even number if the axis wraps, so that the colours of groups fit at the seam. */
+    /** Even if the axis wraps, so that colours fit at the seam. */
     private static float cells(float extent, float edge, AxisEdge at) {
         return switch (at) {
             case WALL -> extent / edge;
@@ -232,10 +221,7 @@ public final class GridLevels {
         return Math.min(Cells.cell(max, min, inverseEdge[level]), side - 1) + 1;
     }
 
-    /**
-     * At least the greatest distance of a contact, and what rounding can move circles apart: 3 x 3 cells have all that a circle may
-     * touch.
-     */
+    /** A contact's greatest distance, and what rounding adds: 3 x 3 cells have all that a circle may touch. */
     private static float edge(float greatestRadius, Bounds bounds) {
         return 2f * speculativeDistance(greatestRadius) + bounds.magnitude() * 0x1p-20f;
     }
@@ -291,7 +277,7 @@ public final class GridLevels {
         return buckets;
     }
 
-    /** As many as buckets; if there are several levels, one for each circle more. */
+    /** With several levels, one more for each circle. */
     public int groups(int circles) {
         return usedCount == 1 ? buckets : buckets + circles;
     }
@@ -314,7 +300,7 @@ public final class GridLevels {
                 : RingCells.onRing(RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level]);
     }
 
-    /** Whether buckets are in another order than that of ids. */
+    /** Whether buckets are not in the order of ids. */
     public boolean haveSheets() {
         boolean some = hasStatics;
         for (int l = 0; l < usedCount; l++) {
@@ -341,12 +327,11 @@ public final class GridLevels {
                         RingCells.cell(edge, y, minY, scaleY[level], unitsY[level]), rowCount[level], sheetsY[level]);
     }
 
-    /** The sheet at (0), behind (1) or before (-1) another. */
     public static int sheetBeside(int sheet, int offset, int sheets) {
         return sheets == ENDLESS ? sheet + offset : neighbour(sheet, offset, sheets);
     }
 
-    /** An even number for each sheet, 0 if the level is not folded; static circles have the odd one behind it. */
+    /** Even, 0 if not folded; static circles have the odd number behind it. */
     public int sheetKey(int level, int sheetX, int sheetY) {
         return folded[level] ? 2 * (sheetX * SHEET_X_FACTOR + sheetY * SHEET_Y_FACTOR) : 0;
     }
@@ -355,12 +340,12 @@ public final class GridLevels {
         return folded[level] ? sheetKey(level, sheetX(x, level), sheetY(y, level)) : 0;
     }
 
-    /** The column where a range begins; {@link #onRing} gives that of the torus. */
+    /** Where a range begins, before {@link #onRing}. */
     public int columnFrom(float x, int level) {
         return bounds.edgeX() == AxisEdge.WALL ? Cells.cell(x, minX, inverseEdge[level]) : column(x, level);
     }
 
-    /** Where the range ends: at most as many behind it as the torus has. */
+    /** Where it ends, at most once around the torus. */
     public int columnTo(float from, float to, int level) {
         AxisEdge edge = bounds.edgeX();
         return edge == AxisEdge.WALL
@@ -389,7 +374,7 @@ public final class GridLevels {
         return cell < side ? cell : cell % side;
     }
 
-    /** The column at (0), behind (1) or before (-1) another. */
+    /** At an offset of -1, 0 or 1. */
     public static int neighbour(int column, int offset, int side) {
         int moved = column + offset;
         return moved < 0 ? side - 1 : moved < side ? moved : 0;

@@ -1,36 +1,33 @@
 package io.github.circles2d.world.model;
 
-/**
- * What moves the circles of a kind in a step: a row of floats each. A kind as at first has the numbers of the world, so its circles
- * move to the bit as without kinds.
- */
+/** A row of floats a kind. A kind as at first has the world's, so its circles move to the bit as without kinds. */
 public final class KindMotion {
-    /** Element: gain of speed by gravity in a sub-step. */
+    /** Speed by gravity in a sub-step. */
     public static final int GAIN_X = 0;
 
     public static final int GAIN_Y = 1;
 
-    /** Element: what a sub-step leaves of a velocity. */
+    /** Share of velocity that a sub-step leaves. */
     public static final int DAMPING_FACTOR = 2;
 
     public static final int GREATEST_SPEED = 3;
 
-    /** Element: path per velocity; the length of the step without damping. */
+    /** Path per velocity. */
     public static final int TIME = 4;
 
-    /** Element: how often the gain of a sub-step moves a circle in a step. */
+    /** By {@link StepConstants#falls}. */
     public static final int FALLS = 5;
 
     public static final int LONGEST_PATH = 6;
 
     public static final int STRIDE = 8;
 
-    /** Of no meaning in a step that does not read them. */
+    /** Meaningless unless {@link StepConstants#driving}. */
     public final float[] rows = new float[of(PairTable.KINDS)];
 
     public int version;
 
-    // What the rows have been computed from.
+    // what the rows follow from
     private float dt;
     private int subSteps;
     private float gravityX;
@@ -51,7 +48,7 @@ public final class KindMotion {
         return STRIDE * kind;
     }
 
-    /** Does nothing if what the rows follow from is the same. */
+    /** Does nothing if nothing has changed. */
     public void update(StepConstants k, Values kinds, int ofVersion) {
         if (kindsVersion == ofVersion
                 && dt == k.dt

@@ -1,29 +1,25 @@
 package io.github.circles2d.world.model;
 
-/**
- * The values that a world takes: within them no calls can make a state that is not finite. Each check names the value and the
- * range.
- */
+/** The values that a world takes: within them a state stays finite. */
 public final class Limits {
     public static final float COORDINATE = 1e9f;
 
-    /** Of the width and the height of the arena. */
+    /** Of the arena. */
     public static final float LEAST_EXTENT = 1e-6f;
 
-    /** In units of the greatest coordinate or extent; the least extent is four times as large. */
+    /** Of {@link Bounds#magnitude}. */
     public static final float LEAST_RADIUS_SHARE = 0x1p-20f;
 
-    /** In radii of the largest circle: four cells of it. */
+    /** Four cells, in greatest radii. */
     public static final float LEAST_PERIOD = 11f;
 
     private static final float LEAST_PERIOD_SHARE = 64 * LEAST_RADIUS_SHARE;
 
     public static final float LEAST_MASS = 1e-9f;
 
-    /** Static circles have infinite mass. */
     public static final float GREATEST_MASS = 1e9f;
 
-    /** Of a component of a velocity or of gravity. */
+    /** Of a component; of gravity, too. */
     public static final float SPEED = Tuning.GREATEST_SPEED;
 
     public static final float GRAVITY_SCALE = 1000f;
@@ -40,10 +36,10 @@ public final class Limits {
     /** More than any two circles are apart. */
     public static final float EXPLOSION = 1e10f;
 
-    /** Of a snapshot: more than any step leaves, and far from overflow in the next one. */
+    /** In a snapshot: more than steps leave, and far from overflow. */
     public static final float CACHED_IMPULSE = 1e24f;
 
-    /** Of a snapshot, a speed; steps leave less than 1e13. */
+    /** In a snapshot, a speed; steps leave less than 1e13. */
     public static final float WALL_IMPULSE = 1e15f;
 
     /** Seconds. */
@@ -153,7 +149,7 @@ public final class Limits {
         within("y", y, walledY ? bounds.minY() : -COORDINATE, walledY ? bounds.maxY() : COORDINATE);
     }
 
-    /** A position that a circle has: inside of an axis that wraps. */
+    /** Of a circle: inside an axis that wraps. */
     public static void place(float x, float y, Bounds bounds) {
         position(x, y, bounds);
         if (bounds.edgeX() == AxisEdge.WRAP) {

@@ -1,40 +1,27 @@
 package io.github.circles2d.world.model;
 
 /**
- * The visit of a one-body constraint: a circle and what it meets that is no circle. Walls are the first kind. A kind finds how far away
- * it is and how fast it comes along its normal; the visit is the same for all. The effective mass is 1, so impulses are speeds. A circle
- * visits its own in their order.
- *
- * <p>A visit leaves its results in the fields. {@link Constraints} has the formulas.
+ * The visit of a circle and something that is no circle, by {@link Constraints}; it leaves its results in the fields. Impulses are speeds.
+ * Walls are the first kind: a kind finds how far away it is and how fast it comes along its normal.
  */
 public final class OneBody {
     private static final float MASS = 1f;
 
-    /** Target speed of a bounce, which the relaxing pass of the sub-step needs; 0 if there is none. */
+    /** For the relaxing pass of the sub-step. */
     public float bounceSpeed;
 
-    /** The impulse to apply. */
+    /** To be applied. */
     public float impulse;
 
-    /** The accumulated normal impulse. */
+    /** Accumulated. */
     public float normalImpulse;
 
-    /** Whether the circle has been left alone. */
     public boolean leaves;
 
-    /** Whether the circle has bounced freely. */
+    /** In free flight. */
     public boolean bounced;
 
-    /**
-     * The visit with bias.
-     *
-     * @param gap distance of the surfaces at the end of the sub-step
-     * @param thresholdRate gravity's part of the restitution threshold, by length
-     * @param loaded greater than 0 if something carries the circle
-     * @param before normal speed before any impulse
-     * @param vn normal speed
-     * @param accumulated the normal impulse so far
-     */
+    /** With bias. The rate is gravity's part of the threshold, by length. */
     public void solve(
             float gap,
             float r,
@@ -57,11 +44,7 @@ public final class OneBody {
         }
     }
 
-    /**
-     * The visit without bias; parameters are those of {@link #solve}. The impulse of a bounce is not to be kept.
-     *
-     * @param bounce the target speed that {@link #solve} has found
-     */
+    /** Without bias; bounce is the speed that {@link #solve} has found. */
     public void relax(
             float gap,
             float r,

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** What the circles of two kinds do to each other in a step. */
+/** What circles do to each other, by kinds. */
 public final class PairResponses {
     /** A table of {@link PairTable}; read during the step. */
     public int[] table;

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** A number from 0 to 3 for each pair of kinds, sixteen in an int. {@code PairFilter.cl} reads such a table too. */
+/** A number from 0 to 3 for each pair of kinds, sixteen in an int, as in {@code PairFilter.cl}. */
 public final class PairTable {
     public static final int KINDS = 256;
 
@@ -10,12 +10,11 @@ public final class PairTable {
 
     public static final int WORDS = KINDS * ROW;
 
-    /** They push each other; 0, so that a table of zeros filters nothing. */
+    /** 0, so that zeros filter nothing. */
     public static final int SOLID = 0;
 
     public static final int IGNORE = 1;
 
-    /** They are noticed, and do not push. */
     public static final int SENSE = 2;
 
     private PairTable() {}

@@ -1,36 +1,34 @@
 package io.github.circles2d.world.model;
 
 /**
- * The grid in which continuous collision finds circles by how far they get. Class 0 has the greatest reaches, each further class
- * half; the edge of a cell is four times the greatest reach of its class. A circle looks in its class and greater ones. Cells share
- * buckets by a hash, which costs time alone.
+ * A grid by how far circles get. Class 0 has the greatest reaches, each further class half. A circle looks in its class and greater ones.
+ * Cells share buckets by a hash, which costs time alone.
  */
 public final class Reach {
-    /** Circles farther apart than their reaches do not touch, however a time of impact is rounded. */
+    /** Covers the rounding of a time of impact. */
     public static final float SLACK = 1.01f;
 
-    /** Contacts of a static circle begin at a part of its radius. */
+    /** For contacts, which begin before circles touch. */
     public static final float STATIC_SLACK = 1.05f;
 
     /** In radii. */
     public static final float GREATEST = SLACK * (Tuning.TRAVEL + 2f);
 
-    /** So far away, coordinates are no finer than cells. */
+    /** Farther away, coordinates are no finer than cells. */
     private static final float LAST_CELL = 0x1p22f;
 
-    /** Smaller cells cost more: there are more to look at. */
+    /** log2 of a cell's edge in {@link #top}; smaller cells cost more visits. */
     public static final int EDGE_LOG = 1;
 
     private static final int LAST_CLASS = 31;
 
     private Reach() {}
 
-    /** A static circle has no path here: one that moves looks for others itself. */
+    /** Static circles that move look for others themselves. */
     public static float of(float r, float path, boolean isStatic) {
         return isStatic ? STATIC_SLACK * r : SLACK * (r + path);
     }
 
-    /** Of the reaches of class 0. */
     public static int topExponent(float greatestRadius) {
         return Math.getExponent(GREATEST * greatestRadius);
     }
@@ -51,17 +49,16 @@ public final class Reach {
         return Float.intBitsToFloat((Float.MAX_EXPONENT + exponent) << 23);
     }
 
-    /** The column (or row) of cells of a coordinate: it never falls where the coordinate grows. */
+    /** Never falls where x grows. */
     public static int cell(float x, float min, float inverseEdge) {
         return (int) CircleMath.clamp((x - min) * inverseEdge, -LAST_CELL, LAST_CELL);
     }
 
-    /** How many buckets there are for so many circles: a power of two. */
+    /** A power of two. */
     public static int buckets(int circles) {
         return Integer.highestOneBit(Math.max(circles, 1)) << 1;
     }
 
-    /** The bucket of a cell. */
     public static int bucket(int column, int row, int reachClass, int buckets) {
         int h = column * 0x9e3779b1 + row * 0x85ebca6b + reachClass * 0xc2b2ae35;
         return (h ^ h >>> 15) * 0x2c1b3c6d >>> 7 & buckets - 1;

@@ -1,9 +1,6 @@
 package io.github.circles2d.world.model;
 
-/**
- * The cells of an axis without walls. Of an open axis, the edge is a whole number of units, each a power of two, so cells are exact
- * wherever they are. A wrapped axis has a multiple of the columns of the torus a period.
- */
+/** Of an axis without walls. A cell of an open axis has a whole number of units, powers of two, so it is exact however far out. */
 final class RingCells {
     private static final int LEAST_UNITS_LOG = 10;
 
@@ -20,7 +17,7 @@ final class RingCells {
         return (int) (edge * unitsPerLength(edge)) + 2;
     }
 
-    /** The scale is units per length, or cells of a wrapped axis, whose cell 0 begins at min. */
+    /** Scales are units per length, or cells if the axis wraps. */
     static long cell(AxisEdge edge, float x, float min, float scale, int units) {
         return edge == AxisEdge.OPEN
                 ? Math.floorDiv((long) CircleMath.clamp(x * scale, -MOST_UNITS, MOST_UNITS), (long) units)

@@ -1,19 +1,18 @@
 package io.github.circles2d.world.model;
 
 /**
- * When two circles that are only sensed touch in a step: at any time, if both move evenly, so a fast one is noticed that flies
- * through a small one. The faster of a pair looks for the other if its path is longer than its radius, else the seeker by kinds
- * does. d is the position of the higher id minus that of the other, u the same of the paths.
+ * When two circles that are only sensed touch in a step, if both move evenly. A fast one looks for the other, else the seeker by kinds
+ * does. d is the position of the higher id minus the lower's, u the same of the paths.
  */
 public final class SensorRule {
     public static final int NONE = 0;
 
-    /** The circle of the second kind looks for that of the first. */
+    /** The second kind looks for the first. */
     public static final int FOUND = 1;
 
     public static final int SEEKS = 2;
 
-    /** The one of lower id counts. */
+    /** Of lower id. */
     public static final int BOTH_SEEK = 3;
 
     private SensorRule() {}
@@ -22,7 +21,7 @@ public final class SensorRule {
         return path > r;
     }
 
-    /** How far around its path a circle looks for slower ones of a level; top is the greatest radius there. */
+    /** Around its path, for slower ones; top is their greatest radius. */
     public static float margin(float r, float path, float top) {
         return 1.125f * ((r + top) + CircleMath.max(path, top));
     }

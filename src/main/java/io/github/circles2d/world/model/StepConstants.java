@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** The constants of a step. The host computes them once, in float, and every back end gets the bits. */
+/** The host computes the constants of a step once, in float, and every back end gets the bits. Rates are by the sum of radii. */
 public final class StepConstants {
     /** Seconds. */
     public float dt;
@@ -12,22 +12,21 @@ public final class StepConstants {
 
     public float inverseH;
 
-    /** Gain of speed in a sub-step. */
+    /** Speed in a sub-step. */
     public float gravityStepX;
 
     public float gravityStepY;
 
-    /** What gravity moves a circle in the step. */
+    /** Gravity's part of a path. */
     public float fallX;
 
     public float fallY;
 
     public final Softness contactSoftness = new Softness();
 
-    /** Of walls, which are stiffer. */
     public final Softness oneBodySoftness = new Softness();
 
-    /** Gravity's part of the square of the restitution threshold, per sum of radii. */
+    /** Gravity's part of the square of the restitution threshold. */
     public float thresholdRate;
 
     /** Of the walls across x. */
@@ -35,25 +34,24 @@ public final class StepConstants {
 
     public float thresholdRateY;
 
-    /** Threshold without gravity, per sum of radii, 1/s. */
+    /** Threshold without gravity, 1/s. */
     public float restRate;
 
-    /** Of pairs that nothing carries. */
     public float flightRestRate;
 
-    /** A square in place of all of these, or 0. */
+    /** A square in place of these, or 0. */
     public float fixedThreshold;
 
-    /** Greatest push-out speed of overlaps that are not deep, per sum of radii, 1/s. */
+    /** Greatest push-out speed if not deep, 1/s. */
     public float pushRate;
 
-    /** Its gain for deep ones, 1/s. */
+    /** Gain of push-out speed if deep, 1/s. */
     public float deepRate;
 
-    /** Factor for the impulses of the step before. */
+    /** Of the impulses of the step before. */
     public float warmScale;
 
-    /** The walls at the end of the step; without one, a place that no circle comes to. */
+    /** {@link Bounds#walls} at the end of the step. */
     public Bounds bounds;
 
     public Bounds arena;
@@ -71,7 +69,7 @@ public final class StepConstants {
 
     public StepConstants() {}
 
-    /** The walls go from one place to the other; previousDt is without meaning in the first step. */
+    /** In the first step previousDt has no meaning. */
     public void set(
             float dt,
             int subSteps,
@@ -119,7 +117,7 @@ public final class StepConstants {
         fixedThreshold = byGravity ? 0f : fixed * fixed;
     }
 
-    /** How often the gain of a sub-step moves a circle in a step. */
+    /** How often a sub-step's gain moves a circle. */
     static float falls(int subSteps) {
         return 0.5f * subSteps * (subSteps + 1);
     }

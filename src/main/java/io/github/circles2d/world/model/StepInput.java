@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** All that a step needs besides circles and the shape of the grids: the constants, and the tables of the kinds. */
+/** All that a step needs besides circles and grids. */
 public final class StepInput {
     public final StepConstants constants = new StepConstants();
     public final PairResponses responses = new PairResponses();

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** What of a step is reported; it changes nothing in it. */
+/** What a step reports; no step depends on it. */
 public final class StepReports {
     /** Contacts and walls. */
     public boolean recording;

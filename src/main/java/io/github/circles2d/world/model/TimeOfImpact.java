@@ -1,14 +1,13 @@
 package io.github.circles2d.world.model;
 
 /**
- * When circles touch that move evenly, as a share of their motion; more than 1 if they do not. d is the position of the second
- * minus that
- * of the first, u the motion of the first minus that of the second, sum the sum of the radii.
+ * When circles touch that move evenly, as a share of their motion; more than 1 if they do not. d is the second position minus the first, u
+ * the first motion minus the second, sum that of the radii.
  */
 public final class TimeOfImpact {
     private TimeOfImpact() {}
 
-    /** Negative in the wall. Walls are as at the end of the step, and have come in by travel. */
+    /** Negative in the wall. Walls have come in by travel. */
     public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
         float low = ((min - travelMin) + r) - x;
         float high = ((max + travelMax) - r) - x;
@@ -28,16 +27,13 @@ public final class TimeOfImpact {
         return CircleMath.max(c, 0f) / (b + (float) Math.sqrt(disc));
     }
 
-    /** Of circles that would do more than graze each other. */
+    /** Not of circles that only graze each other. */
     public static float timeOfImpact(float dx, float dy, float ux, float uy, float sum) {
         float deep = timeOfTouch(dx, dy, ux, uy, sum - Tuning.GRAZE * sum);
         return deep < 1f ? timeOfTouch(dx, dy, ux, uy, sum) : 2f;
     }
 
-    /**
-     * When a static circle takes along another, which goes a share of its path and waits: when they touch on its way, or it is run
-     * over. 1 if only a sudden stop would lead to that.
-     */
+    /** When a static circle takes another along, which goes a share of its path and waits; 1 if only a sudden stop leads to that. */
     public static float timeOfCarry(
             float dx, float dy, float px, float py, float pathX, float pathY, float share, float r, float sum) {
         float t = timeOfImpact(dx, dy, px - pathX, py - pathY, sum);
@@ -54,7 +50,7 @@ public final class TimeOfImpact {
         return meets && isRunOver(dx, dy, px, py, r, sum) ? 1f : 2f;
     }
 
-    /** Whether a circle that does not move ends deep in a static one, or behind it. */
+    /** Whether a circle at rest ends deep in a static one, or behind it. */
     public static boolean isRunOver(float dx, float dy, float px, float py, float r, float sum) {
         float x = dx - px;
         float y = dy - py;

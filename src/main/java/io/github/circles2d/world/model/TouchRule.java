@@ -1,17 +1,14 @@
 package io.github.circles2d.world.model;
 
-/**
- * When surfaces touch, for events; nothing here changes a step. A contact records its greatest approach speed of the sub-steps in
- * which it touched, before impulses, and the sum of its impulses.
- */
+/** When surfaces touch, for events; no step depends on it. */
 public final class TouchRule {
-    /** The approach speed of surfaces that have not touched. */
+    /** Approach speed without a touch. */
     public static final float NONE = -1f;
 
-    /** They stay in touch up to this gap, in sums of radii: else a pile at rest would begin and end touches. */
+    /** Greatest gap in touch, in sums of radii: else a pile at rest would begin and end touches. */
     public static final float SLACK = 0.005f;
 
-    /** A hit is complete once no more of its approach speed is left. */
+    /** Of the approach speed, when a hit is complete. */
     private static final float LEFT = 1f / 64f;
 
     private TouchRule() {}
@@ -20,7 +17,7 @@ public final class TouchRule {
         return Branchless.positive(-vn);
     }
 
-    /** Neither impulses nor separations are -0. */
+    /** Not for impulses or separations of -0. */
     public static float greatest(float greatest, float approach, float impulse, float separation) {
         int touching = Branchless.isPositive(impulse) | ~Branchless.isPositive(separation);
         float now = Branchless.choose(touching, approach, NONE);
@@ -28,7 +25,7 @@ public final class TouchRule {
         return Float.intBitsToFloat(Math.max(Float.floatToRawIntBits(greatest), Float.floatToRawIntBits(now)));
     }
 
-    /** Whether the place of the touch may be another after the step. */
+    /** Whether the place may be another after the step. */
     public static boolean isFast(float approach, float dt, float radii) {
         return approach * dt > SLACK * radii;
     }
@@ -45,7 +42,7 @@ public final class TouchRule {
         return (x + displacement) + normal * (radius + 0.5f * separation);
     }
 
-    /** Whether a hit goes on in the next step. */
+    /** Whether the next step goes on with the hit. */
     public static boolean isIncomplete(float vn, float approach) {
         return -vn > LEFT * approach;
     }

@@ -1,8 +1,8 @@
 package io.github.circles2d.world.model;
 
 /**
- * How walls travel in a step. One that comes in does so over the sub-steps; one that goes out is there from the start, so that
- * circles may be put there. Both have the velocity of the way. Lengths and speeds are positive inwards; arrays are by {@link #of}.
+ * How walls travel in a step: in over the sub-steps, out at once, since circles may have been put there. Lengths and speeds are
+ * positive inwards. Arrays are by {@link #of}.
  */
 public final class WallMotion {
     public static final int COUNT = 4;
@@ -10,7 +10,7 @@ public final class WallMotion {
     /** In the step. */
     public final float[] travel = new float[COUNT];
 
-    /** In a sub-step; 0 if the wall goes out. */
+    /** In a sub-step; 0 outwards. */
     public final float[] advance = new float[COUNT];
 
     public final float[] speed = new float[COUNT];
@@ -25,7 +25,7 @@ public final class WallMotion {
         return 2 * axis + (side > 0f ? 0 : 1);
     }
 
-    /** Where walls start. One that is set farther than any circle is large jumps: it starts where it is. */
+    /** A wall that is set farther than any circle is large jumps. */
     public static Bounds start(Bounds from, Bounds to, float greatestRadius) {
         boolean walledX = to.edgeX() == AxisEdge.WALL;
         boolean walledY = to.edgeY() == AxisEdge.WALL;
@@ -62,12 +62,12 @@ public final class WallMotion {
         return moves;
     }
 
-    /** How far a wall is behind its last place at the end of a sub-step. */
+    /** From its last place, at the end of a sub-step. */
     public float behind(int wall, int subStep) {
         return advance[wall] * (subSteps - 1 - subStep);
     }
 
-    /** For smaller circles the wall jumps, and they have been brought inside. */
+    /** For smaller circles it jumps, and they have been brought inside. */
     private boolean carries(int wall, float r) {
         return Math.abs(travel[wall]) <= r;
     }

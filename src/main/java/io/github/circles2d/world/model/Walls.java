@@ -1,10 +1,10 @@
 package io.github.circles2d.world.model;
 
-/** Where walls are to circles. side is 1 for the lower wall of an axis and -1 for the upper. */
+/** A side is 1 for the lower wall of an axis, -1 for the upper. */
 public final class Walls {
     private Walls() {}
 
-    /** The nearer wall. */
+    /** Of the nearer wall. */
     public static float wallSide(float x, float min, float max) {
         return x - min <= max - x ? 1f : -1f;
     }
@@ -13,17 +13,16 @@ public final class Walls {
         return side > 0f ? ((base - min) - r) + displacement : ((max - base) - r) - displacement;
     }
 
-    /** How far from a wall that moves circles are kept; larger ones than its way are left to the step. */
+    /** Circles larger than a wall's way are left to the step. */
     public static float marginAtWall(float from, float to, float margin) {
         return from == to || Math.abs(to - from) > margin ? margin : 0f;
     }
 
-    /** The part of a stored impulse that belongs to one side. */
     public static float wallImpulse(float signed, float side) {
         return CircleMath.max(side * signed, 0f);
     }
 
-    /** Only the nearer wall is a constraint; in a tube of one diameter a circle is at both. */
+    /** Only the nearer wall is a constraint; in a narrow tube a circle is at both. */
     public static float stopAtFarWall(float v, float displacement, float kept, float side) {
         return (side > 0f ? kept < displacement : kept > displacement) ? 0f : v;
     }

@@ -1,6 +1,6 @@
 package io.github.circles2d.world.model;
 
-/** Formulas of axes that wrap. A period is infinite if its axis does not, and then they change nothing. */
+/** A period is infinite if its axis does not wrap; then nothing changes. */
 public final class Wrapping {
     private Wrapping() {}
 
@@ -14,7 +14,7 @@ public final class Wrapping {
         return (float) Math.floor((x - min) / period); // the floor of a float is exact
     }
 
-    /** The share of a path of at most an eighth of the period, so two circles can meet in a step the short way round alone. */
+    /** Of a path: at most an eighth, so circles meet the short way alone. */
     public static float shareOfPeriod(float p, float period) {
         float most = 0.125f * period;
         float way = Math.abs(p);
