@@ -80,12 +80,7 @@ public final class Simulation implements AutoCloseable {
     private final GridLevels levels = new GridLevels();
     private final StepInput input = new StepInput();
 
-    /**
-     * A world without circles.
-     *
-     * @param pipeline what holds the state and makes the steps; closed with this object
-     * @param start bounds, gravity, restitution and sub-steps, which have been checked
-     */
+    /** A world without circles; closes the pipeline. The parameters have been checked. */
     public Simulation(Pipeline pipeline, WorldParameters start) {
         this.pipeline = pipeline;
         guard = new Guard(pipeline);

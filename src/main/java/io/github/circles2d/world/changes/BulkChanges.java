@@ -19,26 +19,11 @@ public final class BulkChanges {
 
     /** Prepares what a call does to a circle. A is the type of the array that has the call's values. */
     private interface Preparation<A> {
-        /**
-         * Prepares it.
-         *
-         * @param id the circle
-         * @param values the array
-         * @param i place of the circle's handle among the handles. Each element is read once: another thread may write to the array
-         * @return false if the circle is gone by an earlier handle of the call
-         */
+        /** False if the circle is gone by an earlier handle of the call. Reads element i once: another thread may write to the array. */
         boolean prepare(int id, A values, int i);
     }
 
-    /**
-     * A call with many handles.
-     *
-     * @param values the parameter of its values; null if it has none
-     * @param each elements for each handle
-     * @param length gives the length of their array
-     * @param operation the operation of {@link Commands} that it consists of
-     * @param preparation prepares it for one circle
-     */
+    /** A call with many handles, and elements for each; the name of its values is null if it has none. */
     private record Call<A>(
             String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
 
@@ -127,16 +112,7 @@ public final class BulkChanges {
         return change(kinds, circles, count, values, skipStale);
     }
 
-    /**
-     * Makes a call, in the order of the handles.
-     *
-     * @param call the call
-     * @param circles handles
-     * @param count how many of them
-     * @param values its values
-     * @param skipStale whether to leave stale handles out; else they are refused
-     * @return number of handles that were left out
-     */
+    /** In the order of the handles. Refuses stale handles, or leaves them out, and returns how many. */
     private <A> int change(Call<A> call, long[] circles, int count, A values, boolean skipStale) {
         guard.enter();
         try {
@@ -198,18 +174,7 @@ public final class BulkChanges {
         return isThere;
     }
 
-    /**
-     * Pushes the circles near a point away from it, by {@link Explosion}.
-     *
-     * @param masked whether a mask says which circles
-     * @param mask then, the bits of the categories of their kinds
-     * @param x x of the point
-     * @param y y of the point
-     * @param radius how far from the point a circle's edge may be for the whole impulse
-     * @param impulse the impulse
-     * @param falloff over which distance the impulse then falls to 0
-     * @return number of circles that got an impulse
-     */
+    /** {@link Explosion}; if masked, of circles whose kinds have a category of the mask. Returns how many got an impulse. */
     public int explode(boolean masked, int mask, float x, float y, float radius, float impulse, float falloff) {
         return (int) guard.change(this, mask, masked ? 1 : 0, x, y, radius, impulse, falloff, EXPLODE);
     }

@@ -145,11 +145,7 @@ public final class PreparedChanges {
         }
     }
 
-    /**
-     * Makes all changes that are prepared.
-     *
-     * @param operation the operation of all of them, by which reads are forgotten; {@link Commands#FIELD} also if some are of restitutions
-     */
+    /** Reads are forgotten by the operation; {@link Commands#FIELD} also if some are of restitutions. */
     void make(int operation) {
         if (travels < count) {
             copies.forgetBy(operation);

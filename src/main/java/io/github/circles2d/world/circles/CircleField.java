@@ -65,14 +65,8 @@ public enum CircleField {
     private final float most;
 
     /**
-     * A row.
-     *
-     * @param number what snapshots and the hash know the field by: greater than those of the rows before, and never changed
-     * @param label the name in messages and in kernels
-     * @param initial the value of a new circle
-     * @param least the least value that is allowed
-     * @param greatest the greatest value that is allowed
-     * @param ofSteps whether steps read the field; then all pipelines have its values
+     * Snapshots and the hash know the field by its number: greater than those before, and never changed. Messages and kernels know the
+     * label. All pipelines have the values of fields that steps read.
      */
     CircleField(int number, String label, long initial, long least, long greatest, boolean ofSteps) {
         this.number = number;
@@ -84,14 +78,7 @@ public enum CircleField {
         most = 0;
     }
 
-    /**
-     * A row of a float, by its bits, that is 0 at first.
-     *
-     * @param number as above
-     * @param label as above
-     * @param most greatest magnitude
-     * @param ofSteps as above
-     */
+    /** A float, by its bits, 0 at first; most is the greatest magnitude. */
     CircleField(int number, String label, float most, boolean ofSteps) {
         this.number = number;
         this.label = label;
@@ -182,12 +169,7 @@ public enum CircleField {
         return least >= Integer.MIN_VALUE && greatest <= Integer.MAX_VALUE ? 1 : 2;
     }
 
-    /**
-     * Checks a value.
-     *
-     * @param value what a call or a snapshot gives
-     * @throws IllegalArgumentException if it is out of range
-     */
+    /** Throws {@link IllegalArgumentException} if the value is out of range. */
     public void check(long value) {
         if (value < least || value > greatest) {
             throw new IllegalArgumentException(

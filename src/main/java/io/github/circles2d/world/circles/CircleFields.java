@@ -14,21 +14,11 @@ public final class CircleFields {
     /** By field: the values by id. What is behind the end has the initial value. */
     private final int[][] words = new int[CircleField.ALL.size()][0];
 
-    /**
-     * Initial values.
-     *
-     * @param fields the fields whose values are held here
-     */
     public CircleFields(List<CircleField> fields) {
         this.fields = fields.toArray(CircleField[]::new);
     }
 
-    /**
-     * Makes room, so that {@link #set} does not run out of memory. If this fails, no value has changed.
-     *
-     * @param field a field that is held here
-     * @param ids all ids to come are less
-     */
+    /** Makes room for ids up to this number, so that {@link #set} cannot fail. If there is none, no value has changed. */
     public void ensure(CircleField field, int ids) {
         int[] old = words[field.ordinal()];
         int each = field.words();

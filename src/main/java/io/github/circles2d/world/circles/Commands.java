@@ -110,11 +110,6 @@ public final class Commands {
     /** No commands. */
     public Commands() {}
 
-    /**
-     * The number of records.
-     *
-     * @return at least 0
-     */
     public int count() {
         return count;
     }
@@ -149,12 +144,7 @@ public final class Commands {
         return records[STRIDE * record + SECOND];
     }
 
-    /**
-     * The number of values of an operation, which lie from {@link #FIRST} on. A log of calls has so many.
-     *
-     * @param operation any number
-     * @return at least 0; -1 if there is no such operation
-     */
+    /** Values of an operation, from {@link #FIRST} on, as many as in a log; -1 if there is no such operation. */
     public static int values(int operation) {
         return switch (operation) {
             case ADD -> STRIDE - FIRST;
@@ -172,11 +162,7 @@ public final class Commands {
         added = 0;
     }
 
-    /**
-     * Makes room: the next records cannot fail for want of memory.
-     *
-     * @param more number of records to come
-     */
+    /** Makes room: the next records cannot fail for want of memory. */
     public void ensure(int more) {
         long need = ((long) count + more) * STRIDE;
         if (need > records.length) {
@@ -188,19 +174,7 @@ public final class Commands {
         }
     }
 
-    /**
-     * Copies a new circle to where {@link #admit} finds it. Until then it is no record, and the next record of another kind
-     * overwrites it.
-     *
-     * @param ahead number of circles that are prepared and come before this one
-     * @param x x
-     * @param y y
-     * @param radius radius
-     * @param mass mass
-     * @param restitution restitution
-     * @param vx velocity
-     * @param vy velocity
-     */
+    /** Copies a new circle to where {@link #admit} finds it, behind those ahead. The next record of another kind overwrites it. */
     public void prepare(int ahead, float x, float y, float radius, float mass, float restitution, float vx, float vy) {
         ensure(ahead + 1);
         int k = STRIDE * (count + ahead);
@@ -218,57 +192,30 @@ public final class Commands {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_RESTITUTION]);
     }
 
-    /**
-     * The radius of the first circle that is prepared.
-     *
-     * @return a length
-     */
+    /** Of the first circle that is prepared. */
     public float preparedRadius() {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_RADIUS]);
     }
 
-    /**
-     * The mass of the first circle that is prepared.
-     *
-     * @return a mass, positive infinity for a static circle
-     */
+    /** Of the first circle that is prepared. */
     public float preparedMass() {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_MASS]);
     }
 
-    /**
-     * Records the first circle that is prepared.
-     *
-     * @param id its id
-     */
+    /** Records the first circle that is prepared. */
     public void admit(int id) {
         record(ADD, id);
         added++;
     }
 
-    /**
-     * Records a change of a circle.
-     *
-     * @param operation what changes
-     * @param id the circle's id
-     * @param a first value
-     * @param b second value; of no meaning if the operation has one
-     */
+    /** b has no meaning if the operation has one value. */
     public void set(int operation, int id, float a, float b) {
         int k = record(operation, id);
         records[k + FIRST] = Float.floatToRawIntBits(a);
         records[k + SECOND] = Float.floatToRawIntBits(b);
     }
 
-    /**
-     * Records that a static circle is to be somewhere else at the end of a step.
-     *
-     * @param id the circle's id
-     * @param x place
-     * @param y place
-     * @param timeStep length of the step
-     * @param bounds the arena
-     */
+    /** Records that a static circle is to be elsewhere at the end of a step. */
     public void depart(int id, float x, float y, float timeStep, Bounds bounds) {
         set(DEPART, id, x, y);
         int k = STRIDE * (count - 1);
@@ -277,22 +224,12 @@ public final class Commands {
         records[k + FIFTH] = Float.floatToRawIntBits(bounds.periodY());
     }
 
-    /**
-     * Takes the last records back.
-     *
-     * @param records how many
-     */
+    /** Takes the last records back. */
     public void drop(int records) {
         count -= records;
     }
 
-    /**
-     * Records a new value of a field.
-     *
-     * @param field a field that steps read
-     * @param id the circle's id
-     * @param value the value
-     */
+    /** Of a field that steps read. */
     public void setField(CircleField field, int id, int value) {
         int k = record(FIELD, id);
         records[k + FIRST] = CircleField.OF_STEPS.indexOf(field);
@@ -300,14 +237,8 @@ public final class Commands {
     }
 
     /**
-     * Copies a change to where {@link #admitChanges} finds it. Until then it is no record, and the next record of another kind
+     * Copies a change, or {@link #REMOVE}, to where {@link #admitChanges} finds it, behind those ahead. The next record of another kind
      * overwrites it.
-     *
-     * @param ahead number of changes that are prepared and come before this one
-     * @param operation what changes, or {@link #REMOVE}
-     * @param id the circle's id
-     * @param a first value
-     * @param b second value
      */
     public void prepareChange(int ahead, int operation, int id, float a, float b) {
         ensure(ahead + 1);
@@ -318,14 +249,7 @@ public final class Commands {
         records[k + SECOND] = Float.floatToRawIntBits(b);
     }
 
-    /**
-     * Copies a new value of a field to where {@link #admitChanges} finds it, as {@link #prepareChange} does.
-     *
-     * @param ahead number of changes that are prepared and come before this one
-     * @param field a field that steps read
-     * @param id the circle's id
-     * @param value the value
-     */
+    /** As {@link #prepareChange}. */
     public void prepareField(int ahead, CircleField field, int id, int value) {
         prepareChange(ahead, FIELD, id, 0, 0);
         int k = STRIDE * (count + ahead);
@@ -348,53 +272,26 @@ public final class Commands {
         return records[STRIDE * (count + ahead) + SECOND];
     }
 
-    /**
-     * The id of a change that is prepared.
-     *
-     * @param ahead number of changes that are prepared and come before it
-     * @return its circle's id
-     */
     public int preparedId(int ahead) {
         return records[STRIDE * (count + ahead) + ID];
     }
 
-    /**
-     * The first value of a change that is prepared.
-     *
-     * @param ahead number of changes that are prepared and come before it
-     * @return the value
-     */
     public float preparedFirst(int ahead) {
         return Float.intBitsToFloat(records[STRIDE * (count + ahead) + FIRST]);
     }
 
-    /**
-     * The second value of a change that is prepared.
-     *
-     * @param ahead number of changes that are prepared and come before it
-     * @return the value
-     */
     public float preparedSecond(int ahead) {
         return Float.intBitsToFloat(records[STRIDE * (count + ahead) + SECOND]);
     }
 
-    /**
-     * Moves a change that is prepared to an earlier place, over the one that is there, or leaves it.
-     *
-     * @param from number of changes that come before it
-     * @param to number of changes that are to come before it
-     */
+    /** Moves a prepared change to an earlier place, over the one that is there. */
     public void advancePrepared(int from, int to) {
         if (from != to) {
             System.arraycopy(records, STRIDE * (count + from), records, STRIDE * (count + to), STRIDE);
         }
     }
 
-    /**
-     * Records the changes that are prepared.
-     *
-     * @param changes how many
-     */
+    /** Records the changes that are prepared. */
     public void admitChanges(int changes) {
         count += changes;
     }

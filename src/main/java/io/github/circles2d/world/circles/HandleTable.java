@@ -71,40 +71,20 @@ public final class HandleTable {
         return 1L << id;
     }
 
-    /**
-     * Number of circles.
-     *
-     * @return at least 0
-     */
     public int size() {
         return size;
     }
 
-    /**
-     * One more than the greatest id in use so far.
-     *
-     * @return at least {@link #size()}
-     */
+    /** One more than the greatest id in use so far. */
     public int end() {
         return end;
     }
 
-    /**
-     * Whether an id belongs to a circle.
-     *
-     * @param id an id less than {@link #end()}
-     * @return true where it does
-     */
     public boolean lives(int id) {
         return (live[word(id)] & bit(id)) != 0;
     }
 
-    /**
-     * Copies which ids belong to circles.
-     *
-     * @param to takes a bit for each id less than {@link #end()}: id k is bit k % 64 of element k / 64
-     * @return the array, or a new one where it was too short
-     */
+    /** A bit for each id: id k is bit k % 64 of element k / 64. Returns a new array if this one is too short. */
     public long[] copyLiving(long[] to) {
         int words = word(end + IDS_IN_WORD - 1);
         long[] copy = to.length < words ? new long[live.length] : to;
@@ -117,31 +97,16 @@ public final class HandleTable {
         survivors.copy(this);
     }
 
-    /**
-     * The ids whose circles have stayed since {@link #markSurvivors}. An id that another circle has now is none of them.
-     *
-     * @return the ids; changes with the circles
-     */
+    /** The ids whose circles have stayed since {@link #markSurvivors}; not those that another circle has now. */
     public IdMask survivors() {
         return survivors;
     }
 
-    /**
-     * The handle of a circle.
-     *
-     * @param id its id
-     * @return the handle
-     */
     public long handle(int id) {
         return (long) (generation[id] + 1) << GENERATION_SHIFT | id;
     }
 
-    /**
-     * The id behind a handle.
-     *
-     * @param handle any number
-     * @return the id, or -1 where no living circle has this handle
-     */
+    /** -1 if no living circle has the handle. */
     public int find(long handle) {
         long id = handle & ID_MASK;
         if (id >= end || !lives((int) id) || generation[(int) id] + 1 != (int) (handle >>> GENERATION_SHIFT)) {
@@ -150,12 +115,7 @@ public final class HandleTable {
         return (int) id;
     }
 
-    /**
-     * The place of a circle in the order of the ids.
-     *
-     * @param id its id
-     * @return how many circles have lower ids
-     */
+    /** How many circles have lower ids. */
     public int place(int id) {
         if (!livingBeforeCurrent) {
             if (livingBefore.length < live.length) {
@@ -171,20 +131,12 @@ public final class HandleTable {
         return livingBefore[word(id)] + Long.bitCount(live[word(id)] & bit(id) - 1);
     }
 
-    /**
-     * Makes room, so that adding circles does not run out of memory. Where this fails, nothing has changed.
-     *
-     * @param more number of circles to come
-     */
+    /** Makes room for more circles, so that adding them cannot fail. If there is none, nothing has changed. */
     public void ensure(int more) {
         ensureIds(size + more);
     }
 
-    /**
-     * Makes room for a saved state, so that {@link #load} does not run out of memory. Where this fails, nothing has changed.
-     *
-     * @param from the state
-     */
+    /** Makes room for a state, so that {@link #load} cannot fail. If there is none, nothing has changed. */
     public void makeRoom(SavedState from) {
         ensureIds(from.ids);
         fields.makeRoom(from.fields);
@@ -202,12 +154,7 @@ public final class HandleTable {
         }
     }
 
-    /**
-     * Enters a circle under the lowest free id.
-     *
-     * @param r its radius
-     * @return the id
-     */
+    /** Under the lowest free id. */
     public int add(float r) {
         ensure(1);
         int id = firstFree();
@@ -222,11 +169,6 @@ public final class HandleTable {
         return id;
     }
 
-    /**
-     * Strikes a circle off; its handle is stale from now on.
-     *
-     * @param id its id
-     */
     public void remove(int id) {
         live[word(id)] &= ~bit(id);
         livingBeforeCurrent = false;
@@ -248,12 +190,6 @@ public final class HandleTable {
         }
     }
 
-    /**
-     * Takes a circle's new radius down.
-     *
-     * @param id its id
-     * @param r the radius
-     */
     public void setRadius(int id, float r) {
         leave(radius[id]);
         radius[id] = r;
@@ -265,62 +201,29 @@ public final class HandleTable {
         return radius[id];
     }
 
-    /**
-     * Takes a circle's mass down, of which only whether it is infinite is kept.
-     *
-     * @param id its id, of a circle that lives
-     * @param mass the mass
-     */
+    /** Keeps only whether it is infinite. */
     public void setMass(int id, float mass) {
         boolean infinite = mass == Float.POSITIVE_INFINITY;
         statics += (infinite ? 1 : 0) - (isStatic(id) ? 1 : 0);
         isStatic[word(id)] = isStatic[word(id)] & ~bit(id) | (infinite ? bit(id) : 0);
     }
 
-    /**
-     * Whether a circle is static.
-     *
-     * @param id its id
-     * @return whether the mass taken down last is infinite
-     */
     public boolean isStatic(int id) {
         return (isStatic[word(id)] & bit(id)) != 0;
     }
 
-    /**
-     * Whether any circle is static.
-     *
-     * @return whether there is one of infinite mass
-     */
     public boolean hasStatics() {
         return statics > 0;
     }
 
-    /**
-     * Takes a circle's restitution down.
-     *
-     * @param id its id
-     * @param e the restitution
-     */
     public void setRestitution(int id, float e) {
         restitution[id] = e;
     }
 
-    /**
-     * A circle's restitution.
-     *
-     * @param id its id
-     * @return what was taken down last
-     */
     public float restitution(int id) {
         return restitution[id];
     }
 
-    /**
-     * The fields of the circles, by id.
-     *
-     * @return the values as of the last call
-     */
     public CircleFields fields() {
         return fields;
     }
@@ -354,21 +257,13 @@ public final class HandleTable {
         }
     }
 
-    /**
-     * The greatest radius of all circles.
-     *
-     * @return a length; 0 where there is no circle
-     */
+    /** 0 without circles. */
     public float greatestRadius() {
         recount();
         return greatestRadius;
     }
 
-    /**
-     * The least radius of all circles. Looks at each of them.
-     *
-     * @return a length; positive infinity where there is no circle
-     */
+    /** Infinite without circles. Looks at each of them. */
     public float leastRadius() {
         float least = Float.POSITIVE_INFINITY;
         for (int id = 0; id < end; id++) {
@@ -379,21 +274,13 @@ public final class HandleTable {
         return least;
     }
 
-    /**
-     * The number of circles of each size class, by {@link Cells#sizeClass}.
-     *
-     * @return the numbers; valid until the next change
-     */
+    /** By {@link Cells#sizeClass}; valid until the next change. */
     public int[] population() {
         recount();
         return population;
     }
 
-    /**
-     * Saves which ids are in use, their generations, and the fields of circles.
-     *
-     * @param into takes ids, generations and fields
-     */
+    /** Ids, generations and fields. */
     public void save(SavedState into) {
         into.setIds(end);
         into.setCircles(size);
@@ -407,11 +294,7 @@ public final class HandleTable {
         }
     }
 
-    /**
-     * Takes over the ids, generations, radii, restitutions and fields of a saved state instead of its own.
-     *
-     * @param from the state, for which room has been made; not kept
-     */
+    /** Room has been made. The state is not kept. */
     public void load(SavedState from) {
         for (int id = 0; id < survivors.end(); id++) {
             if (id >= from.ids || from.generation[id] != generation[id]) {

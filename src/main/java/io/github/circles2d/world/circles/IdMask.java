@@ -23,31 +23,16 @@ public final class IdMask {
     /** No ids. */
     public IdMask() {}
 
-    /**
-     * The elements of an array with a bit for each id.
-     *
-     * @param end one more than the greatest id
-     * @return a number of words
-     */
     public static int words(int end) {
         return (end + IDS_IN_WORD - 1) >>> WORD_SHIFT;
     }
 
-    /**
-     * Takes the ids that belong to circles.
-     *
-     * @param handles knows them; not kept
-     */
     public void copy(HandleTable handles) {
         words = handles.copyLiving(words);
         end = handles.end();
     }
 
-    /**
-     * The ids that may be in the set are less.
-     *
-     * @return one more than the greatest id there was
-     */
+    /** More than all ids that may be in the set. */
     public int end() {
         return end;
     }
@@ -64,23 +49,14 @@ public final class IdMask {
         }
     }
 
-    /**
-     * Copies the bits.
-     *
-     * @param to takes them; its further elements become 0
-     */
+    /** Further elements become 0. */
     public void copyTo(long[] to) {
         int used = words(end);
         System.arraycopy(words, 0, to, 0, used);
         Arrays.fill(to, used, to.length, 0);
     }
 
-    /**
-     * Moves the values of the ids in the set together, in place.
-     *
-     * @param values values by id
-     * @param each values of an id
-     */
+    /** Moves the values of the ids in the set together, in place, each elements an id. */
     public void closeGaps(FloatBuffer values, int each) {
         int written = 0;
         for (int id = 0; id < end; ) {
@@ -114,12 +90,7 @@ public final class IdMask {
         }
     }
 
-    /**
-     * Makes the values of the ids that are not in the set NaN.
-     *
-     * @param values values by id
-     * @param each values of an id
-     */
+    /** The values of other ids become NaN. */
     public void markGaps(FloatBuffer values, int each) {
         for (int word = 0; word < words(end); word++) {
             for (long free = ~words[word]; free != 0; free &= free - 1) {
@@ -131,13 +102,7 @@ public final class IdMask {
         }
     }
 
-    /**
-     * Moves values that lie together, in the order of the ids, to where they lie by id, in place. All else becomes NaN.
-     *
-     * @param values first the values of the least id in the set
-     * @param each values of an id
-     * @param count number of ids in the set
-     */
+    /** The inverse of {@link #closeGaps}: values of other ids become NaN. */
     public void spread(float[] values, int each, int count) {
         Arrays.fill(values, each * end, values.length, Float.NaN);
         int k = each * count;

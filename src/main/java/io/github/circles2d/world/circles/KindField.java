@@ -58,14 +58,7 @@ public enum KindField {
     private final int initial;
     private final Check check;
 
-    /**
-     * A row.
-     *
-     * @param number what snapshots and the hash know the field by: greater than those of the rows before, and never changed
-     * @param label the name in messages
-     * @param initial the value of a kind at first
-     * @param check refuses values
-     */
+    /** Snapshots and the hash know the field by its number: greater than those before, and never changed. */
     KindField(int number, String label, int initial, Check check) {
         this.number = number;
         this.label = label;
@@ -98,12 +91,7 @@ public enum KindField {
         return initial;
     }
 
-    /**
-     * Checks a value.
-     *
-     * @param value what a call or a snapshot gives
-     * @throws IllegalArgumentException if it is out of range
-     */
+    /** Throws {@link IllegalArgumentException} if the value is out of range. */
     public void check(int value) {
         check.of(value);
     }

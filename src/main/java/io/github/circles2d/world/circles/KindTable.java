@@ -56,12 +56,7 @@ public final class KindTable implements KindMotion.Values {
         return KindField.ALL.get(k % KindField.ALL.size());
     }
 
-    /**
-     * Checks the number of a kind.
-     *
-     * @return the number
-     * @throws IllegalArgumentException if there is no such kind
-     */
+    /** Throws {@link IllegalArgumentException} if there is no such kind. */
     public static int check(int kind) {
         return Limits.within("the kind", kind, 0, PairTable.KINDS - 1);
     }

@@ -60,20 +60,10 @@ public final class SavedState {
     /** An empty state. */
     public SavedState() {}
 
-    /**
-     * The world's parameters.
-     *
-     * @return the parameters
-     */
     public WorldParameters parameters() {
         return parameters;
     }
 
-    /**
-     * Takes the world's parameters.
-     *
-     * @param p the parameters
-     */
     public void setParameters(WorldParameters p) {
         parameters = p;
     }

@@ -70,13 +70,7 @@ public final class SnapshotCodec {
     // ---- writing
     // -----------------------------------------------------------------------------------------------------
 
-    /**
-     * The length of a snapshot.
-     *
-     * @param s the state
-     * @return bytes
-     * @throws IllegalStateException where it is more than a buffer holds
-     */
+    /** Throws {@link IllegalStateException} if a buffer cannot hold so many. */
     public static int bytes(SavedState s) {
         long sum = HEADER + (long) Float.BYTES * s.impulses + sectionBytes(s);
         int circle = 0;
@@ -108,12 +102,7 @@ public final class SnapshotCodec {
         return FieldSections.bytes(s) + ParameterSections.bytes(s) + TouchSection.bytes(s.touches);
     }
 
-    /**
-     * Writes a snapshot.
-     *
-     * @param s the state
-     * @param to takes {@link #bytes} bytes from its position on, which is moved behind them; any byte order
-     */
+    /** Writes a snapshot from the position on, which moves behind it, in any byte order of the buffer. */
     public static void write(SavedState s, ByteBuffer to) {
         ByteBuffer out = to.slice().order(ByteOrder.LITTLE_ENDIAN);
         writeAtStart(s, out);
@@ -230,12 +219,8 @@ public final class SnapshotCodec {
     // -----------------------------------------------------------------------------------------------------
 
     /**
-     * Reads a snapshot and checks all of it.
-     *
-     * @param from a snapshot from its position on, which stays as it is; any byte order. Another thread may write to it
-     * @param s takes the state; of no meaning where an exception is thrown
-     * @return the length of the snapshot
-     * @throws IllegalArgumentException where this is no snapshot, or a damaged one
+     * Reads a snapshot from the position on, which stays, checks all of it, and returns its length. Another thread may write to the
+     * buffer. Throws {@link IllegalArgumentException} if it is no snapshot or a damaged one; the state then has no meaning.
      */
     public static int read(ByteBuffer from, SavedState s) {
         ByteBuffer in = copy(from.slice().order(ByteOrder.LITTLE_ENDIAN));
@@ -248,13 +233,7 @@ public final class SnapshotCodec {
         return length;
     }
 
-    /**
-     * Reads a snapshot whose check is not looked at.
-     *
-     * @param in little-endian, from position 0 to the limit
-     * @param s takes the state
-     * @param known the parameters in it, which are not made again; null if they are not known
-     */
+    /** Reads a little-endian snapshot, from position 0 to the limit, without its check. Known parameters, or null, are not made again. */
     static void decode(ByteBuffer in, SavedState s, WorldParameters known) {
         int length = in.limit();
         ((Buffer) in).position(CIRCLES_AT);

@@ -20,11 +20,7 @@ public final class SnapshotRing {
     private int first;
     private int size;
 
-    /**
-     * A ring without frames, and without memory for them.
-     *
-     * @param frames how many it has at most, at least 1
-     */
+    /** Without frames, and without memory for them. */
     public SnapshotRing(int frames) {
         bytes = new ByteBuffer[frames];
         parameters = new WorldParameters[frames];

@@ -4,16 +4,8 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.ContactSettings;
 
 /**
- * What a world has besides its circles.
- *
- * @param bounds the arena
- * @param gravityX gravity
- * @param gravityY gravity
- * @param restitution what new circles get
- * @param subSteps sub-steps per step
- * @param previousTimeStep length of the last step, seconds; 0 before the first
- * @param contacts how contacts are
- * @param wallStart where the walls start in the next step: not the bounds if they have been moved since the last
+ * What a world has besides its circles. The last time step is 0 before the first. Walls start elsewhere than at the bounds if they have
+ * been moved since.
  */
 public record WorldParameters(
         Bounds bounds,
@@ -57,11 +49,7 @@ public record WorldParameters(
         return walls + edges + (contacts.isDefault() ? 0 : StateHash.contacts(contacts));
     }
 
-    /**
-     * Whether these are the components, in their order. Comparing with an object of them would leave garbage.
-     *
-     * @return true if all bits, and the objects, are the same
-     */
+    /** By bits and objects; comparing with another record would leave garbage. */
     public boolean has(
             Bounds otherBounds,
             float otherGravityX,

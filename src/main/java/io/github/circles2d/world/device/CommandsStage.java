@@ -86,12 +86,7 @@ final class CommandsStage {
         arrays.ensureSlots(slots + Math.max(0, commands.added() - freeCount), slots);
     }
 
-    /**
-     * Applies commands in call order. New circles take slots that are known to be free, then those from {@code slots} on.
-     *
-     * @param circles number of circles afterwards
-     * @return slots at home afterwards
-     */
+    /** In call order. New circles take free slots, then those from slots on; returns the slots at home afterwards. */
     int apply(Commands commands, int slots, int circles) {
         int count = commands.count();
         int nextSlot = link(commands, slots);

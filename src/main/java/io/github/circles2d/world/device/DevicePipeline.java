@@ -73,13 +73,6 @@ public final class DevicePipeline implements Pipeline {
     /** Whether the plans have been compiled for axes without walls. */
     private boolean isEdged;
 
-    /**
-     * An empty world.
-     *
-     * @param device what to run on
-     * @param capacity number of circles to make room for
-     * @param profiling whether to measure the time of each stage
-     */
     public DevicePipeline(Device device, int capacity, boolean profiling) {
         this(device, capacity, profiling, Plans.choose(device).of(device), StageKernels.USUAL_GROUPS);
     }
@@ -105,11 +98,7 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
-    /**
-     * Identifies the kernels of this version.
-     *
-     * @return a fingerprint of their source
-     */
+    /** A fingerprint of this version's kernels. */
     public static String kernels() {
         return Plans.source(Plans.all()).fingerprint();
     }

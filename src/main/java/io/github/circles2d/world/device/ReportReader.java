@@ -71,11 +71,6 @@ final class ReportReader implements AutoCloseable {
     private int requestedSteps;
     private int requestedRows;
 
-    /**
-     * Reports nothing yet.
-     *
-     * @param stepsMade since the world was
-     */
     ReportReader(Session session, ContactEvents events, DeviceArrays arrays, int stepsMade) {
         this.session = session;
         this.arrays = arrays;
@@ -191,13 +186,7 @@ final class ReportReader implements AutoCloseable {
         }
     }
 
-    /**
-     * Publishes the events of steps.
-     *
-     * @param status as read behind them; has no lack of room for events afterwards
-     * @param stepsMade since the world was
-     * @param plan of the last step
-     */
+    /** Publishes the events of steps; the status then has no lack of room for events. */
     void made(Status status, int stepsMade, Stages stages, Plan plan, int circles) {
         pairs.stepsMade(stepsMade);
         if (!isActive()) {
@@ -220,11 +209,7 @@ final class ReportReader implements AutoCloseable {
         readAhead = 0;
     }
 
-    /**
-     * Publishes steps that tell of nothing, and need not have been made for that: the first ends the pairs that touched.
-     *
-     * @param steps since the world was made
-     */
+    /** Publishes steps that tell of nothing, made or not: the first ends the pairs that touched. */
     void publishSilent(int steps) {
         if (published < steps) {
             events.endStep();
@@ -322,11 +307,7 @@ final class ReportReader implements AutoCloseable {
         }
     }
 
-    /**
-     * Has the events of the batch copied, and begins another.
-     *
-     * @param steps made behind it, since the world was
-     */
+    /** Has the events of the batch copied, and begins another. */
     void request(int steps) {
         if (!isActive() || !batchBegun) {
             return;

@@ -56,12 +56,7 @@ final class RequestedPositions {
         layOut = kernels.plain("readback_request");
     }
 
-    /**
-     * Asks for the positions after all steps that have been enqueued.
-     *
-     * @param slots slots in use after them
-     * @param steps steps written home since the world was made, once they have been made
-     */
+    /** Asks for the positions behind all steps that have been enqueued. */
     void request(HandleTable handles, int slots, int steps) {
         awaitCopy();
         requested = false;
@@ -102,11 +97,7 @@ final class RequestedPositions {
         return circles == 0 || targets[current].host.ints().get(0) == stepsDue;
     }
 
-    /**
-     * What has arrived; valid until the request after the next.
-     *
-     * @param shown null for x and y of each circle; else they lie by id, and those of other ids are NaN
-     */
+    /** By id, NaN for others, or all circles if shown is null. Valid until the request after the next. */
     FloatBuffer take(IdMask shown) {
         requested = false;
         Target target = targets[current];

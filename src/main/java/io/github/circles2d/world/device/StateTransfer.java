@@ -44,12 +44,6 @@ final class StateTransfer {
     /** Entries of the impulse cache, as {@link CachedImpulse} says. */
     private final int[] entries;
 
-    /**
-     * Reads the state.
-     *
-     * @param slots slots at home
-     * @param cachedContacts number of contacts of the last step
-     */
     StateTransfer(DeviceArrays arrays, int slots, int cachedContacts) {
         this.slots = slots;
         id = Readback.ints(arrays.get(DeviceArray.HOME_ID), slots);

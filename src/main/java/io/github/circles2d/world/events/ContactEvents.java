@@ -142,10 +142,8 @@ public final class ContactEvents {
     }
 
     /**
-     * Sets what is reported of all pairs. Pairs that are not reported any more are forgotten; those that are from now on begin if they
-     * touch.
-     *
-     * @param handles as of now; all changes have been applied
+     * Sets what is reported of all pairs, once all changes have been applied. Pairs that are not reported any more are forgotten; new
+     * ones begin if they touch.
      */
     public void report(int types, HandleTable handles) {
         boolean was = isOn();
@@ -240,11 +238,7 @@ public final class ContactEvents {
     // ---- pairs that only a device knows
     // ------------------------------------------------------------------------------
 
-    /**
-     * Sets who decides what happens to pairs.
-     *
-     * @param pairsElsewhere null if this object does; all pairs are here
-     */
+    /** Sets who decides about pairs: null if this object does, which then has all of them. */
     public void setRemote(RemotePairs pairsElsewhere) {
         place.setRemote(pairsElsewhere);
     }
@@ -254,11 +248,7 @@ public final class ContactEvents {
         place.bringHere();
     }
 
-    /**
-     * Takes a pair over.
-     *
-     * @param openHit where the values of its hit begin that is not complete, or -1
-     */
+    /** Takes a pair over; openHit is where the values of an incomplete hit begin, or -1. */
     public void receive(int lower, int higher, float[] values, int openHit) {
         int pair =
                 pairs.add(lower, higher, circles.handle(lower), EventOrder.isWall(higher) ? 0 : circles.handle(higher));
@@ -314,14 +304,7 @@ public final class ContactEvents {
         tracker.open().copy(hit, to, at);
     }
 
-    /**
-     * Publishes the events of a step that a device has decided, and those of circles removed before it.
-     *
-     * @param rows see {@link EventRow}
-     * @param first row of the step
-     * @param count rows of the step
-     * @param ordered whether they are in order
-     */
+    /** Publishes the {@link EventRow}s of a step that a device has decided, and those of circles removed before it. */
     public void publishDecided(IntBuffer rows, int first, int count, boolean ordered) {
         if (ordered && step.count == 0) {
             queue.publishDecided(rows, first, count, circles, arena());
@@ -355,12 +338,9 @@ public final class ContactEvents {
     }
 
     /**
-     * Tells of a pair that is in touch, or near enough to stay so. Several threads may call this at once, of different pairs.
-     *
-     * @param pair its number, by {@link #find}
-     * @param touches whether it touches even if it did not before
-     * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
-     * @return whether {@link #endStep} needs a record of it
+     * Tells of a pair, by {@link #find}, that is in touch or near enough to stay so, and returns whether {@link #endStep} needs a
+     * record. Several threads may call this at once, of different pairs. The threshold is the square of the speed that a hit must
+     * exceed, unless the caller has set a speed.
      */
     public boolean concerns(
             int pair, int lower, int higher, boolean touches, float approach, float impulse, float threshold) {
@@ -385,11 +365,7 @@ public final class ContactEvents {
         tracker.stamp(pair);
     }
 
-    /**
-     * Ends a step.
-     *
-     * @param records those of all threads, in any order
-     */
+    /** Ends a step by the records of all threads, in any order. */
     public void endStep(TouchRecords... records) {
         place.changedHere();
         tracker.endStep(records);
@@ -415,10 +391,8 @@ public final class ContactEvents {
     }
 
     /**
-     * Lists the pairs of two kinds that touched in the last step, in the order of the lower and the higher id.
-     *
-     * @param handles takes two a pair, of each kind one; of one kind, the one of lower id first. Only the first ones if it is too short
-     * @return how many pairs there are
+     * Lists the pairs of two kinds that touched in the last step, by lower and higher id, as far as there is room, and returns how many
+     * there are. Of one kind, the one of lower id comes first.
      */
     public int list(int kindA, int kindB, long[] handles) {
         place.bringHere();
@@ -452,10 +426,8 @@ public final class ContactEvents {
     }
 
     /**
-     * Takes over a saved state. Events that have not been taken are of a time that is no more, and are dropped.
-     *
-     * @param from the state, for which there is room
-     * @param handles those of the state
+     * Takes over a saved state, for which there is room. Events that have not been taken are of a time that is no more, and are
+     * dropped.
      */
     public void load(SavedTouches from, HandleTable handles) {
         place.replace();

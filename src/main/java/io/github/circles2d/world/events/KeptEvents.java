@@ -4,11 +4,6 @@ package io.github.circles2d.world.events;
 public final class KeptEvents {
     private final EventRows[] rows;
 
-    /**
-     * Places without events.
-     *
-     * @param places how many, at least 1
-     */
     public KeptEvents(int places) {
         rows = new EventRows[places];
         for (int place = 0; place < places; place++) {

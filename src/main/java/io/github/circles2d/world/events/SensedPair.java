@@ -12,14 +12,8 @@ public final class SensedPair {
     private SensedPair() {}
 
     /**
-     * Tells of a pair if it is in touch, and records it if that is needed. The point, the normal and the speed are those of the moment
-     * when it begins to touch; if it goes on touching across a gap, of the moment when it is closest.
-     *
-     * @param a the lower id
-     * @param b the higher id
-     * @param ax x of circle a at the start of the step, and so on
-     * @param apx path of circle a, x
-     * @param ar radius of circle a
+     * Tells of a pair if it is in touch, by starts and paths, and records it if that is needed. The point, the normal and the speed are
+     * of the moment when it begins to touch; across a gap, of the moment when it is closest.
      */
     public static void tell(
             ContactEvents events,

@@ -73,11 +73,8 @@ public final class TouchRecords {
     }
 
     /**
-     * Adds the record of a pair.
-     *
-     * @param number its number, or {@link ContactEvents#NONE} if it did not touch in the step before
-     * @param vn normal speed after the step
-     * @param threshold square of the speed that a hit must exceed, unless the caller has set a speed
+     * The number is {@link ContactEvents#NONE} if the pair did not touch in the step before, vn the normal speed after the step, the
+     * threshold as in {@link ContactEvents#concerns}.
      */
     public void add(
             int number,

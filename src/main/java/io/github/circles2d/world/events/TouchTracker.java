@@ -177,11 +177,7 @@ final class TouchTracker {
         }
     }
 
-    /**
-     * Ends the pairs that touch no more.
-     *
-     * @param misses whether pairs may have ended of which nobody has told; all that go on have their stamps
-     */
+    /** Ends the pairs that touch no more; misses if some may have ended of which nobody has told. */
     private void end(boolean misses) {
         for (int pair = pairs.count - 1; pair >= 0; pair--) {
             int stamp = pairs.stamp(pair);

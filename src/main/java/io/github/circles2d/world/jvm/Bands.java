@@ -31,11 +31,8 @@ final class Bands {
     }
 
     /**
-     * Divides the rows of all levels; one worker does it for all.
-     *
-     * @param contactsBefore by row of all levels: contacts before it; null where they are not known
-     * @param cross the cross contacts; null where they are not known, or there is one level
-     * @param least even number of rows that a band has at least, where there are so many; else some have none
+     * One worker does it for all. Contacts before a row, and cross contacts, are null if not known. Bands have the least even number of
+     * rows, or none.
      */
     void divide(int[] contactsBefore, CrossContacts cross, int least) {
         narrowest = Integer.MAX_VALUE;

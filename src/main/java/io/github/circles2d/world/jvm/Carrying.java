@@ -62,12 +62,8 @@ final class Carrying {
     }
 
     /**
-     * Finds out when a static circle that moves takes another along.
-     *
-     * @param slot the static circle
-     * @param other the other one
-     * @param free the share of its path that the other one goes by itself
-     * @param note false the first time, for all pairs; true the second time, to note the carrier that is first
+     * When a static circle that moves takes another along, which goes a free share of its path. The second time, to note the first
+     * carrier.
      */
     void meet(int slot, int other, float free, boolean note) {
         int s = CircleRow.of(slot);

@@ -314,11 +314,7 @@ public final class ContinuousCollision {
         team.sync(worker);
     }
 
-    /**
-     * Looks for carriers: the first time for when circles are taken along.
-     *
-     * @param note the second time, true: to note which static circle does so
-     */
+    /** The first time for when circles are taken along, the second to note by which static circle. */
     private void lookForCarriers(int worker, boolean note) {
         for (int round = 0; round < team.rounds(); round++) {
             int to = team.to(state.n, worker, round);

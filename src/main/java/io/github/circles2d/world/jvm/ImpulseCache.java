@@ -57,11 +57,7 @@ final class ImpulseCache {
         return 28L * next.length;
     }
 
-    /**
-     * Begins a step: what has been stored is of the step before.
-     *
-     * @param filled how many contacts were filled in it
-     */
+    /** What has been stored, of so many contacts, is of the step before. */
     void begin(int filled) {
         long[] i = ids;
         ids = idsBefore;
@@ -72,13 +68,7 @@ final class ImpulseCache {
         filledBefore = filled;
     }
 
-    /**
-     * Fills the entry of a contact of this step, and finds that of the step before.
-     *
-     * @param guess the entry that it may be
-     * @param pair ids of the circles, the lower above the higher
-     * @return an entry, or -1
-     */
+    /** Fills the entry of a contact of this step, and finds that of the step before, or -1; guess is the entry that it may be. */
     int fill(int c, int guess, int lower, int higher, long pair) {
         ids[c] = pair;
         normalImpulse[c] = 0f;

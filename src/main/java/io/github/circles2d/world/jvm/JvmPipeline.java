@@ -60,14 +60,7 @@ public final class JvmPipeline implements Pipeline {
     /** Whether the positions taken last were taken by id: the next ones probably are, too, and are copied so. */
     private boolean takenById;
 
-    /**
-     * An empty world.
-     *
-     * @param threads greatest number of threads of a step, at least 1
-     * @param leastShare number of circles that a thread has at least; {@link #LEAST_SHARE} but in tests
-     * @param capacity number of circles to make room for
-     * @param profiling whether to measure the time of each stage
-     */
+    /** The least share is {@link #LEAST_SHARE} but in tests. */
     public JvmPipeline(int threads, int leastShare, int capacity, boolean profiling) {
         team = new Team(threads);
         this.leastShare = leastShare;

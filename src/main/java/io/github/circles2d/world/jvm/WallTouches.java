@@ -62,13 +62,7 @@ final class WallTouches {
         }
     }
 
-    /**
-     * Takes a visit of the biased pass down, which is in the frame of the wall and by where it is before the sub-step.
-     *
-     * @param before velocity along the axis before any impulse
-     * @param from the same just before the visit
-     * @param gap separation before the visit from where the wall is at the end of the step
-     */
+    /** A visit with bias: velocity before impulses, and before the visit; gap from where the wall is at the end of the step. */
     void solved(int slot, int axis, float side, float before, float from, float gap, StepConstants k, int sub) {
         int wall = WallMotion.of(axis, side);
         float r = state.circle[CircleRow.of(slot) + RADIUS];
@@ -76,12 +70,7 @@ final class WallTouches {
         visited(slot, axis, side, side * before - k.walls.speedFor(wall, r), from, now);
     }
 
-    /**
-     * Takes a visit of the relaxing pass down.
-     *
-     * @param from velocity along the axis just before the visit
-     * @param gap separation before the visit
-     */
+    /** A visit without bias: velocity and gap before it. */
     void relaxed(int slot, int axis, float side, float from, float gap, StepConstants k) {
         float r = state.circle[CircleRow.of(slot) + RADIUS];
         visited(slot, axis, side, side * from - k.walls.speedFor(WallMotion.of(axis, side), r), from, gap);

@@ -34,12 +34,7 @@ public final class LogReader {
     /** Bytes read. */
     private long position;
 
-    /**
-     * Reads the header.
-     *
-     * @param in the log; is not closed
-     * @param wordsOf the number of ints of a call of a number; negative if there is no such call
-     */
+    /** Reads the header; does not close the stream. wordsOf gives the ints of a call by its number, negative if there is no such call. */
     public LogReader(InputStream in, IntUnaryOperator wordsOf) throws IOException {
         this.in = in;
         this.wordsOf = wordsOf;
@@ -92,12 +87,7 @@ public final class LogReader {
         return Byte.toUnsignedInt(content.get(content.position()));
     }
 
-    /**
-     * Reads the next call.
-     *
-     * @param words takes its ints
-     * @return its number
-     */
+    /** The number of the next call; its ints go to words. */
     public int call(int[] words) {
         int number = Byte.toUnsignedInt(content.get());
         int count = wordsOf.applyAsInt(number);

@@ -27,12 +27,7 @@ public final class LogWriter {
     /** Whether a call is being written. If it stays true, writing has ended half-way, and the log is not to be trusted. */
     private boolean writing;
 
-    /**
-     * Writes the header.
-     *
-     * @param out where to; is not closed
-     * @param hashEvery steps between two hashes
-     */
+    /** Writes the header; does not close the stream. */
     public LogWriter(OutputStream out, int hashEvery) {
         this.out = out;
         ByteBuffer header = ByteBuffer.allocate(LogFormat.HEADER).order(ByteOrder.LITTLE_ENDIAN);
@@ -50,11 +45,7 @@ public final class LogWriter {
         return failure;
     }
 
-    /**
-     * Throws if writing has failed, whatever the stream has thrown.
-     *
-     * @param what what has become of the log, the beginning of the message
-     */
+    /** Throws if writing has failed, with a message that begins so. */
     public void requireWritten(String what) throws IOException {
         if (failure != null) {
             throw failed(what, failure);
@@ -90,12 +81,7 @@ public final class LogWriter {
         waitingSteps += count;
     }
 
-    /**
-     * Begins a call. As many {@link #word} follow, and then {@link #end}.
-     *
-     * @param number its number, 0 to 255
-     * @param words its ints
-     */
+    /** Begins a call. As many {@link #word} follow as it has words, and then {@link #end}. */
     public void begin(int number, int words) {
         if (writing) {
             fail(new IllegalStateException("a call could not be written to its end"));

@@ -6,12 +6,6 @@ final class Capacity {
 
     private Capacity() {}
 
-    /**
-     * A capacity.
-     *
-     * @param n what is needed
-     * @param held what there is, which is too little
-     */
     static int atLeast(int n, int held) {
         return Math.max(Math.max(n, LEAST), held + (held >> 1));
     }

@@ -37,15 +37,7 @@ public final class CastSearch {
         this.tree = tree;
     }
 
-    /**
-     * Describes the cast that the next searches make. All numbers are finite.
-     *
-     * @param x x of the centre of the disc at the start
-     * @param y y of the centre of the disc at the start
-     * @param radius radius of the disc, at least 0
-     * @param dx how far it moves along x
-     * @param dy how far it moves along y
-     */
+    /** Describes the cast that the next searches make: where the disc starts, and how far it moves. All numbers are finite. */
     public void aim(float x, float y, float radius, float dx, float dy) {
         startX = x;
         startY = y;
@@ -62,23 +54,13 @@ public final class CastSearch {
         aim(queries[at], queries[at + 1], shape.radius(queries, at), shape.dx(queries, at), shape.dy(queries, at));
     }
 
-    /**
-     * Finds the first circle that the disc touches, and of several at the same distance that of the lowest id.
-     *
-     * @param filter which circles count; null for all
-     * @return whether there is one, which {@link #id} and {@link #writeHit} give as number 0
-     */
+    /** Finds the first circle that the disc touches, at the same distance that of the lowest id, as number 0. A null filter is none. */
     public boolean first(IdFilter filter) {
         search(1, filter);
         return found.count() > 0;
     }
 
-    /**
-     * Finds all circles that the disc touches, in the order of the distances that it has moved by then, then of the ids.
-     *
-     * @param filter which circles count; null for all
-     * @return the number of circles found, which {@link #id} and {@link #writeHit} give
-     */
+    /** Finds all circles that the disc touches, by the distance that it has moved by then, then by id, and returns how many. */
     public int all(IdFilter filter) {
         search(Integer.MAX_VALUE, filter);
         found.sort();
@@ -146,37 +128,20 @@ public final class CastSearch {
         }
     }
 
-    /**
-     * One of the circles found.
-     *
-     * @param k from 0 to the number of circles found, the nearest first
-     * @return its id
-     */
+    /** The nearest is number 0. */
     public int id(int k) {
         return found.id(k);
     }
 
     /**
-     * Writes where one of the circles was hit. If the disc's centre is the circle's, the normal points against the path, and up
-     * if there is no path.
-     *
-     * @param k from 0 to the number of circles found
-     * @param to takes {@link #HIT_STRIDE} elements
-     * @param at where the first of them goes
+     * Writes {@link #HIT_STRIDE} elements. If the disc's centre is the circle's, the normal points against the path, and up if there is
+     * no path.
      */
     public void writeHit(int k, float[] to, int at) {
         writeHit(found.distance(k), tree.x[found.place(k)], tree.y[found.place(k)], to, at);
     }
 
-    /**
-     * Writes where a circle is hit that another search has found on the path.
-     *
-     * @param distance how far the disc has moved by then
-     * @param circleX x of the circle
-     * @param circleY y of the circle
-     * @param to takes {@link #HIT_STRIDE} elements
-     * @param at where the first of them goes
-     */
+    /** Writes the hit of a circle that another search has found after a distance. */
     public void writeHit(double distance, float circleX, float circleY, float[] to, int at) {
         double x = startX + unitX * distance;
         double y = startY + unitY * distance;

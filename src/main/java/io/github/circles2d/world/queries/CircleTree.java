@@ -66,26 +66,14 @@ public final class CircleTree {
     /** No circles. */
     public CircleTree() {}
 
-    /**
-     * Makes the tree of these circles, in place of what it was. The arrays are not kept.
-     *
-     * @param circles rows of circles, by place
-     * @param ids the id of each, ascending
-     * @param n their number
-     */
+    /** Ids ascend. The arrays are not kept. */
     public void build(float[] circles, int[] ids, int n) {
         halfX = Double.POSITIVE_INFINITY;
         halfY = Double.POSITIVE_INFINITY;
         build(circles, ids, n, n == 0 ? 0 : ids[n - 1] + 1);
     }
 
-    /**
-     * Makes the tree of circles and their images.
-     *
-     * @param images the circles
-     * @param limit more than the greatest id
-     * @param bounds the arena
-     */
+    /** Circles and their images; ids are less than the limit. */
     public void build(Images images, int limit, Bounds bounds) {
         halfX = 0.5 * bounds.periodX();
         halfY = 0.5 * bounds.periodY();

@@ -37,11 +37,7 @@ final class FoundIds {
         id[count++] = found;
     }
 
-    /**
-     * Sorts the ids.
-     *
-     * @param limit more than the greatest id
-     */
+    /** Ids are less than the limit. */
     void sort(int limit) {
         int words = (limit >>> WORD_SHIFT) + 1;
         if ((long) count * WORDS_AN_ID < words || count <= WORDS_AN_ID) {

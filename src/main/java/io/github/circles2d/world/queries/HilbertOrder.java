@@ -37,13 +37,7 @@ final class HilbertOrder {
     private int[] otherPlace = new int[0];
     private final int[] next = new int[PASSES * DIGITS];
 
-    /**
-     * Orders circles.
-     *
-     * @param circles rows of circles, by place
-     * @param n their number
-     * @return the places in the order of the curve; may be longer; valid until the next call
-     */
+    /** The places of rows in the order of the curve; the array may be longer, and is valid until the next call. */
     int[] order(float[] circles, int n) {
         makeRoom(n);
         computeKeys(circles, n);
@@ -92,11 +86,7 @@ final class HilbertOrder {
         return Math.min((int) (distance * scale), LAST_STEP);
     }
 
-    /**
-     * Follows the curve through four bits of each coordinate.
-     *
-     * @return by state, column and line: the next state, above the eight bits of the place on the curve
-     */
+    /** Through four bits of each coordinate: by state, column and line, the next state above the eight bits of the place on the curve. */
     private static int[] turns() {
         int[] turns = new int[STATES << PLACE_BITS];
         for (int k = 0; k < turns.length; k++) {

@@ -15,13 +15,7 @@ public final class Images {
     /** None. */
     public Images() {}
 
-    /**
-     * Takes circles, and makes their images.
-     *
-     * @param rows rows of circles
-     * @param ofRows the id of each
-     * @param n their number
-     */
+    /** Takes rows of circles and their ids, and makes their images. */
     public void make(float[] rows, int[] ofRows, int n, Bounds bounds) {
         boolean x = bounds.periodX() < Float.POSITIVE_INFINITY;
         boolean y = bounds.periodY() < Float.POSITIVE_INFINITY;

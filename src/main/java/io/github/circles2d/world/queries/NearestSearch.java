@@ -21,16 +21,8 @@ public final class NearestSearch {
     }
 
     /**
-     * Finds the nearest circles, in the order of the distances from the point to their edges (negative inside a circle), then of
-     * their ids.
-     *
-     * @param x x of the point, finite
-     * @param y y of the point, finite
-     * @param within what the distance may be at most: those count that a disc of this radius overlaps or touches; at least 0, may
-     *     be infinite
-     * @param most how many to find, at least 1
-     * @param filter which circles count; null for all
-     * @return the number of circles found, which {@link #id} and {@link #distance} give
+     * Finds at most so many circles that a disc of the radius within, which may be infinite, overlaps or touches, by the distance from
+     * the point to their edges (negative inside a circle), then by id, and returns how many. A null filter is none.
      */
     public int find(float x, float y, float within, int most, IdFilter filter) {
         found.clear();
@@ -90,22 +82,12 @@ public final class NearestSearch {
         return Math.sqrt(dx * dx + dy * dy);
     }
 
-    /**
-     * One of the circles found.
-     *
-     * @param k from 0 to the number of circles found, the nearest first
-     * @return its id
-     */
+    /** The nearest is number 0. */
     public int id(int k) {
         return found.id(k);
     }
 
-    /**
-     * The distance of one of the circles found.
-     *
-     * @param k from 0 to the number of circles found
-     * @return from the point to its edge; negative if the point lies in it
-     */
+    /** From the point to the edge; negative inside the circle. */
     public double distance(int k) {
         return found.distance(k);
     }

@@ -18,15 +18,7 @@ public final class OverlapSearch {
         this.tree = tree;
     }
 
-    /**
-     * Finds what a disc overlaps or touches.
-     *
-     * @param x x of its centre, finite, as are all numbers
-     * @param y y of its centre
-     * @param radius its radius, at least 0
-     * @param filter which circles count; null for all
-     * @return the number of circles found, whose ids {@link #id} gives
-     */
+    /** Finds what a disc overlaps or touches, and returns how many. Numbers are finite. A null filter is none. */
     public int disc(float x, float y, float radius, IdFilter filter) {
         found.clear();
         int boxes = nearDisc(x, y, radius);
@@ -43,16 +35,7 @@ public final class OverlapSearch {
         return found.count();
     }
 
-    /**
-     * Finds what a box overlaps or touches.
-     *
-     * @param minX left side, finite, as are all numbers
-     * @param minY lower side
-     * @param maxX right side, not less than the left one
-     * @param maxY upper side, not less than the lower one
-     * @param filter which circles count; null for all
-     * @return the number of circles found, whose ids {@link #id} gives
-     */
+    /** The same of a box. */
     public int box(float minX, float minY, float maxX, float maxY, IdFilter filter) {
         found.clear();
         int boxes = near(minX, minY, maxX, maxY);
@@ -69,24 +52,13 @@ public final class OverlapSearch {
         return found.count();
     }
 
-    /**
-     * One of the circles found.
-     *
-     * @param k from 0 to the number of circles found
-     * @return its id; they ascend
-     */
+    /** They ascend. */
     public int id(int k) {
         return found.id(k);
     }
 
     /**
-     * Finds the circle at a point: of those that it lies in, or on the edge of, the one whose centre is nearest, and of several
-     * such ones that of the lowest id.
-     *
-     * @param x x of the point, finite
-     * @param y y of the point, finite
-     * @param filter which circles count; null for all
-     * @return its id, or -1 if there is none
+     * The circle at a point, also on its edge; of several, the one whose centre is nearest, then of the lowest id. -1 if there is none.
      */
     public int pick(float x, float y, IdFilter filter) {
         int boxes = nearDisc(x, y, 0);

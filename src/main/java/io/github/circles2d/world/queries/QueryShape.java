@@ -63,11 +63,7 @@ public enum QueryShape {
         return queries[at + stride - 1];
     }
 
-    /**
-     * Checks the query that begins at an element.
-     *
-     * @throws IllegalArgumentException if a number is out of range
-     */
+    /** Throws {@link IllegalArgumentException} if a number of the query that begins here is out of range. */
     public void check(float[] queries, int at) {
         if (this == BOX) {
             requireFinite("minX", queries[at]);

@@ -13,45 +13,26 @@ public interface RemoteSearch {
     boolean pays();
 
     /**
-     * Searches the circles as of now from here on. All steps have been finished.
-     *
-     * @param state another number whenever circles have changed
-     * @return whether it can
+     * Searches the circles as of now from here on, if it can. All steps have been finished. The state is another number whenever
+     * circles have changed.
      */
     boolean show(long state);
 
     /**
-     * Counts what each query finds.
-     *
-     * @param queries of checked numbers, one after the other
-     * @param n number of queries, at least 1
-     * @param kinds {@link #KIND_WORDS} ints with a bit for each kind whose circles count; null for all
-     * @param counts takes how many circles each query finds
-     * @return whether it has
+     * Counts what each of n queries of checked numbers finds, if it can. Kinds are {@link #KIND_WORDS} ints with a bit for each kind
+     * whose circles count, or null.
      */
     boolean count(QueryShape shape, float[] queries, int n, int[] kinds, int[] counts);
 
     /**
-     * Lists what the first of the queries that have been counted find, each in its order.
-     *
-     * @param n number of queries, at least 1
-     * @param ends where the circles of each end: sums of the counts
-     * @param places whether {@link #distance}, {@link #x} and {@link #y} are asked for
-     * @return whether it has
+     * Lists what the first n of the counted queries find, each in its order, if it can. Ends are sums of the counts; places says
+     * whether {@link #distance}, {@link #x} and {@link #y} are asked for.
      */
     boolean list(int n, int[] ends, boolean places);
 
     /**
-     * Finds the first few circles of each query: at a point, nearest to it, or on a path. Those of query q begin at number q * most;
-     * behind the last one the ids are -1.
-     *
-     * @param queries of checked numbers, one after the other
-     * @param n number of queries, at least 1
-     * @param within greatest distance of {@link QueryShape#NEAREST}
-     * @param most how many to find for each, at least 1
-     * @param kinds as in {@link #count}
-     * @param places whether {@link #distance}, {@link #x} and {@link #y} are asked for
-     * @return whether it has
+     * Finds at most so many first circles of each query, if it can: at a point, nearest to it within a distance, or on a path. Those of
+     * query q begin at number q * most; behind the last one the ids are -1. Kinds and places are as above.
      */
     boolean few(QueryShape shape, float[] queries, int n, float within, int most, int[] kinds, boolean places);
 

@@ -13,11 +13,7 @@ public final class TreeSearch {
     /** No circles. */
     public TreeSearch() {}
 
-    /**
-     * Takes the place of the circles before; see {@link CircleTree#build}.
-     *
-     * @param bounds the arena; where it wraps, circles have images beyond it
-     */
+    /** As {@link CircleTree#build}; if the arena wraps, circles have images beyond it. */
     public void build(float[] circles, int[] ids, int n, Bounds bounds) {
         if (bounds.wraps()) {
             images.make(circles, ids, n, bounds);
@@ -27,13 +23,7 @@ public final class TreeSearch {
         }
     }
 
-    /**
-     * Finds all circles of a query: what overlaps by id, what a path meets by distance, then by id.
-     *
-     * @param query its numbers, which have been checked
-     * @param filter which circles count; null for all
-     * @return the number of circles found, which {@link #id} and {@link #writeHit} give
-     */
+    /** Finds all circles of a checked query, what overlaps by id, what a path meets by distance, then by id, and returns how many. */
     public int all(QueryShape shape, float[] query, IdFilter filter) {
         return switch (shape) {
             case DISC -> overlaps.disc(query[0], query[1], query[2], filter);
@@ -61,13 +51,7 @@ public final class TreeSearch {
         return overlaps.pick(query[0], query[1], filter);
     }
 
-    /**
-     * Finds the first circle that a path meets.
-     *
-     * @param hits takes the hit, or the end of the path; may be null
-     * @param to where in it
-     * @return the id; -1 if there is none
-     */
+    /** The first circle that a path meets, or -1; hits takes the hit, or the end of the path, or is null. */
     public int first(QueryShape shape, float[] query, IdFilter filter, float[] hits, int to) {
         casts.aim(shape, query, 0);
         boolean hit = casts.first(filter);
@@ -79,13 +63,7 @@ public final class TreeSearch {
         return hit ? casts.id(0) : -1;
     }
 
-    /**
-     * Finds the circles nearest to a point, of which {@link #nearestId} and {@link #nearestDistance} tell.
-     *
-     * @param within greatest distance
-     * @param most how many to find
-     * @return how many were found
-     */
+    /** {@link #nearestId} and {@link #nearestDistance} tell of the circles. */
     public int nearest(float[] query, float within, int most, IdFilter filter) {
         return nearest.find(query[0], query[1], within, most, filter);
     }

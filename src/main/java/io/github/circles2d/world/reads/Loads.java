@@ -31,12 +31,7 @@ public final class Loads {
         this.settings = settings;
     }
 
-    /**
-     * Reads the loads by id.
-     *
-     * @param loads takes two elements an id
-     * @param living takes a bit for each id; may be null
-     */
+    /** Two elements an id; living, with a bit an id, may be null. */
     public void readById(float[] loads, long[] living) {
         guard.change(this, loads, living, READ_BY_ID);
     }

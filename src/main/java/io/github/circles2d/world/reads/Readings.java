@@ -86,12 +86,7 @@ public final class Readings {
         circles.put(last.circles(), 0, CircleRow.STRIDE * handles.size());
     }
 
-    /**
-     * Reads x, y, radius and mass by id.
-     *
-     * @param circles takes four elements an id
-     * @param living takes a bit for each id; may be null
-     */
+    /** x, y, radius and mass; living, with a bit an id, may be null. */
     public void readById(float[] circles, long[] living) {
         guard.change(this, circles, living, READ_BY_ID);
     }
@@ -104,12 +99,7 @@ public final class Readings {
         spread(circles, CircleRow.STRIDE, living);
     }
 
-    /**
-     * Reads velocities by id.
-     *
-     * @param velocities takes two elements an id
-     * @param living takes a bit for each id; may be null
-     */
+    /** Two elements an id; living as above. */
     public void readVelocitiesById(float[] velocities, long[] living) {
         guard.change(this, velocities, living, READ_VELOCITIES_BY_ID);
     }
@@ -262,13 +252,7 @@ public final class Readings {
         return pipeline.takePositions(shown);
     }
 
-    /**
-     * Makes values by id NaN that are not of the circles of the last request that have stayed.
-     *
-     * @param values by id
-     * @param each elements an id, 1 or 2
-     * @param living takes a bit for each id; may be null
-     */
+    /** Values of ids whose circles of the last request have gone become NaN; each is 1 or 2 elements an id. */
     public void markGone(FloatBuffer values, int each, long[] living) {
         guard.change(this, values, living, each == 1 ? MARK_GONE_OF_ONE : MARK_GONE_OF_TWO);
     }
@@ -329,13 +313,7 @@ public final class Readings {
         }
     }
 
-    /**
-     * Reads one number of one circle, from the last bulk read if it still holds.
-     *
-     * @param handle the circle
-     * @param field {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS}
-     * @return the number
-     */
+    /** {@link CircleRow#X}, {@code Y}, {@code RADIUS} or {@code MASS} of one circle, from the last bulk read if it still holds. */
     public float circle(long handle, int field) {
         return Float.intBitsToFloat((int) guard.read(this, null, handle, field, CIRCLE));
     }

@@ -31,12 +31,7 @@ public final class LogPlayer {
     private long recordedHash;
     private long hash;
 
-    /**
-     * Reads the head of a log, and makes the world what it was when the log began.
-     *
-     * @param in the log; is not closed
-     * @param simulation makes the calls
-     */
+    /** Reads the head of a log, and makes the world what it was when the log began. Does not close the stream. */
     public LogPlayer(InputStream in, Simulation simulation) throws IOException {
         this.simulation = simulation;
         calls = new RepeatedCalls(simulation);

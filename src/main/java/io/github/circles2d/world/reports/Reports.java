@@ -88,13 +88,7 @@ public final class Reports {
                 () -> events.reportWalls(kind, types, handles));
     }
 
-    /**
-     * Changes what is reported.
-     *
-     * @param checks refuses what is not allowed
-     * @param makeRoom for the change, so that it does not run out of memory; all steps have been made
-     * @param change what is asked for
-     */
+    /** Checks refuse what is not allowed; room is made when all steps have been made. */
     private void change(Runnable checks, Runnable makeRoom, Runnable change) {
         guard.change(this, reports -> reports.changeInside(checks, makeRoom, change));
     }
@@ -181,11 +175,7 @@ public final class Reports {
         return settings;
     }
 
-    /**
-     * Sets again what was reported before, and the hit speed. If it fails half-way, it may be called again.
-     *
-     * @param before what {@link #settings} has given
-     */
+    /** Sets again what {@link #settings} gave. If it fails half-way, it may be called again. */
     public void restore(ReportSettings before) {
         if (before == settings) {
             return;

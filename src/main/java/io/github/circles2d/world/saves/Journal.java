@@ -46,13 +46,7 @@ public final class Journal {
         this.copies = copies;
     }
 
-    /**
-     * Begins a log with a snapshot of now.
-     *
-     * @param out where to; is not closed
-     * @param every steps between two hashes
-     * @return tells how far the log has come; {@link #stop} ends it
-     */
+    /** Begins a log with a snapshot of now, and a hash every so many steps, until {@link #stop}. Does not close the stream. */
     public Progress start(OutputStream out, int every) throws IOException {
         guard.enter();
         try {

@@ -69,12 +69,7 @@ public final class Searches {
         return device.answered();
     }
 
-    /**
-     * Finds all circles of a query.
-     *
-     * @param a its numbers, and zeros
-     * @param hits takes hits of paths; may be null
-     */
+    /** All circles of a query of these numbers and zeros; hits of paths may be null. */
     public int all(
             CategoryFilter filter,
             QueryShape shape,
@@ -88,31 +83,18 @@ public final class Searches {
         return (int) answer(Wanted.ALL, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, to, hits);
     }
 
-    /**
-     * Finds all circles of each query of a batch.
-     *
-     * @param hits takes hits of paths; may be null
-     */
+    /** The same for each query of a batch. */
     public int all(
             CategoryFilter filter, QueryShape shape, float[] queries, int n, int[] ends, long[] to, float[] hits) {
         return (int) answer(Wanted.ALL, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, ends, to, hits);
     }
 
-    /**
-     * Finds the circle at a point, or the first on a path.
-     *
-     * @param a the query's numbers, and zeros
-     * @param hit takes the hit of a path; may be null
-     */
+    /** The circle at a point, or the first on a path; its hit may be null. */
     public long one(CategoryFilter filter, QueryShape shape, float a, float b, float c, float d, float e, float[] hit) {
         return answer(Wanted.ONE, filter, shape, false, null, 1, a, b, c, d, e, 0, 1, null, found, hit);
     }
 
-    /**
-     * Finds the circle at each of many points, or the first on each of many paths.
-     *
-     * @param hits takes the hits of paths; may be null
-     */
+    /** The same for each query of a batch. */
     public int one(CategoryFilter filter, QueryShape shape, float[] queries, int n, long[] to, float[] hits) {
         return (int) answer(Wanted.ONE, filter, shape, true, queries, n, 0, 0, 0, 0, 0, 0, 1, null, to, hits);
     }
@@ -133,11 +115,8 @@ public final class Searches {
     }
 
     /**
-     * Answers a batch, or a single query.
-     *
-     * @param queries the queries of a batch; a single one has the numbers a to e
-     * @param places takes hits, or distances; may be null
-     * @return how many circles are found; of a single query for one circle, that circle
+     * A batch has an array of queries, a single query the numbers a to e; places takes hits or distances, or is null. Returns how many
+     * circles are found; of a single query for one circle, that circle.
      */
     private long answer(
             Wanted wanted,

@@ -220,11 +220,8 @@ public final class Guard {
     }
 
     /**
-     * Takes note of what a call throws. The state is lost if the call was changing it, or if the pipeline has lost it: a read,
-     * too, is told of steps that were enqueued before. It is not lost if a read found too little memory.
-     *
-     * @param cause what the call throws
-     * @return the same
+     * Takes note of what a call throws, and returns it. The state is lost if the call was changing it, or if the pipeline has lost it:
+     * a read, too, is told of steps that were enqueued before. It is not lost if a read found too little memory.
      */
     public RuntimeException failed(Throwable cause) {
         if (changing || pipeline.isLostBy(cause)) {

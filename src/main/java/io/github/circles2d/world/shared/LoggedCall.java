@@ -56,12 +56,7 @@ public enum LoggedCall {
     public final int number;
     public final int words;
 
-    /**
-     * A row.
-     *
-     * @param number what a log knows the call by, from {@link #FIRST} to 255; never changed, and never used again
-     * @param words its ints
-     */
+    /** A log knows the call by its number, from {@link #FIRST} to 255: never changed, and never used again. It has so many ints. */
     LoggedCall(int number, int words) {
         this.number = number;
         this.words = words;

@@ -20,42 +20,21 @@ import java.util.Map;
  */
 public interface Pipeline extends AutoCloseable {
     /**
-     * Makes room for what the caller asked for, so that applying it does not run out of memory. Where this fails, nothing has
-     * changed. All steps have been finished.
-     *
-     * @param commands the commands
+     * Makes room for the commands, so that applying them cannot fail. If there is none, nothing has changed. All steps have been
+     * finished.
      */
     void makeRoom(Commands commands);
 
-    /**
-     * Applies what the caller asked for, in call order. Does not keep the object.
-     *
-     * @param commands the commands, for which room has been made
-     */
+    /** In call order. Room has been made; the object is not kept. */
     void apply(Commands commands);
 
-    /**
-     * Makes ready for steps with such contacts and edges, however they were before.
-     *
-     * @param contacts how contacts will be
-     * @param edged whether an axis will have no walls
-     */
+    /** Makes ready for steps with such contacts, and with or without axes that have no walls. */
     default void prepare(ContactSettings contacts, boolean edged) {}
 
-    /**
-     * Makes steps.
-     *
-     * @param input what the step needs
-     * @param levels shape of the grids
-     * @param steps number of steps, at least 1
-     */
+    /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);
 
-    /**
-     * Sets who is told of what pairs did in each step to come. All steps have been finished.
-     *
-     * @param events has room for all ids; null if nobody is told
-     */
+    /** Sets who is told of what pairs did in each step to come, with room for all ids, or null. All steps have been finished. */
     void report(ContactEvents events);
 
     /** Publishes the events of all steps asked for; waits for these if they may have some. */
@@ -75,149 +54,80 @@ public interface Pipeline extends AutoCloseable {
     void finish();
 
     /**
-     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there.
-     *
-     * @param from where the walls were; where they are now if they jumped
-     * @param to the new bounds
+     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there. Walls that
+     * jumped are where they are now.
      */
     void confine(Bounds from, Bounds to);
 
-    /**
-     * The hash of the state, by {@link StateHash}.
-     *
-     * @return 64 bits
-     */
+    /** {@link StateHash}. */
     long hash();
 
-    /**
-     * Reads x, y, radius and mass of every circle.
-     *
-     * @param handles which ids live
-     * @param to 4 floats a circle, in ascending order of ids
-     */
+    /** x, y, radius and mass, in the order of ids. */
     void readCircles(HandleTable handles, float[] to);
 
     /**
-     * Reads x and y of every circle into memory of the pipeline's own.
-     *
-     * @param handles which ids live
-     * @param byId whether the positions lie by id
-     * @return 2 floats a circle, in ascending order of ids, or 2 floats an id, NaN without a circle, from position 0 to the limit;
-     *     read-only; valid until the next call
+     * x and y in the order of ids, or by id and NaN without a circle, from position 0 to the limit, in memory of the pipeline;
+     * read-only, valid until the next call.
      */
     FloatBuffer positions(HandleTable handles, boolean byId);
 
     /**
-     * Asks for x and y of every circle as of now, which come while further steps are made. Takes the place of an earlier
-     * request that has not been taken.
-     *
-     * @param handles which ids live; not kept
+     * Asks for x and y of every circle as of now, which come while further steps are made. An earlier request that has not been taken
+     * is void.
      */
     void requestPositions(HandleTable handles);
 
-    /**
-     * Waits for the positions that were requested last.
-     *
-     * @return false if a step before the request has not been made yet: {@link #finish} makes it, and asks again
-     */
+    /** False if a step before the request has not been made yet: {@link #finish} makes it, and asks again. */
     boolean positionsArrived();
 
     /**
-     * Gives the positions that were requested last. Once a request.
-     *
-     * @param shown null for positions in ascending order of ids; else they lie by id, and those of other ids are NaN
-     * @return 2 floats a circle, or an id, from position 0 to the limit; read-only; valid until the request after the next
+     * The positions that were requested last, once a request: in the order of ids if shown is null, else by id, and NaN for ids that
+     * are not shown. As {@link #positions}, but valid until the request after the next.
      */
     FloatBuffer takePositions(IdMask shown);
 
-    /**
-     * Reads velocities.
-     *
-     * @param handles which ids live
-     * @param to 2 floats a circle, in ascending order of ids
-     */
+    /** In the order of ids. */
     void readVelocities(HandleTable handles, float[] to);
 
-    /**
-     * Saves the circles and the cached impulses: those that the next step would start from, and no others.
-     *
-     * @param into has the ids of all circles already; takes circle, motion, traits and the impulses
-     */
+    /** Saves circle, motion, traits and the impulses that the next step would start from. The ids are there already. */
     void save(SavedState into);
 
     /**
-     * Makes room for a saved state, so that taking it over does not run out of memory. Where this fails, nothing has changed.
-     * All steps have been finished.
-     *
-     * @param from the state
+     * Makes room for a saved state, so that taking it over cannot fail. If there is none, nothing has changed. All steps have been
+     * finished.
      */
     void makeRoom(SavedState from);
 
     /**
-     * Takes over a saved state instead of its own: from now on all is as if it had made the steps that led there. The values
-     * have been checked.
-     *
-     * @param from the state, for which room has been made; not kept
+     * From now on all is as if it had made the steps that led to the state. Values have been checked, and room has been made; it is not
+     * kept.
      */
     void load(SavedState from);
 
-    /**
-     * What searches the circles where they are.
-     *
-     * @return always the same; null if only the host can search them
-     */
+    /** Always the same; null if only the host can search the circles. */
     default RemoteSearch search() {
         return null;
     }
 
-    /**
-     * Pairs whose distance the broad phase tested in the last step.
-     *
-     * @return at least 0
-     */
+    /** Pairs whose distance the broad phase tested in the last step. */
     long candidatePairs();
 
-    /**
-     * Contacts listed in the last step.
-     *
-     * @return at least 0
-     */
+    /** Of the last step. */
     int contacts();
 
-    /**
-     * Greatest number of contacts of one circle in the last step.
-     *
-     * @return at least 0
-     */
+    /** The greatest number of one circle in the last step. */
     int greatestContacts();
 
-    /**
-     * Memory held for circles and contacts.
-     *
-     * @return bytes
-     */
+    /** For circles and contacts. */
     long bytesHeld();
 
-    /**
-     * Time spent in each stage since the start.
-     *
-     * @return milliseconds by the stage's name; empty unless profiling
-     */
+    /** Since the start; empty unless profiling. */
     Map<String, Double> stageMillis();
 
-    /**
-     * What the pipeline runs on.
-     *
-     * @return a name for people
-     */
+    /** A name for people. */
     String device();
 
-    /**
-     * Whether the state is lost if any call throws this, be it a read.
-     *
-     * @param cause what a call has thrown
-     * @return true for failures of a device, which takes the state with it
-     */
+    /** Whether the state is lost if any call throws this, be it a read: true of failures of a device. */
     default boolean isLostBy(Throwable cause) {
         return false;
     }

@@ -178,12 +178,6 @@ public enum DeviceArray {
         private final String block;
         private final DeviceCount stride;
 
-        /**
-         * An index.
-         *
-         * @param block the kernels' name of the block; null if each array is an argument of its own
-         * @param stride elements from the start of an array of the block to that of the next; null if there is one alone
-         */
         Index(String words, boolean kept, String block, DeviceCount stride) {
             this.words = words;
             this.kept = kept;

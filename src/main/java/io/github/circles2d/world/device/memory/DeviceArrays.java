@@ -43,11 +43,7 @@ public final class DeviceArrays {
     /** Counts how often arrays were replaced, so that kernels know when to bind again. */
     private int version;
 
-    /**
-     * Memory for a number of circles.
-     *
-     * @param tiled whether there may be steps by tiles; otherwise the arrays for these alone have one element
-     */
+    /** Without steps by tiles, the arrays for these alone have one element. */
     public DeviceArrays(Session session, int capacity, boolean tiled) {
         this.session = session;
         this.tiled = tiled;
@@ -163,11 +159,7 @@ public final class DeviceArrays {
         }
     }
 
-    /**
-     * Makes room for copies that tiles make of contacts.
-     *
-     * @return false if there cannot be so much
-     */
+    /** False if there cannot be so much. */
     public boolean ensureCopies(int copies) {
         if (copies < 0 || copies > MOST_ELEMENTS) {
             return false;
@@ -194,10 +186,8 @@ public final class DeviceArrays {
     }
 
     /**
-     * Replaces arrays by larger ones: all of them, or none if one does not fit.
-     *
-     * @param kept how many elements stay of an array that is kept
-     * @param elements how many elements the arrays of an index get; {@link #AS_IT_IS} for those that do not grow
+     * All of them, or none if one does not fit. {@link #AS_IT_IS} for those that do not grow; kept elements of arrays that are kept
+     * stay.
      */
     private void grow(int kept, ToLongFunction<Index> elements) {
         Map<Index, Block> added = new EnumMap<>(Index.class);

@@ -168,11 +168,7 @@ public final class EventArrays implements AutoCloseable {
         hitSpeed = speed;
     }
 
-    /**
-     * Makes room for ids that other arrays have room for, and takes the first memory for the rest.
-     *
-     * @param events of a step for which there is room at first
-     */
+    /** Makes room for ids that other arrays have room for; at first also for so many events of a step. */
     public void ensure(DeviceArrays arrays, int events) {
         ensureRoom(Math.max(LEAST_ROOM, events));
         if (arrays.idCapacity() > ids) {
@@ -231,11 +227,7 @@ public final class EventArrays implements AutoCloseable {
         return 2L * Float.BYTES * OPEN_HIT * hits;
     }
 
-    /**
-     * Takes another table, with room for pairs; it is not empty yet.
-     *
-     * @return the table before, which the caller closes; null if there was none
-     */
+    /** Takes a table that is not empty yet. Returns the one before, which the caller closes, or null. */
     public DeviceBuffer replaceTable(int pairs) {
         long wanted = Long.highestOneBit(Math.max(LEAST_ROOM, 4L * pairs) - 1) << 1;
         if (wanted > 1 << 28) {

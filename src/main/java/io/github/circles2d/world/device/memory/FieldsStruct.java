@@ -35,11 +35,7 @@ public final class FieldsStruct {
         return new int[WORDS * ids];
     }
 
-    /**
-     * Packs values of circles, by id.
-     *
-     * @param to what {@link #room} has given
-     */
+    /** By id, to what {@link #room} has given. */
     public static void pack(CircleFields from, int[] to) {
         for (int k = 0; k < FIELDS.size(); k++) {
             for (int id = 0; id < to.length / WORDS; id++) {

@@ -7,14 +7,7 @@ import io.github.circles2d.opencl.Session;
 public final class GrownBuffer {
     private GrownBuffer() {}
 
-    /**
-     * Returns a buffer with room for what is needed: the one that is held, if it is large enough. Else that is given back, once there
-     * is a larger one.
-     *
-     * @param held may be null
-     * @param needed bytes
-     * @param wanted bytes of a new buffer, at least those needed
-     */
+    /** The buffer that is held, or null, if it has the bytes needed; else a larger one, and then the other is given back. */
     public static DeviceBuffer of(Session session, String name, DeviceBuffer held, long needed, long wanted) {
         if (held != null && held.bytes() >= needed) {
             return held;

@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A struct of the kernels that the host fills. It has one row per field; the rows give the text of the struct and pack the values.
- *
- * @param <T> the source of the values
+ * A struct of the kernels that the host fills from a T. It has one row per field; the rows give the text of the struct and pack the
+ * values.
  */
 final class HostStruct<T> {
     /** Packs the values of a field. */

@@ -39,11 +39,7 @@ public final class Scan {
                 arrays.get(DeviceArray.STATUS));
     }
 
-    /**
-     * Sums up counts, and clears them.
-     *
-     * @param status leaves sums and counts alone, if it says that a step waits for the host
-     */
+    /** Sums up counts, and clears them; leaves both alone if the status says that a step waits for the host. */
     public void run(DeviceBuffer counts, int elements, DeviceBuffer blockSums, DeviceBuffer sums, DeviceBuffer status) {
         long items = (long) blocks(elements) * GROUP;
         blocks.arg(0, counts).arg(1, elements).arg(2, blockSums).run(items, GROUP);

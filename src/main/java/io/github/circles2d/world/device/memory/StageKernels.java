@@ -23,22 +23,12 @@ public final class StageKernels {
     private int boundSlots = -1;
     private int boundCircles = -1;
 
-    /**
-     * Compiles the stages.
-     *
-     * @param workGroupSize work-items of a work-group, for the kernels of the stages that leave it open; as near to it as each
-     *     kernel allows; or {@link #USUAL_GROUPS}
-     */
+    /** With work-groups as near to this size as each kernel allows, or {@link #USUAL_GROUPS}. */
     public StageKernels(Session session, KernelSource source, int workGroupSize) {
         this(session, source, workGroupSize, false, false);
     }
 
-    /**
-     * The same, for steps that may report something.
-     *
-     * @param reporting whether they do: then kernels are compiled that decide what
-     * @param recording whether they record what contacts do, too
-     */
+    /** If steps report, kernels decide what; if they record, also what contacts do. */
     public StageKernels(Session session, KernelSource source, int workGroupSize, boolean reporting, boolean recording) {
         KernelSource compiled = reporting ? source.define("REPORTING", 1) : source;
         compiled = recording ? compiled.define("RECORDING", 1) : compiled;

@@ -17,11 +17,6 @@ public final class TouchArrays implements AutoCloseable {
     private DeviceBuffer contacts;
     private DeviceBuffer slots;
 
-    /**
-     * No memory yet.
-     *
-     * @param walls whether walls are reported
-     */
     public TouchArrays(Session session, boolean walls) {
         this.session = session;
         this.walls = walls;

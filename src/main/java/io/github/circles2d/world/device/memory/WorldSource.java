@@ -23,11 +23,7 @@ public final class WorldSource {
 
     private WorldSource() {}
 
-    /**
-     * What all plans share, the files of some plans, and the files that these use.
-     *
-     * @param planFiles paths below the folder {@code kernels}
-     */
+    /** The files of all plans, those of some plans, and the files that these use, by paths below {@code kernels}. */
     public static KernelSource of(Collection<String> planFiles) {
         return tables().and(SHARED).and(planFiles.toArray(String[]::new));
     }

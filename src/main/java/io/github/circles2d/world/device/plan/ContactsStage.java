@@ -29,11 +29,6 @@ final class ContactsStage {
         list = kernels.staged("contacts_list");
     }
 
-    /**
-     * Lists the contacts.
-     *
-     * @param thinning whether to thin crowds out
-     */
     void list(GridLevels levels, int circles, boolean thinning) {
         if (thinning) {
             crowd.run(circles);

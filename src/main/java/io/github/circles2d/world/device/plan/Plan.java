@@ -43,10 +43,6 @@ public interface Plan {
     /** Counts the contacts of each circle after a step of this plan, into ranks, which are all zeros before. */
     void countDegrees(int contacts);
 
-    /**
-     * Takes note of how the last step filled its tiles, whichever plan made it.
-     *
-     * @param thinning whether the steps thinned crowds out
-     */
+    /** Takes note of how the last step filled its tiles, whichever plan made it. */
     default void learn(TileUse use, boolean thinning) {}
 }

@@ -110,12 +110,7 @@ public final class Stages {
         send(steps.warmScale(), steps.slots(), steps.circles());
     }
 
-    /**
-     * Enqueues steps stage by stage, up to the list of contacts.
-     *
-     * @param tiled whether they are made by tiles
-     * @param rest enqueues the rest of a step
-     */
+    /** Up to the list of contacts; rest enqueues the rest of a step. */
     void enqueueEach(Steps steps, boolean tiled, Runnable rest) {
         parameters.setWay(steps.sweeping(), steps.thinning(), tiled);
         int slots = steps.slots();

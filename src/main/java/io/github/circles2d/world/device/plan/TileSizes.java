@@ -94,11 +94,7 @@ final class TileSizes {
         }
     }
 
-    /**
-     * Chooses the size for work-groups that wait for each other, each of which should have one tile.
-     *
-     * @param atOnce how many work-groups run at once
-     */
+    /** For work-groups that wait for each other, so many at once, each of which should have one tile. */
     void choose(Steps steps, int atOnce) {
         together = true;
         size = largestSize;
@@ -167,11 +163,6 @@ final class TileSizes {
         return Math.min((cellsUsed >> tileLog) + 1, (side - 1 >> tileLog) + 1);
     }
 
-    /**
-     * Takes note of how the last step filled its tiles.
-     *
-     * @param thinning whether it thinned crowds out
-     */
     void learn(TileUse use, boolean thinning) {
         if (thinning && givenUpForCrowds > 0) {
             givenUpForCrowds--;

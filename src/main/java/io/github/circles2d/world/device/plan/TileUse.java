@@ -5,11 +5,8 @@ import io.github.circles2d.world.device.memory.StatusWord;
 import io.github.circles2d.world.device.memory.TileRecord;
 
 /**
- * How the last step filled its tiles.
- *
- * @param peak percent of the room that the fullest one took, {@code TileRecord.NO_TILE} where none would do, or 0 where there were none
- * @param listed tiles of the list, if there was one, also those that there was no room for
- * @param cut whether some of these were cut
+ * How the last step filled its tiles: percent of the room that the fullest took, {@code TileRecord.NO_TILE} if none would do, 0 if
+ * there were none; tiles of the list, also those without room; whether some were cut.
  */
 public record TileUse(int peak, int listed, boolean cut) {
     /** What tells plans to make the step without tiles. */

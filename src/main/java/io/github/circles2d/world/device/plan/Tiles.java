@@ -53,11 +53,7 @@ public final class Tiles implements Plan {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
     }
 
-    /**
-     * Work-items of a work-group that decides what steps report: many GPUs run no more than 256, and their compilers refuse more.
-     *
-     * @param most work-items of a work-group on the device
-     */
+    /** Many GPUs run no more than 256 work-items of events in a work-group, and their compilers refuse more. */
     static int eventGroup(int most) {
         return Math.min(EVENT_GROUP, most);
     }

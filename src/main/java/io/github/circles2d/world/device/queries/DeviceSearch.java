@@ -68,12 +68,7 @@ public final class DeviceSearch implements RemoteSearch {
 
     private boolean countedFiltered;
 
-    /**
-     * Searches the circles of a device; takes no memory before the first search.
-     *
-     * @param slots gives how many slots have circles
-     * @param circles gives how many circles there are
-     */
+    /** Takes no memory before the first search. */
     public DeviceSearch(Session session, DeviceArrays arrays, IntSupplier slots, IntSupplier circles) {
         this.session = session;
         this.arrays = arrays;

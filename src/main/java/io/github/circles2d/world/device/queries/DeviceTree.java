@@ -82,11 +82,7 @@ final class DeviceTree {
                 .define("MOST_IN_A_CELL", MOST_IN_A_CELL);
     }
 
-    /**
-     * Makes the tree that of the circles at home.
-     *
-     * @return false if they crowd where a tree is of no use
-     */
+    /** False if circles crowd so that a tree is of no use. */
     boolean build(int slots, int size) {
         circles = size;
         int bits = bits(size);

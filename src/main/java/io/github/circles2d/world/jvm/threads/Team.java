@@ -15,11 +15,6 @@ import java.lang.ref.Cleaner;
 public final class Team implements AutoCloseable {
     /** What all workers run. */
     public interface Work {
-        /**
-         * The part of one worker.
-         *
-         * @param worker its number, 0 to {@link Team#size} - 1
-         */
         public void run(int worker);
     }
 
@@ -34,11 +29,7 @@ public final class Team implements AutoCloseable {
 
     private int size = 1;
 
-    /**
-     * A team.
-     *
-     * @param most greatest number of workers, at least 1; threads beyond the caller's start when they are first needed
-     */
+    /** Threads beyond the caller's start when they are first needed. */
     public Team(int most) {
         this.most = Crew.possible(most);
         crew = this.most > 1 ? new Crew(this.most) : null;
@@ -87,11 +78,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Runs some work, and returns when all workers are through. What one of them throws is thrown here, as it is; the others
-     * stop at their next barrier, and the team is of no use after that.
-     *
-     * @param workers number of workers, at most {@link #most}; there are fewer where the system has no more threads
-     * @param work the work
+     * Runs some work by so many workers, or fewer if the system has no more threads, and returns when all are through. What one of them
+     * throws is thrown here, as it is; the others stop at their next barrier, and the team is of no use after that.
      */
     public void run(int workers, Work work) {
         size = workers == 1 ? 1 : crew.start(workers);
