@@ -152,7 +152,6 @@ public final class Simulation implements AutoCloseable {
         return reports;
     }
 
-    /** The snapshots. */
     public Snapshots snapshots() {
         return snapshots;
     }
@@ -179,13 +178,11 @@ public final class Simulation implements AutoCloseable {
         settings.setGravity(x, y);
     }
 
-    /** Gravity along x. */
     public float gravityX() {
         guard.check();
         return settings.gravityX();
     }
 
-    /** Gravity along y. */
     public float gravityY() {
         guard.check();
         return settings.gravityY();
@@ -229,19 +226,16 @@ public final class Simulation implements AutoCloseable {
         return settings.defaultRestitution();
     }
 
-    /** The number of sub-steps of a step. */
     public int subSteps() {
         guard.check();
         return settings.subSteps();
     }
 
-    /** How contacts are. */
     public ContactSettings contacts() {
         guard.check();
         return settings.contacts();
     }
 
-    /** Makes steps. */
     public void step(float timeStep, int steps) {
         guard.change(this, 0, steps, timeStep, 0, STEP);
     }
@@ -261,10 +255,7 @@ public final class Simulation implements AutoCloseable {
         log.stepped(steps);
     }
 
-    /**
-     * Whether the next step differs from those behind it: some static circle travels, a wall moves, a force is applied, or a circle
-     * grows.
-     */
+    /** Whether a static circle travels, a wall moves, a force is applied, or a circle grows in it. */
     private boolean nextStepDiffers() {
         return !travels.isEmpty() || !forces.isEmpty() || settings.wallsMove() || !growth.isEmpty();
     }

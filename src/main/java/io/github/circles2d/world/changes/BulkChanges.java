@@ -92,7 +92,6 @@ public final class BulkChanges {
         return change(positions, circles, count, values, skipStale);
     }
 
-    /** Gives circles velocities. */
     public int setVelocities(long[] circles, int count, float[] values, boolean skipStale) {
         return change(velocities, circles, count, values, skipStale);
     }
@@ -102,12 +101,10 @@ public final class BulkChanges {
         return change(impulses, circles, count, values, skipStale);
     }
 
-    /** Sets forces on circles. */
     public int setForces(long[] circles, int count, float[] values, boolean skipStale) {
         return change(forces, circles, count, values, skipStale);
     }
 
-    /** Gives circles other kinds. */
     public int setKinds(long[] circles, int count, int[] values, boolean skipStale) {
         return change(kinds, circles, count, values, skipStale);
     }

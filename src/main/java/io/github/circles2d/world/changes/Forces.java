@@ -102,7 +102,6 @@ public final class Forces {
         count = 0;
     }
 
-    /** Makes room for the circles of a saved state. */
     public void makeRoom(SavedState from) {
         int applied = from.fields.used(CircleField.APPLIED_X) + from.fields.used(CircleField.APPLIED_Y);
         if (ids.length < applied) {

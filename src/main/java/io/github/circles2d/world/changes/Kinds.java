@@ -30,24 +30,20 @@ public final class Kinds {
         this.copies = copies;
     }
 
-    /** Checks the number of a kind. */
     public int check(int kind) {
         guard.check();
         return KindTable.check(kind);
     }
 
-    /** A field of a kind. */
     public int get(KindField field, int kind) {
         guard.check();
         return table.get(field, kind);
     }
 
-    /** A field of a kind that is a float. */
     public float getFloat(KindField field, int kind) {
         return Float.intBitsToFloat(get(field, kind));
     }
 
-    /** Sets a field of a kind. */
     public void set(KindField field, int kind, int value) {
         guard.read(this, field, kind, value, SET);
     }

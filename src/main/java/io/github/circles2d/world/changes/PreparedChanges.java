@@ -102,7 +102,6 @@ public final class PreparedChanges {
         }
     }
 
-    /** Prepares another force. */
     void setForce(int id, float x, float y) {
         Limits.force(x, y);
         setField(CircleField.FORCE_X, id, Forces.bits(x));

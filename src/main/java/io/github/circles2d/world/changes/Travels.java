@@ -140,7 +140,6 @@ public final class Travels {
         count = 0;
     }
 
-    /** Makes room for the targets of a saved state. */
     public void makeRoom(SavedState from) {
         int circles = 0;
         for (int id = 0; id < from.ids; id++) {

@@ -35,19 +35,12 @@ public enum CircleField {
     /** The same along y. */
     APPLIED_Y(7, "applied force y", Limits.FORCE, false),
 
-    /**
-     * Where a static circle travels in the next step, as {@link #place} packs it; as it is at first, nowhere. Only
-     * {@code world.Travels} sets it, and a snapshot's is checked there.
-     */
+    /** Where a static circle travels in the next step, by {@link #place}; at first nowhere. {@code world.Travels} alone sets it. */
     TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false),
 
-    /**
-     * To which radius a circle grows or shrinks, and in how many steps, as {@link #growth} packs them; 0 if it does neither. Only
-     * {@code world.Growth} sets it, and {@link SnapshotCodec} checks those of snapshots.
-     */
+    /** The radius that a circle grows to, and in how many steps, by {@link #growth}, or 0. {@code world.Growth} alone sets it. */
     GROWTH(10, "growth", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
 
-    /** All fields. */
     static final List<CircleField> ALL = List.of(values());
 
     /** The fields that steps read; their places in this list number them in commands and in the kernels' struct. */
@@ -94,17 +87,14 @@ public enum CircleField {
         return most > 0;
     }
 
-    /** The value of a field that is a place. */
     public static long place(float x, float y) {
         return Float.floatToRawIntBits(x) & 0xFFFFFFFFL | (long) Float.floatToRawIntBits(y) << Integer.SIZE;
     }
 
-    /** x of a place. */
     public static float placeX(long place) {
         return Float.intBitsToFloat((int) place);
     }
 
-    /** y of a place. */
     public static float placeY(long place) {
         return Float.intBitsToFloat((int) (place >> Integer.SIZE));
     }
@@ -114,12 +104,10 @@ public enum CircleField {
         return Float.floatToRawIntBits(radius) & 0xFFFFFFFFL | (long) steps << Integer.SIZE;
     }
 
-    /** The radius that a growth leads to. */
     public static float growthRadius(long growth) {
         return Float.intBitsToFloat((int) growth);
     }
 
-    /** The steps that a growth still takes. */
     public static int growthSteps(long growth) {
         return (int) (growth >> Integer.SIZE);
     }
@@ -159,7 +147,6 @@ public enum CircleField {
         return greatest;
     }
 
-    /** Whether steps read the field. */
     public boolean isOfSteps() {
         return ofSteps;
     }

@@ -68,7 +68,6 @@ public final class CircleFields {
         return id < own.length ? own[id] : (int) field.initial();
     }
 
-    /** The value of a circle, of a field that is a float. */
     public float getFloat(CircleField field, int id) {
         return Float.intBitsToFloat(getInt(field, id));
     }

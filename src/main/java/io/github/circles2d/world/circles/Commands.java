@@ -107,7 +107,6 @@ public final class Commands {
     private int count;
     private int added;
 
-    /** No commands. */
     public Commands() {}
 
     public int count() {
@@ -124,12 +123,10 @@ public final class Commands {
         return records;
     }
 
-    /** The operation of a record. */
     public int operation(int record) {
         return records[STRIDE * record + OPCODE];
     }
 
-    /** The id of the circle of a record. */
     public int id(int record) {
         return records[STRIDE * record + ID];
     }
@@ -139,7 +136,6 @@ public final class Commands {
         return records[STRIDE * record + FIRST];
     }
 
-    /** The second value of a record. */
     public int second(int record) {
         return records[STRIDE * record + SECOND];
     }
@@ -236,10 +232,7 @@ public final class Commands {
         records[k + SECOND] = value;
     }
 
-    /**
-     * Copies a change, or {@link #REMOVE}, to where {@link #admitChanges} finds it, behind those ahead. The next record of another kind
-     * overwrites it.
-     */
+    /** Copies a change to where {@link #admitChanges} finds it, behind those ahead; the next record of another kind overwrites it. */
     public void prepareChange(int ahead, int operation, int id, float a, float b) {
         ensure(ahead + 1);
         int k = STRIDE * (count + ahead);

@@ -19,7 +19,6 @@ final class FieldSections {
 
     private FieldSections() {}
 
-    /** The number of sections of a state. */
     static int count(SavedState s) {
         int count = 0;
         for (CircleField field : ALL) {

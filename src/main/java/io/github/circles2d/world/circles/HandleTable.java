@@ -49,7 +49,6 @@ public final class HandleTable {
 
     private int size;
 
-    /** No id below this one is free. */
     private int noneFreeBelow;
 
     /** One more than the greatest id ever used. */

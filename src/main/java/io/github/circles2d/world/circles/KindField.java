@@ -8,7 +8,6 @@ public enum KindField {
     /** The bits that others look for in their masks. */
     CATEGORY(1, "category", 1, Check.ANY_INT),
 
-    /** The categories that circles of the kind meet. */
     MASK(2, "mask", -1, Check.ANY_INT),
 
     /** 1 if what its circles would meet is sensed instead. */
@@ -34,7 +33,6 @@ public enum KindField {
             Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
             ofFloat("greatest speed", 0, Float.POSITIVE_INFINITY));
 
-    /** All fields. */
     static final List<KindField> ALL = List.of(values());
 
     /** What is allowed of a field. */

@@ -19,7 +19,6 @@ final class KindSection {
 
     private KindSection() {}
 
-    /** Whether some kind is not as it is at first. */
     static boolean isNeeded(KindTable kinds) {
         return values(kinds) + kinds.settings() > 0;
     }

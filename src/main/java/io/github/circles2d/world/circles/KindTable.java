@@ -61,7 +61,6 @@ public final class KindTable implements KindMotion.Values {
         return Limits.within("the kind", kind, 0, PairTable.KINDS - 1);
     }
 
-    /** A field of a kind. */
     public int get(KindField field, int kind) {
         return values[at(field, kind)];
     }

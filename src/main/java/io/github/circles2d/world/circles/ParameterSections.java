@@ -31,7 +31,6 @@ final class ParameterSections {
 
     private ParameterSections() {}
 
-    /** The number of sections of a state. */
     static int count(SavedState s) {
         return ofFloats(s) + (KindSection.isNeeded(s.kinds) ? 1 : 0);
     }

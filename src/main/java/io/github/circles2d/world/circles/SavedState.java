@@ -30,7 +30,6 @@ public final class SavedState {
     /** What events go on from. */
     public final SavedTouches touches = new SavedTouches();
 
-    /** Number of circles. */
     public int circles;
 
     /** By circle: its id, ascending. All arrays "by circle" have this order. */

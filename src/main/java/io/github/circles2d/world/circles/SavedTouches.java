@@ -19,7 +19,6 @@ public final class SavedTouches {
     /** Ints of a late event: its type, the number of its wall or -1. */
     public static final int LATE_INTS = 2;
 
-    /** Number of pairs that touch. */
     public int pairs;
 
     /** By pair: the lower id above the higher one, or above the code of a wall; ascending. */
@@ -43,7 +42,6 @@ public final class SavedTouches {
     /** By late event: see {@link #LATE_INTS}. */
     public int[] lateInts = new int[0];
 
-    /** By late event: its values. */
     public float[] lateValues = new float[0];
 
     /** Nothing. */

@@ -51,7 +51,6 @@ public final class SnapshotRing {
         return sum;
     }
 
-    /** Whether there is a frame. */
     public boolean has(int frame) {
         int k = search(frame);
         return k < size && frame(k) == frame;

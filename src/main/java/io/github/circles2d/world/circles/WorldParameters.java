@@ -34,15 +34,11 @@ public record WorldParameters(
                 bounds, gravityX, gravityY, restitution, subSteps, previousTimeStep, settings, wallStart);
     }
 
-    /** Whether the walls move in the next step. */
     boolean wallsMove() {
         return wallStart.differs(bounds);
     }
 
-    /**
-     * The part of parameters in the hash of the state: where walls that move start, contacts that are not as by default, and edges that
-     * are no walls.
-     */
+    /** In the hash of the state: where walls that move start, contacts that are not as by default, and edges that are no walls. */
     public static long hash(Bounds bounds, Bounds wallStart, ContactSettings contacts) {
         long walls = wallStart.differs(bounds) ? StateHash.walls(wallStart) : 0;
         long edges = bounds.isWalled() ? 0 : StateHash.edges(bounds);

@@ -53,12 +53,10 @@ final class PairTransfer implements RemotePairs, AutoCloseable {
         stepsMade = steps;
     }
 
-    /** The number of the last step. */
     private int lastStep() {
         return EventArrays.FIRST_STEP + stepsMade - 1;
     }
 
-    /** Sends the pairs that are on the host. */
     void send() {
         int count = events.pairs();
         if (deciding.freePlaces(0) < 2L * count || deciding.touching() == null) {

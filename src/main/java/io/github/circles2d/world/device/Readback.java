@@ -79,7 +79,6 @@ final class Readback {
         return sharedView.clear().limit(2 * (lieById ? handles.end() : handles.size()));
     }
 
-    /** Lays an array of the state out by id, on the device. */
     private void layOut(Kernel kernel, DeviceArray state, int slots) {
         kernel.arg(0, arrays.get(DeviceArray.HOME_ID))
                 .arg(1, arrays.get(state))

@@ -108,7 +108,6 @@ final class StepQueue {
         return seen;
     }
 
-    /** The slots that the next step begins with. */
     int slotsBehindPending() {
         return pending == 0 ? home.slots : home.circles;
     }

@@ -17,7 +17,6 @@ final class StepStatistics {
     /** The plan of the last step; null before the first. */
     private Plan plan;
 
-    /** Circles and contacts of the last step. */
     private int circles;
 
     private int contacts;

@@ -107,12 +107,10 @@ public final class ContactEvents {
         return reported.dependsOnKinds();
     }
 
-    /** The types of a pair of kinds. */
     public int typesOfKinds(int a, int b) {
         return reported.types(a, b);
     }
 
-    /** The types of a kind and walls. */
     public int typesOfWalls(int kind) {
         return reported.wallTypes(kind);
     }
@@ -122,7 +120,6 @@ public final class ContactEvents {
         return reported.version();
     }
 
-    /** Tells a step what of it is reported. */
     public void prepare(KindTable kinds, StepReports reports) {
         reported.resolve(kinds, circles);
         boolean records = reported.solids() || reported.wallsOfCircles();
@@ -141,24 +138,19 @@ public final class ContactEvents {
         reported.makeRoom();
     }
 
-    /**
-     * Sets what is reported of all pairs, once all changes have been applied. Pairs that are not reported any more are forgotten; new
-     * ones begin if they touch.
-     */
+    /** Once all changes have been applied. Pairs that are not reported any more are forgotten; new ones begin if they touch. */
     public void report(int types, HandleTable handles) {
         boolean was = isOn();
         reported.set(types);
         changed(was, handles);
     }
 
-    /** Sets what is reported of two kinds. */
     public void reportPair(int kindA, int kindB, int types, HandleTable handles) {
         boolean was = isOn();
         reported.set(kindA, kindB, types);
         changed(was, handles);
     }
 
-    /** Sets what is reported of a kind and walls. */
     public void reportWalls(int kind, int types, HandleTable handles) {
         boolean was = isOn();
         reported.setWalls(kind, types);
@@ -181,7 +173,6 @@ public final class ContactEvents {
         }
     }
 
-    /** Sets the speed from which on a hit counts. */
     public void setHitSpeed(float speed) {
         tracker.setHitSpeed(speed);
     }
@@ -390,10 +381,7 @@ public final class ContactEvents {
         return queue;
     }
 
-    /**
-     * Lists the pairs of two kinds that touched in the last step, by lower and higher id, as far as there is room, and returns how many
-     * there are. Of one kind, the one of lower id comes first.
-     */
+    /** Lists pairs that touched in the last step by lower and higher id, as far as there is room, and returns how many there are. */
     public int list(int kindA, int kindB, long[] handles) {
         place.bringHere();
         return touching.list(kindA, kindB, handles);
@@ -425,10 +413,7 @@ public final class ContactEvents {
         }
     }
 
-    /**
-     * Takes over a saved state, for which there is room. Events that have not been taken are of a time that is no more, and are
-     * dropped.
-     */
+    /** Room has been made. Events that have not been taken are of a time that is no more, and are dropped. */
     public void load(SavedTouches from, HandleTable handles) {
         place.replace();
         queue.drop();

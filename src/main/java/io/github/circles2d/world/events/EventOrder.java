@@ -12,7 +12,6 @@ final class EventOrder {
 
     private EventOrder() {}
 
-    /** What events are ordered by. */
     static long key(int lower, int higher, int rank) {
         return ((long) lower << ID_BITS | higher) << RANK_BITS | rank;
     }

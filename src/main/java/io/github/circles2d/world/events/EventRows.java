@@ -29,7 +29,6 @@ public final class EventRows {
     /** Null until events are sorted. */
     private EventSort sort;
 
-    /** No events. */
     public EventRows() {}
 
     void clear() {
@@ -60,14 +59,12 @@ public final class EventRows {
         return count++;
     }
 
-    /** Sets the values of an event. */
     void setValues(int row, float[] from, int at) {
         for (int k = 0; k < TouchRecords.VALUES; k++) {
             words[STRIDE * row + FIRST_VALUE + k] = Float.floatToRawIntBits(from[at + k]);
         }
     }
 
-    /** Copies the values of an event. */
     void copyValues(int row, float[] to, int at) {
         for (int k = 0; k < TouchRecords.VALUES; k++) {
             to[at + k] = value(row, k);
@@ -151,7 +148,6 @@ public final class EventRows {
         sort.sort(this);
     }
 
-    /** The row that is at a place of the order. */
     int ordered(int place) {
         return sort.row(place);
     }
@@ -166,7 +162,6 @@ public final class EventRows {
         return Float.intBitsToFloat(words[STRIDE * row + FIRST_VALUE + which]);
     }
 
-    /** Number of events. */
     public int size() {
         return count;
     }
@@ -201,17 +196,14 @@ public final class EventRows {
         return value(check(event), TouchRecords.APPROACH);
     }
 
-    /** The impulse. */
     public float impulse(int event) {
         return value(check(event), TouchRecords.IMPULSE);
     }
 
-    /** The normal, x. */
     public float normalX(int event) {
         return value(check(event), TouchRecords.NORMAL_X);
     }
 
-    /** The normal, y. */
     public float normalY(int event) {
         return value(check(event), TouchRecords.NORMAL_Y);
     }

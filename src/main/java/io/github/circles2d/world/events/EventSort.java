@@ -85,7 +85,6 @@ final class EventSort {
         orderNext = orders;
     }
 
-    /** The row at a place of the order. */
     int row(int place) {
         return order[place];
     }

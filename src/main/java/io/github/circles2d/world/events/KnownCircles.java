@@ -71,7 +71,6 @@ final class KnownCircles {
         kindsVersion += --population[kind] == 0 ? 1 : 0;
     }
 
-    /** Whether there are circles of a kind. */
     boolean has(int kind) {
         return population[kind] > 0;
     }
@@ -81,7 +80,6 @@ final class KnownCircles {
         return kindsVersion;
     }
 
-    /** Whether a command changes a kind. */
     static boolean isKind(Commands commands, int c) {
         return commands.operation(c) == Commands.FIELD && commands.first(c) == FIELD_OF_KIND;
     }
@@ -130,7 +128,6 @@ final class KnownCircles {
         return some;
     }
 
-    /** Learns the handles of the circles that commands add, and kinds. */
     void learn(Commands commands, HandleTable handles) {
         for (int c = 0; c < commands.count(); c++) {
             int id = commands.id(c);

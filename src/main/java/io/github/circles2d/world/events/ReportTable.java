@@ -77,7 +77,6 @@ final class ReportTable {
         changed();
     }
 
-    /** Sets the types of walls and a kind. */
     void setWalls(int kind, int ofWalls) {
         wallTypes[kind] = (byte) ofWalls;
         wallsByKind = true;
@@ -126,15 +125,11 @@ final class ReportTable {
         return typesOf == null ? types : typesOf[KINDS * a + b];
     }
 
-    /** The types of walls and a kind. */
     int wallTypes(int kind) {
         return wallTypes[kind];
     }
 
-    /**
-     * Whether a saved pair, or a late event, may still be reported. If kinds decide it may be: they may change until the next step,
-     * which forgets the pairs that are not, and the kind of a removed circle is not known any more.
-     */
+    /** Of a saved pair or late event. If kinds decide, it may: they may change, and that of a removed circle is not known any more. */
     boolean mayReport(boolean ofWall, int wanted) {
         int now = ofWall ? wallTypes(0) : types(0, 0);
         return dependsOnKinds() || (now & wanted) != 0;
@@ -216,7 +211,6 @@ final class ReportTable {
         return solids;
     }
 
-    /** Whether something of walls and circles that there are is. */
     boolean wallsOfCircles() {
         return wallsOfCircles;
     }

@@ -11,10 +11,7 @@ import io.github.circles2d.world.model.Wrapping;
 public final class SensedPair {
     private SensedPair() {}
 
-    /**
-     * Tells of a pair if it is in touch, by starts and paths, and records it if that is needed. The point, the normal and the speed are
-     * of the moment when it begins to touch; across a gap, of the moment when it is closest.
-     */
+    /** Records a pair, by starts and paths, if needed: as it begins to touch, or across a gap when it is closest. */
     public static void tell(
             ContactEvents events,
             TouchRecords records,

@@ -36,7 +36,6 @@ public final class TouchRecords {
     private int[] ended = new int[0];
     private int endedCount;
 
-    /** No records. */
     public TouchRecords() {}
 
     /** Forgets all records. */
@@ -73,8 +72,7 @@ public final class TouchRecords {
     }
 
     /**
-     * The number is {@link ContactEvents#NONE} if the pair did not touch in the step before, vn the normal speed after the step, the
-     * threshold as in {@link ContactEvents#concerns}.
+     * The number may be {@link ContactEvents#NONE}; vn is that after the step, and the threshold as in {@link ContactEvents#concerns}.
      */
     public void add(
             int number,

@@ -144,7 +144,6 @@ final class TouchTracker {
         return told != pairs.count - pairs.walls;
     }
 
-    /** Ends a step. */
     void endStep(TouchRecords... records) {
         boolean misses = misses(records);
         boolean ends = misses || pairs.walls > 0;

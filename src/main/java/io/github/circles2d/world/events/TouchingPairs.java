@@ -102,7 +102,6 @@ final class TouchingPairs {
         rows[STRIDE * pair + OPEN] = hit;
     }
 
-    /** Sets the stamps of all pairs. */
     void stampAll(int step) {
         for (int pair = 0; pair < count; pair++) {
             stamp(pair, step);

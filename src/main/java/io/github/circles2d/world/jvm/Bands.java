@@ -30,10 +30,7 @@ final class Bands {
         surplus = new long[team.most() + 1];
     }
 
-    /**
-     * One worker does it for all. Contacts before a row, and cross contacts, are null if not known. Bands have the least even number of
-     * rows, or none.
-     */
+    /** By one worker. contactsBefore and cross are null if not known. A band has at least an even number of rows, or none. */
     void divide(int[] contactsBefore, CrossContacts cross, int least) {
         narrowest = Integer.MAX_VALUE;
         Arrays.fill(surplus, 0L);
@@ -99,7 +96,6 @@ final class Bands {
         return sum;
     }
 
-    /** Rows of the narrowest band. */
     int narrowest() {
         return narrowest;
     }

@@ -61,10 +61,7 @@ final class Carrying {
         return Paths.isFast(grid.path[slot], r);
     }
 
-    /**
-     * When a static circle that moves takes another along, which goes a free share of its path. The second time, to note the first
-     * carrier.
-     */
+    /** When a static circle takes another along, which goes a free share of its path; the second time, to note the first carrier. */
     void meet(int slot, int other, float free, boolean note) {
         int s = CircleRow.of(slot);
         int o = CircleRow.of(other);

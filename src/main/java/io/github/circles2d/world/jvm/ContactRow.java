@@ -44,7 +44,6 @@ final class ContactRow {
 
     private ContactRow() {}
 
-    /** Where the row of a contact begins. */
     static int of(int contact) {
         return STRIDE * contact;
     }

@@ -546,7 +546,6 @@ public final class ContinuousCollision {
         }
     }
 
-    /** Sets the motion clamps. */
     private void setMotionClamps(int from, int to, StepConstants k) {
         float[] clamp = state.motionClamp;
         float[] plan = state.plan;

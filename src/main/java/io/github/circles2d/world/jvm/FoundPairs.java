@@ -40,7 +40,6 @@ final class FoundPairs {
     private long[] gatheredIds = new long[256];
     private long[] gatheredSlots = new long[256];
 
-    /** Number of pairs gathered. */
     private int gathered;
 
     /** By gathered group: the first of its pairs; one more element for the end. */
@@ -112,10 +111,7 @@ final class FoundPairs {
         }
     }
 
-    /**
-     * Puts what has been gathered into the list: the first pair of each group, then the second of each. The groups share no
-     * circle, so a processor can work on neighbours in this order at the same time.
-     */
+    /** The first pair of each group, then the second of each: groups share no circle, so a processor works on neighbours at once. */
     void flush() {
         ensure(count + gathered);
         int open = groups;

@@ -42,7 +42,6 @@ final class HeavyCircles {
     private final State state;
     private final Team team;
 
-    /** Number of heavy circles. */
     int count;
 
     /** By number: the slot. */
@@ -106,7 +105,6 @@ final class HeavyCircles {
         return place < 0 ? -1 - place : place;
     }
 
-    /** The sums of a worker. */
     long[] sumsOf(int worker) {
         return sums[worker];
     }

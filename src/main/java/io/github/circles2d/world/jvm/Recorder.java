@@ -56,7 +56,6 @@ final class Recorder {
         }
     }
 
-    /** Ends a step. */
     void end(int worker, StepConstants k, StepReports reports) {
         int from = team.part(state.n, worker);
         int to = team.part(state.n, worker + 1);

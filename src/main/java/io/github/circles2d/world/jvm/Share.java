@@ -36,7 +36,6 @@ final class Share {
         toSlot[0] = to;
     }
 
-    /** Takes the bands of a worker in all levels. */
     void takeBands(Bands bands, int worker) {
         count = levels.usedCount;
         for (int l = 0; l < count; l++) {

@@ -60,10 +60,7 @@ public final class State {
     /** By slot: true if impulses of the step before are not its own (a new circle, maybe under a recycled id). */
     boolean[] fresh = new boolean[0];
 
-    /**
-     * By slot, within a sub-step. Up to the biased pass: velocity before impulses x, y, whether the circle is loaded (1, 0),
-     * unused. In the relaxing pass: sum of contact impulses x, y, loaded, loaded in the sub-step to come.
-     */
+    /** By slot, within a sub-step; {@link CircleRow} has its two meanings. */
     float[] load = new float[0];
 
     /** By slot, within a sub-step: speed that the walls bounce the circle to, x, y; 0 for none. */
@@ -172,7 +169,6 @@ public final class State {
         return CircleField.OF_STEPS.get(records[k + Commands.FIRST]);
     }
 
-    /** Makes room for a saved state. */
     void makeRoom(SavedState from) {
         ensure(from.circles);
         ensureIds(from.ids);

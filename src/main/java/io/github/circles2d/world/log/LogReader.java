@@ -101,7 +101,6 @@ public final class LogReader {
         return number;
     }
 
-    /** Reads the next snapshot. */
     public ByteBuffer snapshot() {
         type = LogFormat.CALLS;
         ByteBuffer snapshot = content;
@@ -118,10 +117,7 @@ public final class LogReader {
         return littleEndian(bytes);
     }
 
-    /**
-     * Reads bytes up to the end of the stream, and takes memory as they come. Android 12 has no InputStream.readNBytes, and TeaVM's
-     * ByteArrayInputStream.readNBytes does not move on.
-     */
+    /** Takes memory as bytes come. Android 12 has no InputStream.readNBytes, and TeaVM's readNBytes of bytes does not move on. */
     private byte[] readUpTo(int length) throws IOException {
         byte[] bytes = new byte[Math.min(length, FIRST_BYTES)];
         int size = 0;

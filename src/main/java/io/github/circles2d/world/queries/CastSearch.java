@@ -32,7 +32,6 @@ public final class CastSearch {
     /** How far the cast goes at most for what is still looked for. */
     private double limit;
 
-    /** Searches in a tree. */
     public CastSearch(CircleTree tree) {
         this.tree = tree;
     }
@@ -103,10 +102,7 @@ public final class CastSearch {
         }
     }
 
-    /**
-     * Adds the boxes of a group that the path may meet. A component of the unit vector that is 0 makes an infinite inverse, with
-     * which the path is in the box's range along that axis for ever, or never.
-     */
+    /** A 0 in the unit vector makes an infinite inverse, with which the path is in a box's range along that axis for ever, or never. */
     private void open(int level, int group, double margin) {
         frontier.beginGroup();
         double inverseX = 1 / unitX;
@@ -133,10 +129,7 @@ public final class CastSearch {
         return found.id(k);
     }
 
-    /**
-     * Writes {@link #HIT_STRIDE} elements. If the disc's centre is the circle's, the normal points against the path, and up if there is
-     * no path.
-     */
+    /** Writes {@link #HIT_STRIDE} elements. From its own centre the normal points against the path, and up without a path. */
     public void writeHit(int k, float[] to, int at) {
         writeHit(found.distance(k), tree.x[found.place(k)], tree.y[found.place(k)], to, at);
     }

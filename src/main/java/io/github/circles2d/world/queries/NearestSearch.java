@@ -15,7 +15,6 @@ public final class NearestSearch {
     /** The distance of the last that is kept, if there are enough; else {@link #farthest}. */
     private double limit;
 
-    /** Searches in a tree. */
     public NearestSearch(CircleTree tree) {
         this.tree = tree;
     }

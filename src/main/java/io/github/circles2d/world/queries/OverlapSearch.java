@@ -13,7 +13,6 @@ public final class OverlapSearch {
     private final int[] waitingLevel = new int[CircleTree.BOXES_A_BOX * CircleTree.LEVELS];
     private final int[] waitingGroup = new int[waitingLevel.length];
 
-    /** Searches in a tree. */
     public OverlapSearch(CircleTree tree) {
         this.tree = tree;
     }

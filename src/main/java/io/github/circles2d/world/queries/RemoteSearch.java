@@ -12,28 +12,16 @@ public interface RemoteSearch {
     /** Whether it is worth while for large batches: a device that is the host's own processor gains nothing. */
     boolean pays();
 
-    /**
-     * Searches the circles as of now from here on, if it can. All steps have been finished. The state is another number whenever
-     * circles have changed.
-     */
+    /** Circles as of now from here on, once all steps have been finished. The state is another number whenever they have changed. */
     boolean show(long state);
 
-    /**
-     * Counts what each of n queries of checked numbers finds, if it can. Kinds are {@link #KIND_WORDS} ints with a bit for each kind
-     * whose circles count, or null.
-     */
+    /** Counts what n checked queries find. Kinds are {@link #KIND_WORDS} ints with a bit for each kind whose circles count, or null. */
     boolean count(QueryShape shape, float[] queries, int n, int[] kinds, int[] counts);
 
-    /**
-     * Lists what the first n of the counted queries find, each in its order, if it can. Ends are sums of the counts; places says
-     * whether {@link #distance}, {@link #x} and {@link #y} are asked for.
-     */
+    /** Lists what the first n of them find, each in its order; ends are sums of counts, places ask for distance, x and y. */
     boolean list(int n, int[] ends, boolean places);
 
-    /**
-     * Finds at most so many first circles of each query, if it can: at a point, nearest to it within a distance, or on a path. Those of
-     * query q begin at number q * most; behind the last one the ids are -1. Kinds and places are as above.
-     */
+    /** The first circles of each query, from number q * most on, then -1; within is the greatest distance of the nearest ones. */
     boolean few(QueryShape shape, float[] queries, int n, float within, int most, int[] kinds, boolean places);
 
     /** The id of a circle that was found. */

@@ -73,7 +73,6 @@ public final class TreeSearch {
         return nearest.id(k);
     }
 
-    /** Its distance. */
     public double nearestDistance(int k) {
         return nearest.distance(k);
     }

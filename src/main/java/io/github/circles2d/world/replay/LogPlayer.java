@@ -127,7 +127,6 @@ public final class LogPlayer {
         return simulation == other;
     }
 
-    /** Makes one call. Returns whether there was one. */
     private boolean call() throws IOException {
         switch (log.next()) {
             case END -> {

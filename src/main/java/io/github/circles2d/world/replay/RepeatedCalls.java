@@ -38,7 +38,6 @@ final class RepeatedCalls {
         }
     }
 
-    /** The handle of the circle that has an id. */
     long handle(int id) {
         long handle = id >= 0 && id < simulation.circles().idLimit()
                 ? simulation.circles().handle(id)

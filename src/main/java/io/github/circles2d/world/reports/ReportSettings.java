@@ -40,7 +40,6 @@ public final class ReportSettings {
         return with(kind, WALLS, ofWalls);
     }
 
-    /** The same with a hit speed. */
     ReportSettings withHitSpeed(float speed) {
         return speed == hitSpeed ? this : new ReportSettings(types, rows, speed);
     }

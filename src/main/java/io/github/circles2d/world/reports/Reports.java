@@ -74,7 +74,6 @@ public final class Reports {
                 () -> events.reportPair(kindA, kindB, types, handles));
     }
 
-    /** Sets which events of walls are reported of a kind. */
     public void reportWalls(int kind, int types) {
         change(
                 () -> {
@@ -142,7 +141,6 @@ public final class Reports {
         events.queue().request();
     }
 
-    /** The events that were requested last. */
     public EventRows takeRequested() {
         return guard.read(this, TAKE_REQUESTED);
     }
@@ -158,7 +156,6 @@ public final class Reports {
         return events.queue().takeRequested();
     }
 
-    /** Sets the speed from which on a hit counts. */
     public void setHitSpeed(float speed) {
         guard.change(this, 0, 0, speed, 0, SET_HIT_SPEED);
     }

@@ -45,7 +45,6 @@ final class QueryBatch {
         this.settings = settings;
     }
 
-    /** Begins with the queries of a batch. */
     void begin(CategoryFilter only, QueryShape what, float[] numbers, int count) {
         end();
         Objects.requireNonNull(numbers, what.plural());
@@ -94,7 +93,6 @@ final class QueryBatch {
         hits = hitsTo;
     }
 
-    /** Takes where the results of each query of a batch end. */
     void takeEnds(int[] to) {
         ends = Objects.requireNonNull(to, "ends");
         requireRoom("ends", to.length, n);

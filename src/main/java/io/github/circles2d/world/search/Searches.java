@@ -114,10 +114,7 @@ public final class Searches {
                 Wanted.NEAREST, filter, shape, true, points, n, 0, 0, 0, 0, 0, within, most, null, to, distances);
     }
 
-    /**
-     * A batch has an array of queries, a single query the numbers a to e; places takes hits or distances, or is null. Returns how many
-     * circles are found; of a single query for one circle, that circle.
-     */
+    /** A single query has the numbers a to e. Returns the number of circles found; of a single query for one circle, that circle. */
     private long answer(
             Wanted wanted,
             CategoryFilter filter,

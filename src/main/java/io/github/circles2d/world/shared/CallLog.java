@@ -60,7 +60,6 @@ public final class CallLog {
         writeHash();
     }
 
-    /** The log has ended. */
     public void end() {
         log = null;
     }
@@ -70,7 +69,6 @@ public final class CallLog {
         logged = Math.min(logged, commands.count());
     }
 
-    /** Writes the commands that wait and are not in the log. */
     public void writeCommands() {
         if (log != null) {
             while (logged < commands.count()) {
@@ -167,7 +165,6 @@ public final class CallLog {
         }
     }
 
-    /** Writes a saved state. */
     public void write(SavedState state, LogWriter to) {
         int length = SnapshotCodec.bytes(state);
         if (snapshot.capacity() < length) {

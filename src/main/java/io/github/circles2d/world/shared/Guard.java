@@ -65,10 +65,7 @@ public final class Guard {
 
     private final Pipeline pipeline;
 
-    /**
-     * The thread that is inside. A call that ends sets it to null by an assignment and no call, for which the stack may have no
-     * room.
-     */
+    /** The thread that is inside. A call ends by an assignment, for which a used-up stack still has room. */
     public volatile Thread user;
 
     /** Whether the state is being changed. If it stays true, a change has ended half-way, and the state is lost. */

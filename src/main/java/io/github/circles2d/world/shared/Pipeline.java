@@ -19,10 +19,7 @@ import java.util.Map;
  * checked the arguments, and lets one thread in at a time.
  */
 public interface Pipeline extends AutoCloseable {
-    /**
-     * Makes room for the commands, so that applying them cannot fail. If there is none, nothing has changed. All steps have been
-     * finished.
-     */
+    /** Once all steps have been finished: applying the commands then cannot fail. If there is no room, nothing has changed. */
     void makeRoom(Commands commands);
 
     /** In call order. Room has been made; the object is not kept. */
@@ -53,10 +50,7 @@ public interface Pipeline extends AutoCloseable {
     /** Waits until all steps asked for have been made. */
     void finish();
 
-    /**
-     * Brings circles that have been left outside to the nearest place inside, if the next step does not push them there. Walls that
-     * jumped are where they are now.
-     */
+    /** Brings circles inside that the next step does not push there. Walls that jumped are where they are now. */
     void confine(Bounds from, Bounds to);
 
     /** {@link StateHash}. */
@@ -71,10 +65,7 @@ public interface Pipeline extends AutoCloseable {
      */
     FloatBuffer positions(HandleTable handles, boolean byId);
 
-    /**
-     * Asks for x and y of every circle as of now, which come while further steps are made. An earlier request that has not been taken
-     * is void.
-     */
+    /** Asks for x and y of every circle as of now, which come while further steps are made, in place of an earlier request. */
     void requestPositions(HandleTable handles);
 
     /** False if a step before the request has not been made yet: {@link #finish} makes it, and asks again. */
@@ -92,16 +83,10 @@ public interface Pipeline extends AutoCloseable {
     /** Saves circle, motion, traits and the impulses that the next step would start from. The ids are there already. */
     void save(SavedState into);
 
-    /**
-     * Makes room for a saved state, so that taking it over cannot fail. If there is none, nothing has changed. All steps have been
-     * finished.
-     */
+    /** Once all steps have been finished: {@link #load} then cannot fail. If there is no room, nothing has changed. */
     void makeRoom(SavedState from);
 
-    /**
-     * From now on all is as if it had made the steps that led to the state. Values have been checked, and room has been made; it is not
-     * kept.
-     */
+    /** All goes on as after the steps that led to the state, which has been checked and is not kept. Room has been made. */
     void load(SavedState from);
 
     /** Always the same; null if only the host can search the circles. */

@@ -46,13 +46,11 @@ public final class WorldSettings {
         parameters = p;
     }
 
-    /** Sets gravity. */
     public void setGravity(float x, float y) {
         gravityX = x;
         gravityY = y;
     }
 
-    /** Sets the bounds, and where the walls start. */
     public void setBounds(Bounds start, Bounds next) {
         wallStart = start;
         bounds = next;
@@ -64,7 +62,6 @@ public final class WorldSettings {
         wallStart = bounds;
     }
 
-    /** Takes note of the length of the last step. */
     public void setTimeStep(float length) {
         timeStep = length;
     }
@@ -107,7 +104,6 @@ public final class WorldSettings {
         return timeStep / subSteps;
     }
 
-    /** Computes the constants of a step. */
     public void computeConstants(StepConstants constants, float length) {
         float before = timeStep == 0 ? length : timeStep;
         constants.set(length, subSteps, gravityX, gravityY, wallStart, bounds, before, contacts);

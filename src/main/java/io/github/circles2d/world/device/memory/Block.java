@@ -29,7 +29,6 @@ final class Block implements AutoCloseable {
         return Math.toIntExact(stride);
     }
 
-    /** One of its arrays. */
     DeviceBuffer get(DeviceArray array) {
         return slices.computeIfAbsent(
                 array, a -> buffer.slice(a.kernelName(), a.bytesBefore() * stride, a.elementBytes() * stride));

@@ -37,7 +37,6 @@ final class DeviceArguments {
         return blocks;
     }
 
-    /** The position of a block's argument. */
     static int position(Index block) {
         return ARRAYS.size() + BLOCKS.indexOf(block);
     }

@@ -224,7 +224,6 @@ public enum DeviceArray {
         this.comment = comment;
     }
 
-    /** The name in the kernels and in messages. */
     String kernelName() {
         return kernelName;
     }
@@ -274,7 +273,6 @@ public enum DeviceArray {
         return bytesOf(type);
     }
 
-    /** Bytes of a type of the kernels. */
     static int bytesOf(String type) {
         return switch (type) {
             case "int", "uint", "float" -> 4;

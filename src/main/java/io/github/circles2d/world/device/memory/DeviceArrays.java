@@ -176,7 +176,6 @@ public final class DeviceArrays {
         return true;
     }
 
-    /** Number of blocks of cells. */
     public static int cellBlocks(int buckets) {
         return buckets >> 2 * BLOCK_LOG;
     }
@@ -185,10 +184,7 @@ public final class DeviceArrays {
         return (int) Math.min(Math.max(needed, capacity + (long) (capacity >> 1)), MOST_ELEMENTS);
     }
 
-    /**
-     * All of them, or none if one does not fit. {@link #AS_IT_IS} for those that do not grow; kept elements of arrays that are kept
-     * stay.
-     */
+    /** All or none; {@link #AS_IT_IS} for those that do not grow, and kept elements stay in arrays that are kept. */
     private void grow(int kept, ToLongFunction<Index> elements) {
         Map<Index, Block> added = new EnumMap<>(Index.class);
         try {

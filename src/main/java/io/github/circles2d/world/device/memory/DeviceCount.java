@@ -10,7 +10,6 @@ enum DeviceCount {
     CONTACT_STRIDE("contactStride", "elements from one array of a block to the next"),
     COPY_ROOM("copyRoom", "copies of contacts that there is room for: elements from one array of a block to the next");
 
-    /** Number of counts. */
     static final int COUNT = values().length;
 
     private final String kernelName;

@@ -52,7 +52,6 @@ enum SharedArray {
         return aliasOf;
     }
 
-    /** Bytes of an element. */
     int elementBytes() {
         return DeviceArray.bytesOf(type);
     }

@@ -37,7 +37,6 @@ public final class StageKernels {
         this.recording = recording;
     }
 
-    /** Whether the kernels record what contacts do. */
     public boolean recording() {
         return recording;
     }

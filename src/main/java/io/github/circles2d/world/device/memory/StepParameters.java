@@ -200,10 +200,7 @@ public final class StepParameters {
                 && Arrays.equals(walls, otherWalls);
     }
 
-    /**
-     * Sets the tiles of a level: log2 of their columns and rows of cells, how many there are side by side, and the number of the
-     * first.
-     */
+    /** Log2 of the columns and rows of cells of a tile, tiles side by side, and the number of the first. */
     public void setTiles(int level, int columnsLog, int rowsLog, int across, int first) {
         levels[TILE_COLUMNS_LOG + level] = columnsLog;
         levels[TILE_ROWS_LOG + level] = rowsLog;

@@ -2,10 +2,7 @@ package io.github.circles2d.world.device.memory;
 
 /** The room of a tile and the layout of its record, for host and kernels; {@code kernels/world/tiles/Tiles.cl} explains them. */
 public final class TileRecord {
-    /**
-     * Circles that the local memory of a work-group has room for. As few as the largest size needs where circles are packed:
-     * more room means fewer work-groups at once.
-     */
+    /** In local memory: as few as the largest size needs for packed circles, since more room means fewer work-groups at once. */
     public static final int CIRCLES = 1312;
 
     /** Contacts that a tile has room for: their numbers, and differences of these, are shorts. */

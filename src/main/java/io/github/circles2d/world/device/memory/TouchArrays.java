@@ -22,10 +22,7 @@ public final class TouchArrays implements AutoCloseable {
         this.walls = walls;
     }
 
-    /**
-     * What kernels have of this memory, if they are compiled for steps that record (RECORDING): a struct, and the arguments that fill
-     * it. Other kernels have none of it.
-     */
+    /** A struct and the arguments that fill it, for kernels of steps that record (RECORDING). */
     static String text() {
         return """
                 #ifdef RECORDING

@@ -6,10 +6,7 @@ import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 import java.util.List;
 
-/**
- * One launch per stage, and per colour of contacts. It takes any world, and suits devices with cheap launches;
- * {@code kernels/world/stages/Solver.cl}. {@code world.jvm.Solver} does the same.
- */
+/** One launch per stage, and per colour of contacts. It takes any world; {@code kernels/world/stages/Solver.cl}. */
 public final class ByColours implements Plan {
     private static final int COLOURS = 4;
 

@@ -4,10 +4,7 @@ import io.github.circles2d.opencl.Kernel;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.model.GridLevels;
 
-/**
- * Continuous collision on a device; {@code kernels/world/stages/ContinuousCollision.cl}. {@code world.jvm.ContinuousCollision} does the
- * same.
- */
+/** {@code kernels/world/stages/ContinuousCollision.cl}; {@code world.jvm.ContinuousCollision} does the same. */
 final class ContinuousCollisionStage {
     /** Work-items of a kernel that has nothing to do in most steps. */
     private static final int MOST_CARRY_ITEMS = 1 << 15;

@@ -12,10 +12,7 @@ public final class ResidentGroups {
         return device.vendor().toUpperCase(Locale.ROOT).contains("NVIDIA");
     }
 
-    /**
-     * How many work-groups surely run at once: one if nothing is known of the device. Whether a compute unit runs two at once depends on
-     * registers, and one that does not run would be waited for.
-     */
+    /** Work-groups that surely run at once, or 1: that a unit runs two depends on registers, and one that does not run is waited for. */
     static int most(Device device) {
         return fit(device) ? device.computeUnits() : 1;
     }

@@ -7,10 +7,7 @@ import io.github.circles2d.world.device.memory.EventArrays;
 import io.github.circles2d.world.device.memory.SensingArrays;
 import io.github.circles2d.world.device.memory.StageKernels;
 
-/**
- * Finds the pairs that are only sensed, around a step of any plan; {@code kernels/world/stages/Sensing.cl}. {@code world.jvm.Sensing} does
- * the same.
- */
+/** Sensed pairs, around a step of any plan, {@code kernels/world/stages/Sensing.cl}; {@code world.jvm.Sensing} does the same. */
 public final class SensingStage {
     private final DeviceArrays arrays;
     private final EventArrays events;

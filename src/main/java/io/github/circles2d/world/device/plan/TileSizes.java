@@ -16,10 +16,7 @@ final class TileSizes {
     /** A size of a tile, log2 of its columns and rows of cells. */
     private record Size(int columnsLog, int rowsLog) {}
 
-    /**
-     * Largest first. Wide ones, because the border is wider than high: 32 x 8 cells have one of 0.48 of their own, 16 x 16 of
-     * 0.55, 16 x 8 of 0.72.
-     */
+    /** Largest first, and wide, because the border is wider than high: 0.48 of the cells of 32 x 8, 0.55 of 16 x 16, 0.72 of 16 x 8. */
     private static final Size[] SIZES = {new Size(5, 3), new Size(4, 3), new Size(3, 3), new Size(3, 2), new Size(3, 1)
     };
 
@@ -29,10 +26,7 @@ final class TileSizes {
     /** Sizes for work-groups that wait for each other are tried again after so many batches without any. */
     private static final int RETRY_TOGETHER = 256;
 
-    /**
-     * Tiles that were given up are tried again after so many batches: a step that is refused costs a small part of one by colours, and
-     * crowds come and go within a second.
-     */
+    /** Batches after which tiles are tried again: a refused step costs little beside one by colours, and crowds go within a second. */
     private static final int RETRY = 16;
 
     /** For so many batches after the last that cut some, steps look for tiles to cut. */

@@ -10,10 +10,7 @@ import io.github.circles2d.world.device.memory.TileRecord;
 import io.github.circles2d.world.device.memory.TouchArrays;
 import java.util.List;
 
-/**
- * One launch per stage, and per pass over all contacts of circles of one level instead of per colour;
- * {@code kernels/world/tiles/Tiles.cl} says how.
- */
+/** One launch per stage, and per pass over all contacts of a level; {@code kernels/world/tiles/Tiles.cl} says how. */
 public final class Tiles implements Plan {
     /** Local memory that a work-group takes. */
     private static final int LOCAL_BYTES = 40 << 10;

@@ -47,7 +47,6 @@ public final class DeviceSearch implements RemoteSearch {
     private Kernel list;
     private Kernel few;
 
-    /** Whether the compiler has refused the searches. */
     private boolean refused;
 
     private DeviceBuffer words;
@@ -182,7 +181,6 @@ public final class DeviceSearch implements RemoteSearch {
                 });
     }
 
-    /** Writes the kinds that count, and the queries. */
     private void write(QueryShape shape, float[] queries, int n, int[] kinds) {
         int numbers = shape.stride() * n;
         hostWords = grown(hostWords, Integer.BYTES, KIND_WORDS + numbers);

@@ -76,10 +76,7 @@ final class Crew {
     /** Workers that have still to leave the run, worker 0 aside. */
     private final AtomicInteger inside = new AtomicInteger();
 
-    /**
-     * What a worker threw, or {@link Stopped} if the threads were told to end; null while the crew works. It is set by an
-     * assignment and no call: the stack that a worker has used up has no room for one.
-     */
+    /** What a worker threw, {@link Stopped} at the end, or null. It is set by no call: a used-up stack has no room for one. */
     private volatile Throwable end;
 
     /** The number of workers that there can be if so many are asked for. It is a method because in browsers it is 1. */

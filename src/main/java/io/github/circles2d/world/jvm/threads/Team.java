@@ -51,10 +51,7 @@ public final class Team implements AutoCloseable {
         return (int) ((long) n * worker / size);
     }
 
-    /**
-     * Number of rounds in which items are dealt out, for items that differ in what they take while neighbours are alike. In each round
-     * every worker gets a piece, and in every other round in the opposite order. One worker has one round.
-     */
+    /** Rounds in which items are dealt out whose neighbours are alike, every other round in the opposite order; 1 for one worker. */
     public int rounds() {
         return size == 1 ? 1 : ROUNDS;
     }
