@@ -15,8 +15,7 @@ import java.util.Arrays;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
- * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many
- * follow
+ * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many follow
  * the same rules.
  */
 public final class PreparedChanges {
