@@ -57,7 +57,6 @@ public final class PreparedChanges {
         this.travelling = travelling;
     }
 
-    /** Refuses values that an operation may not have. */
     void checkValues(int operation, float a, float b) {
         switch (operation) {
             case Commands.POSITION -> Limits.position(a, b, settings.bounds());
@@ -77,7 +76,6 @@ public final class PreparedChanges {
         travels = 0;
     }
 
-    /** Prepares an operation with up to two values. */
     void set(int operation, int id, float a, float b) {
         checkValues(operation, a, b);
         setChecked(operation, id, a, b);

@@ -97,7 +97,6 @@ final class WallTouches {
                 : state.circle[s + X + other];
     }
 
-    /** Tells of the circles that touch walls. */
     void endStep(TouchRecords records, int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             if (state.traits[CircleRow.of(slot) + INVERSE_MASS] != 0f) {

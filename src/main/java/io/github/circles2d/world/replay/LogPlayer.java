@@ -65,7 +65,6 @@ public final class LogPlayer {
         return log.hashEvery();
     }
 
-    /** Steps made. */
     public long steps() {
         return steps;
     }
