@@ -1,5 +1,5 @@
 // uses: world/stages/Events.cl world/stages/CellScan.cl world/stages/PairFilter.cl
-// Tells of pairs that are only sensed and touched in a step. The Java classes Sensing, SensorRule and SensedPair are the same.
+// Tells of pairs that are only sensed and touched in a step. The Java classes Sensing and SensorRule are the same.
 //
 // start: by id, x, y as the step began. seeking: the table of pairs of kinds, packed as responses; then by kind: SENSED_BY_ANY, SEEKS_ANY.
 

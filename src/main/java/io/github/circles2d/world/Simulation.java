@@ -112,7 +112,6 @@ public final class Simulation implements AutoCloseable {
         }
     }
 
-    /** The calls on circles. */
     public Circles circles() {
         return circles;
     }
@@ -161,12 +160,10 @@ public final class Simulation implements AutoCloseable {
         return journal;
     }
 
-    /** The searches for circles. */
     public Searches searches() {
         return searches;
     }
 
-    /** Changes gravity. */
     public void setGravity(float x, float y) {
         guard.change(this, 0, 0, x, y, SET_GRAVITY);
     }
@@ -335,12 +332,10 @@ public final class Simulation implements AutoCloseable {
         guard.change(pending, FINISH);
     }
 
-    /** The hash of the state. */
     public long hash() {
         return guard.read(copies, null, 0, 0, HASH);
     }
 
-    /** The figures as of now. */
     public Figures figures() {
         return guard.read(this, FIGURES);
     }

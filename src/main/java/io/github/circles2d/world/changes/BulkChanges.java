@@ -96,7 +96,6 @@ public final class BulkChanges {
         return change(velocities, circles, count, values, skipStale);
     }
 
-    /** Pushes circles. */
     public int applyImpulses(long[] circles, int count, float[] values, boolean skipStale) {
         return change(impulses, circles, count, values, skipStale);
     }

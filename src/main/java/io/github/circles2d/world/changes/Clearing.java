@@ -13,9 +13,8 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.StepFigures;
 
 /**
- * Removes all circles. The pipeline loads a state without circles, which takes no command for each. If events are reported, a
- * command
- * for each removes them as any other call does, so that their ends are reported.
+ * Removes all circles. The pipeline loads a state without circles, which takes no command for each. If events are reported, a command for
+ * each removes them as any other call does, so that their ends are reported.
  */
 public final class Clearing {
     // The functions of the calls. They are linked before memory, or the stack, may end in a call.

@@ -17,8 +17,7 @@ import java.util.Arrays;
 /**
  * Circles that grow or shrink to a radius over some steps: in each they take an even share of the rest of the way.
  *
- * <p>The radius and the steps left are values of {@link CircleField#GROWTH}, so they are in snapshots and in the hash. The step
- * itself
+ * <p>The radius and the steps left are values of {@link CircleField#GROWTH}, so they are in snapshots and in the hash. The step itself
  * knows nothing of this: a command before it gives the circle its next radius.
  */
 public final class Growth {

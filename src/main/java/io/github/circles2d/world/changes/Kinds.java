@@ -85,7 +85,6 @@ public final class Kinds {
         return 0;
     }
 
-    /** The restitution that a circle gets with a kind, or else. */
     public float restitution(int kind, float otherwise) {
         float own = Float.intBitsToFloat(table.get(KindField.RESTITUTION, kind));
         return Float.isNaN(own) ? otherwise : own;

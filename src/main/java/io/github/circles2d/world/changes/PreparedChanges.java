@@ -15,8 +15,7 @@ import java.util.Arrays;
 
 /**
  * The changes of one call, which are made all at once or not at all. Each is checked and copied into the room behind the records of
- * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many
- * follow
+ * {@link Commands}; {@link #make} then records them and changes what the host knows. So a call for one circle and a call for many follow
  * the same rules.
  */
 public final class PreparedChanges {
@@ -58,7 +57,6 @@ public final class PreparedChanges {
         this.travelling = travelling;
     }
 
-    /** Refuses values that an operation may not have. */
     void checkValues(int operation, float a, float b) {
         switch (operation) {
             case Commands.POSITION -> Limits.position(a, b, settings.bounds());
@@ -78,7 +76,6 @@ public final class PreparedChanges {
         travels = 0;
     }
 
-    /** Prepares an operation with up to two values. */
     void set(int operation, int id, float a, float b) {
         checkValues(operation, a, b);
         setChecked(operation, id, a, b);

@@ -99,7 +99,6 @@ public enum CircleField {
         return Float.intBitsToFloat((int) (place >> Integer.SIZE));
     }
 
-    /** The value of a growth. */
     public static long growth(float radius, int steps) {
         return Float.floatToRawIntBits(radius) & 0xFFFFFFFFL | (long) steps << Integer.SIZE;
     }
@@ -132,7 +131,6 @@ public enum CircleField {
         return label;
     }
 
-    /** The value of a new circle. */
     public long initial() {
         return initial;
     }

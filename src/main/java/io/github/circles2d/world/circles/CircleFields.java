@@ -52,7 +52,6 @@ public final class CircleFields {
         }
     }
 
-    /** The value of a circle. */
     public long get(CircleField field, int id) {
         int[] own = words[field.ordinal()];
         int at = field.words() * id;

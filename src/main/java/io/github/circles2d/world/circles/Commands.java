@@ -131,7 +131,6 @@ public final class Commands {
         return records[STRIDE * record + ID];
     }
 
-    /** The first value of a record. */
     public int first(int record) {
         return records[STRIDE * record + FIRST];
     }
@@ -183,17 +182,14 @@ public final class Commands {
         records[k + ADD_VY] = Float.floatToRawIntBits(vy);
     }
 
-    /** The restitution of the first circle that is prepared. */
     public float preparedRestitution() {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_RESTITUTION]);
     }
 
-    /** Of the first circle that is prepared. */
     public float preparedRadius() {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_RADIUS]);
     }
 
-    /** Of the first circle that is prepared. */
     public float preparedMass() {
         return Float.intBitsToFloat(records[STRIDE * count + ADD_MASS]);
     }
@@ -260,7 +256,6 @@ public final class Commands {
         return CircleField.OF_STEPS.get(records[STRIDE * (count + ahead) + FIRST]);
     }
 
-    /** The new value of that field. */
     public int preparedValue(int ahead) {
         return records[STRIDE * (count + ahead) + SECOND];
     }

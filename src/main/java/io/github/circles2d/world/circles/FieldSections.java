@@ -27,7 +27,6 @@ final class FieldSections {
         return count;
     }
 
-    /** The length of all sections. */
     static long bytes(SavedState s) {
         long sum = 0;
         for (CircleField field : ALL) {

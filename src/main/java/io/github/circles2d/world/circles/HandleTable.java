@@ -36,7 +36,6 @@ public final class HandleTable {
     /** As {@link #live}, a bit for each id: whether its circle is static. */
     private long[] isStatic = new long[1];
 
-    /** Number of static circles. */
     private int statics;
 
     private int[] generation = new int[64];

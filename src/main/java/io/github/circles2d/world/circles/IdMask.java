@@ -37,7 +37,6 @@ public final class IdMask {
         return end;
     }
 
-    /** Whether an id is in the set. */
     public boolean has(int id) {
         return id < end && (words[id >>> WORD_SHIFT] >>> id & 1) != 0;
     }

@@ -84,7 +84,6 @@ public enum KindField {
         return label;
     }
 
-    /** The value of a kind at first. */
     int initial() {
         return initial;
     }

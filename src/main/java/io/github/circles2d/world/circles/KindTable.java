@@ -154,7 +154,6 @@ public final class KindTable implements KindMotion.Values {
         return version;
     }
 
-    /** Takes over the kinds of another table. */
     public void copy(KindTable from) {
         System.arraycopy(from.values, 0, values, 0, values.length);
         System.arraycopy(from.matrix, 0, matrix, 0, matrix.length);

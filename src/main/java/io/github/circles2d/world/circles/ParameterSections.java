@@ -43,7 +43,6 @@ final class ParameterSections {
         return !s.parameters().contacts().isDefault();
     }
 
-    /** The length of all sections. */
     static int bytes(SavedState s) {
         int kinds = KindSection.isNeeded(s.kinds) ? Integer.BYTES + KindSection.bytes(s.kinds) : 0;
         return ofFloats(s) * BYTES + kinds;

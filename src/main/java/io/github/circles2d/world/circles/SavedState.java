@@ -15,7 +15,6 @@ public final class SavedState {
     /** What the world has besides circles. */
     private WorldParameters parameters;
 
-    /** The kinds of circles. */
     public final KindTable kinds = new KindTable();
 
     /** Ids in use so far: all circles have lower ones. */
@@ -44,7 +43,6 @@ public final class SavedState {
     /** By circle: its row of traits, by {@link CircleRow}. */
     public float[] traits = new float[0];
 
-    /** Number of cached impulses. */
     public int impulses;
 
     /** By impulse: the lower id of the pair. Impulses are in ascending order of the lower id, then of the higher. */
@@ -56,7 +54,6 @@ public final class SavedState {
     /** By impulse: the impulse, greater than 0. */
     public float[] normalImpulse = new float[0];
 
-    /** An empty state. */
     public SavedState() {}
 
     public WorldParameters parameters() {

@@ -33,7 +33,6 @@ final class TouchSection {
         return t.pairs + t.late > 0 ? 1 : 0;
     }
 
-    /** The length of the section. */
     static long bytes(SavedTouches t) {
         if (count(t) == 0) {
             return 0;

@@ -112,7 +112,6 @@ final class StepQueue {
         return pending == 0 ? home.slots : home.circles;
     }
 
-    /** Enqueues steps. */
     void add(int steps) {
         for (int left = steps; left > 0; ) {
             if (pending == MOST_PENDING) {

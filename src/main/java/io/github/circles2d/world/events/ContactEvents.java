@@ -87,7 +87,6 @@ public final class ContactEvents {
         tracker.setArena(bounds);
     }
 
-    /** Whether walls are reported. */
     public boolean hasWalls() {
         return reported.hasWalls();
     }
@@ -102,7 +101,6 @@ public final class ContactEvents {
         return tracker.typesOfCircles(id, otherId);
     }
 
-    /** Whether the types of a pair or a wall depend on kinds. */
     public boolean dependsOnKinds() {
         return reported.dependsOnKinds();
     }

@@ -16,7 +16,6 @@ final class EventOrder {
         return ((long) lower << ID_BITS | higher) << RANK_BITS | rank;
     }
 
-    /** Whether a partner is a wall. */
     static boolean isWall(int higher) {
         return higher >= Limits.CIRCLES;
     }

@@ -208,12 +208,10 @@ public final class EventRows {
         return value(check(event), TouchRecords.NORMAL_Y);
     }
 
-    /** The point, x. */
     public float x(int event) {
         return value(check(event), TouchRecords.POINT_X);
     }
 
-    /** The point, y. */
     public float y(int event) {
         return value(check(event), TouchRecords.POINT_Y);
     }

@@ -105,7 +105,6 @@ final class ReportTable {
         return some || walls;
     }
 
-    /** Whether something of walls is. */
     boolean hasWalls() {
         return walls;
     }
@@ -115,7 +114,6 @@ final class ReportTable {
         return typesOf == null;
     }
 
-    /** Whether the types of a pair or a wall depend on kinds. */
     boolean dependsOnKinds() {
         return typesOf != null || wallsByKind;
     }

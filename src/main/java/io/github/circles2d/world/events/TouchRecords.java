@@ -38,7 +38,6 @@ public final class TouchRecords {
 
     public TouchRecords() {}
 
-    /** Forgets all records. */
     public void clear() {
         count = 0;
         told = 0;
@@ -185,7 +184,6 @@ public final class TouchRecords {
         System.arraycopy(values, STRIDE * record, to, at, VALUES);
     }
 
-    /** Gives an event its values. */
     void copy(int record, EventRows to, int row) {
         to.setValues(row, values, STRIDE * record);
     }

@@ -26,21 +26,13 @@ import io.github.circles2d.world.model.WallMotion;
 import io.github.circles2d.world.model.Wrapping;
 
 /**
- * Continuous collision: keeps fast circles from passing through others, and makes them meet as rigid circles would. A circle is
- * fast if its path in this step is longer than its speculative distance covers. It stops where it touches another on their straight
- * paths, and another fast one stops there too. In the next step both are a contact with an exact normal. If they are so close
- * already that their contact solves them in this step, their paths end where they touch, but they may bounce off. A static circle is
- * never stopped: one that moves looks ahead too, and takes along what it comes upon for the rest of the step ({@link Carrying}).
- *
- * <p>The motion clamp then holds every circle: a collision may lead it away from its path by a part of its radius. At a static
- * circle it may not go on along its path at all, or it would squeeze through narrow gaps.
+ * Keeps fast circles from passing through others, and makes them meet as rigid circles would, by docs/step.md. A fast circle stops
+ * where it touches another, so in the next step both are a contact with an exact normal.
  *
  * <p>A fast circle looks for others in the cells around its path. In a level in which it would have to look at many cells, the circles
- * look for it instead ({@link ReachGrid}). Only pairs count that move against each other by more than speculative distances cover. A
- * circle may be stopped by several others at the same time: what they make of it is a minimum, which needs no order.
- *
- * <p>A static circle that moves, and what it may take along, skip blocks of cells whose circles all move alike. A circle that is stopped
- * loses time, at most one step, and with it what gravity would give it in that time: so its energy stays.
+ * look for it instead ({@link ReachGrid}). Several may stop a circle at the same time: what they make of it is a minimum, which needs
+ * no order. A static circle that moves, and what it may take along ({@link Carrying}), skip blocks of cells whose circles all move
+ * alike.
  */
 public final class ContinuousCollision {
     /** Blocks are 4 x 4 cells. */

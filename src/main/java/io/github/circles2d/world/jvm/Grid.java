@@ -47,7 +47,6 @@ public final class Grid {
     /** By new slot: the old slot. */
     private int[] order = new int[0];
 
-    /** By slot: the bucket. */
     int[] bucketOf = new int[0];
 
     /** By slot, if there are sheets: {@link GridLevels#sheetKey}, and 1 more if the circle is static. */
@@ -62,7 +61,6 @@ public final class Grid {
     /** By slot: length of what the circle would move in the step. */
     float[] path = new float[0];
 
-    /** By slot: the level. */
     byte[] level = new byte[0];
 
     /** By bucket: its first slot; one more element for the end. */
@@ -403,12 +401,10 @@ public final class Grid {
         return fast;
     }
 
-    /** The length of the longest path of a circle that is not static. */
     float longestPath() {
         return Float.intBitsToFloat(longestPath.get());
     }
 
-    /** Whether any static circle moves in this step. */
     boolean anyMovingStatic() {
         return movingStatics;
     }

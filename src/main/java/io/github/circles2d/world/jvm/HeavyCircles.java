@@ -44,7 +44,6 @@ final class HeavyCircles {
 
     int count;
 
-    /** By number: the slot. */
     private int[] slot = new int[0];
 
     /** By number: the velocity in a pass, and the scales of the sums. */

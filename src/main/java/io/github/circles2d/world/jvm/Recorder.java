@@ -16,7 +16,6 @@ final class Recorder {
     private final Touches touches;
     private final Sensing sensing;
 
-    /** By worker: its records. */
     private final TouchRecords[] records;
 
     Recorder(State state, Grid grid, GridLevels levels, Contacts contacts, Team team, ContactEvents events) {

@@ -6,9 +6,9 @@ import static io.github.circles2d.world.model.CircleRow.Y;
 
 import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.events.ContactEvents;
-import io.github.circles2d.world.events.SensedPair;
 import io.github.circles2d.world.events.TouchRecords;
 import io.github.circles2d.world.jvm.threads.Team;
+import io.github.circles2d.world.model.Cells;
 import io.github.circles2d.world.model.CircleMath;
 import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.GridLevels;
@@ -16,6 +16,8 @@ import io.github.circles2d.world.model.PairTable;
 import io.github.circles2d.world.model.SensorRule;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepReports;
+import io.github.circles2d.world.model.TouchRule;
+import io.github.circles2d.world.model.Tuning;
 import io.github.circles2d.world.model.Wrapping;
 
 /**
@@ -154,23 +156,46 @@ final class Sensing {
         }
     }
 
+    /** Records a pair, a of the lower id, if needed: as it begins to touch, or across a gap when it is closest. */
     private void meet(TouchRecords records, int a, int b, StepConstants k) {
-        SensedPair.tell(
-                events,
-                records,
-                state.id[a],
-                state.id[b],
-                start[CircleRow.vector(a) + X],
-                start[CircleRow.vector(a) + Y],
-                pathX(a),
-                pathY(a),
-                state.circle[CircleRow.of(a) + RADIUS],
-                start[CircleRow.vector(b) + X],
-                start[CircleRow.vector(b) + Y],
-                pathX(b),
-                pathY(b),
-                state.circle[CircleRow.of(b) + RADIUS],
-                k.dt);
+        float ax = start[CircleRow.vector(a) + X];
+        float ay = start[CircleRow.vector(a) + Y];
+        float dx = Wrapping.shortWay(
+                start[CircleRow.vector(b) + X] - ax, events.arena().periodX());
+        float dy = Wrapping.shortWay(
+                start[CircleRow.vector(b) + Y] - ay, events.arena().periodY());
+        float ux = pathX(b) - pathX(a);
+        float uy = pathY(b) - pathY(a);
+        float r = state.circle[CircleRow.of(a) + RADIUS];
+        float sum = r + state.circle[CircleRow.of(b) + RADIUS];
+        float closest = SensorRule.timeOfClosest(dx, dy, ux, uy);
+        float least = SensorRule.separation(dx, dy, ux, uy, closest, sum);
+        if (!TouchRule.staysInTouch(TouchRule.NONE, least, sum)) {
+            return;
+        }
+        int lower = state.id[a];
+        int higher = state.id[b];
+        int pair = events.find(lower, higher);
+        records.stay(pair == ContactEvents.NONE ? 0 : 1);
+        boolean touches = TouchRule.touches(TouchRule.NONE, least);
+        if (!events.concerns(pair, lower, higher, touches, 0f, 0f, Float.MAX_VALUE)) {
+            return;
+        }
+        float t = touches ? SensorRule.timeOfTouch(dx, dy, ux, uy, sum) : closest;
+        float mx = dx + t * ux;
+        float my = dy + t * uy;
+        float distance = CircleMath.length(mx, my);
+        boolean apart = distance > Tuning.COINCIDENT * sum;
+        float towardsX = apart ? mx : Cells.partingX(Cells.pairHash(lower, higher));
+        float towardsY = apart ? my : Cells.partingY(Cells.pairHash(lower, higher));
+        float length = CircleMath.length(towardsX, towardsY);
+        float nx = towardsX / length;
+        float ny = towardsY / length;
+        float vn = CircleMath.dot(nx, ny, ux / k.dt, uy / k.dt);
+        float px = TouchRule.point(ax, t * pathX(a), nx, r, distance - sum);
+        float py = TouchRule.point(ay, t * pathY(a), ny, r, distance - sum);
+        float approach = TouchRule.approach(vn);
+        records.add(pair, lower, higher, approach, 0f, nx, ny, px, py, vn, Float.MAX_VALUE);
     }
 
     /** Memory of the arrays. */

@@ -16,7 +16,6 @@ final class StageTimes {
         nanos = new long[names.length];
     }
 
-    /** Begins to measure. */
     void begin() {
         if (measures) {
             last = System.nanoTime();

@@ -51,7 +51,6 @@ public final class State {
     /** By slot: inverse mass (0: static), restitution, impulse speed of the walls x, y (positive: lower wall). */
     float[] traits = new float[0];
 
-    /** By slot: the id. */
     int[] id = new int[0];
 
     /** By slot: first of the circle's entries in the impulse cache as the one of lower id, or -1. */
@@ -87,7 +86,6 @@ public final class State {
     /** Within a step: the period along x; infinite if x does not wrap. */
     float periodX;
 
-    /** Within a step: the period along y. */
     float periodY;
 
     /** Within a step: whether pairs have to be filtered. */
@@ -380,7 +378,6 @@ public final class State {
         }
     }
 
-    /** The part of the circles in the hash of the state. */
     long hash() {
         long sum = 0;
         for (int slot = 0; slot < n; slot++) {

@@ -97,18 +97,16 @@ final class WallTouches {
                 : state.circle[s + X + other];
     }
 
-    /** Ends a step: tells of the circles that touch walls. */
     void endStep(TouchRecords records, int from, int to, StepConstants k) {
         for (int slot = from; slot < to; slot++) {
             if (state.traits[CircleRow.of(slot) + INVERSE_MASS] != 0f) {
-                endStep(records, slot, 0, k.bounds.minX(), k.bounds.maxX(), k.thresholdRateX, k);
-                endStep(records, slot, 1, k.bounds.minY(), k.bounds.maxY(), k.thresholdRateY, k);
+                endStep(records, slot, 0, k.bounds.minX(), k.bounds.maxX(), k);
+                endStep(records, slot, 1, k.bounds.minY(), k.bounds.maxY(), k);
             }
         }
     }
 
-    private void endStep(
-            TouchRecords records, int slot, int axis, float min, float max, float thresholdRate, StepConstants k) {
+    private void endStep(TouchRecords records, int slot, int axis, float min, float max, StepConstants k) {
         int s = CircleRow.of(slot);
         int t = row(slot, axis);
         float base = state.circle[s + X + axis];
@@ -116,28 +114,15 @@ final class WallTouches {
         float side = Walls.wallSide(base, min, max);
         float gap = Walls.wallGap(base, state.motion[s + DX + axis], r, side, min, max);
         boolean touched = rows[t + APPROACH] >= 0f;
-        if (!touched && !TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
-            return;
-        }
-        float threshold = Bounce.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
         if (touched) {
+            float touchedSide = rows[t + SIDE];
+            float at = touchedSide > 0f ? min : max;
             float impulse = state.circle[s + MASS] * rows[t + IMPULSE];
-            tell(
-                    records,
-                    slot,
-                    axis,
-                    rows[t + SIDE],
-                    true,
-                    rows[t + APPROACH],
-                    impulse,
-                    rows[t + PLACE],
-                    rows[t + SIDE] > 0f ? min : max,
-                    threshold,
-                    k);
+            tell(records, slot, axis, touchedSide, true, rows[t + APPROACH], impulse, rows[t + PLACE], at, k);
         }
         if ((!touched || rows[t + SIDE] != side) && TouchRule.staysInTouch(TouchRule.NONE, gap, 2f * r)) {
             boolean touches = TouchRule.touches(TouchRule.NONE, gap);
-            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, threshold, k);
+            tell(records, slot, axis, side, touches, 0f, 0f, place(s, axis, 0f), side > 0f ? min : max, k);
         }
     }
 
@@ -151,28 +136,20 @@ final class WallTouches {
             float impulse,
             float place,
             float at,
-            float threshold,
             StepConstants k) {
-        int s = CircleRow.of(slot);
         int id = state.id[slot];
         int wall = WallCode.of(axis, side);
         int pair = events.find(id, wall);
+        boolean isX = axis == 0;
+        float r = state.circle[CircleRow.of(slot) + RADIUS];
+        float thresholdRate = isX ? k.thresholdRateX : k.thresholdRateY;
+        float threshold = Bounce.bounceThreshold(2f * r, 0f, thresholdRate, k.restRate, k.fixedThreshold);
         if (events.concerns(pair, id, wall, touches, approach, impulse, threshold)) {
-            float speed = k.walls.speedFor(WallMotion.of(axis, side), state.circle[s + RADIUS]);
-            float vn = side * state.motion[s + VX + axis] - speed;
-            boolean isX = axis == 0;
-            records.add(
-                    pair,
-                    id,
-                    wall,
-                    approach,
-                    impulse,
-                    isX ? -side : 0f,
-                    isX ? 0f : -side,
-                    isX ? at : place,
-                    isX ? place : at,
-                    vn,
-                    threshold);
+            float vn = side * state.motion[CircleRow.of(slot) + VX + axis]
+                    - k.walls.speedFor(WallMotion.of(axis, side), r);
+            float nx = isX ? -side : 0f;
+            float ny = isX ? 0f : -side;
+            records.add(pair, id, wall, approach, impulse, nx, ny, isX ? at : place, isX ? place : at, vn, threshold);
         }
     }
 

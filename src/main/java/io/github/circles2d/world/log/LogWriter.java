@@ -104,7 +104,6 @@ public final class LogWriter {
         }
     }
 
-    /** Ends a call. */
     public void end() {
         writing = false;
     }

@@ -18,11 +18,6 @@ public final class Cells {
         return (int) CircleMath.max((x - min) * inverseEdge, 0f);
     }
 
-    /** Of two that are equal or neighbours. */
-    public static int ringFirst(int a, int b, int size) {
-        return (b + 1 == size ? 0 : b + 1) == a ? b : a;
-    }
-
     /** The finalizer of MurmurHash3, twice. */
     public static int pairHash(int lo, int hi) {
         return mix(mix(lo) + hi);

@@ -90,6 +90,29 @@ public final class GridLevels {
 
     public final int[] sheetsY = new int[COUNT];
 
+    private final Object[] arrays = {
+        levelOf,
+        population,
+        inverseEdge,
+        columnsLog,
+        rowsLog,
+        columnCount,
+        rowCount,
+        columnsUsed,
+        rowsUsed,
+        first,
+        firstRow,
+        used,
+        top,
+        scaleX,
+        scaleY,
+        unitsX,
+        unitsY,
+        folded,
+        sheetsX,
+        sheetsY
+    };
+
     public boolean hasStatics;
 
     public Bounds bounds = new Bounds(0, 0, 1, 1);
@@ -243,28 +266,11 @@ public final class GridLevels {
     }
 
     public void copy(GridLevels other) {
-        System.arraycopy(other.levelOf, 0, levelOf, 0, COUNT);
-        System.arraycopy(other.population, 0, population, 0, COUNT);
-        System.arraycopy(other.inverseEdge, 0, inverseEdge, 0, COUNT);
-        System.arraycopy(other.columnsLog, 0, columnsLog, 0, COUNT);
-        System.arraycopy(other.rowsLog, 0, rowsLog, 0, COUNT);
-        System.arraycopy(other.columnCount, 0, columnCount, 0, COUNT);
-        System.arraycopy(other.rowCount, 0, rowCount, 0, COUNT);
-        System.arraycopy(other.columnsUsed, 0, columnsUsed, 0, COUNT);
-        System.arraycopy(other.rowsUsed, 0, rowsUsed, 0, COUNT);
-        System.arraycopy(other.scaleX, 0, scaleX, 0, COUNT);
-        System.arraycopy(other.scaleY, 0, scaleY, 0, COUNT);
-        System.arraycopy(other.unitsX, 0, unitsX, 0, COUNT);
-        System.arraycopy(other.unitsY, 0, unitsY, 0, COUNT);
-        System.arraycopy(other.folded, 0, folded, 0, COUNT);
-        System.arraycopy(other.sheetsX, 0, sheetsX, 0, COUNT);
-        System.arraycopy(other.sheetsY, 0, sheetsY, 0, COUNT);
+        for (int k = 0; k < arrays.length; k++) {
+            System.arraycopy(other.arrays[k], 0, arrays[k], 0, COUNT);
+        }
         hasStatics = other.hasStatics;
         bounds = other.bounds;
-        System.arraycopy(other.first, 0, first, 0, COUNT);
-        System.arraycopy(other.firstRow, 0, firstRow, 0, COUNT);
-        System.arraycopy(other.used, 0, used, 0, COUNT);
-        System.arraycopy(other.top, 0, top, 0, COUNT);
         usedCount = other.usedCount;
         buckets = other.buckets;
         rows = other.rows;

@@ -1,8 +1,6 @@
 package io.github.circles2d.world.queries;
 
-/**
- * Finds the circles that a moving disc meets. A ray is the path of a disc of radius 0.
- */
+/** Finds the circles that a moving disc meets. A ray is the path of a disc of radius 0. */
 public final class CastSearch {
     // a hit: how far the disc has moved; where its centre is then; the unit vector from the circle's centre to there
     public static final int HIT_STRIDE = 5;

@@ -22,7 +22,6 @@ final class CircleTests {
         return dx * dx + dy * dy;
     }
 
-    /** Whether a box overlaps or touches a circle. */
     static boolean overlapsBox(double minX, double minY, double maxX, double maxY, float x, float y, float radius) {
         double dx = Math.max(Math.max(minX - x, x - maxX), 0);
         double dy = Math.max(Math.max(minY - y, y - maxY), 0);

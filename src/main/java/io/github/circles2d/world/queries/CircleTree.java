@@ -4,13 +4,12 @@ import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
 
 /**
- * A tree of boxes over circles. The circles lie in the order of a Hilbert curve; sixteen of them in a row share a box, four boxes in a row
- * share a box of the next level, and so on up to one. Radii may differ by any factor, and circles may crowd anywhere: a box is as
+ * A tree of boxes over circles. The circles lie in the order of a Hilbert curve; sixteen of them in a row share a box, four boxes in a
+ * row share a box of the next level, and so on up to one. Radii may differ by any factor, and circles may crowd anywhere: a box is as
  * large as what it holds.
  *
- * <p>A box is larger than its circles by 2^-21 of each circle's coordinates and radius, which covers the rounding of the exact
- * tests ({@link CircleTests}). So a search that skips boxes which it cannot reach finds the same circles as one that tests them
- * all.
+ * <p>A box is larger than its circles by 2^-21 of each circle's coordinates and radius, which covers the rounding of the exact tests
+ * ({@link CircleTests}). So a search that skips boxes which it cannot reach finds the same circles as one that tests them all.
  */
 public final class CircleTree {
     /** Circles that share a box of level 0. */

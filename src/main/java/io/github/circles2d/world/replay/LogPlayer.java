@@ -11,8 +11,7 @@ import java.io.IOException;
 import java.io.InputStream;
 
 /**
- * Makes the calls of a log again, step by step, and compares hashes. Calls are checked as any others, so a log may come from
- * anywhere.
+ * Makes the calls of a log again, step by step, and compares hashes. Calls are checked as any others, so a log may come from anywhere.
  */
 public final class LogPlayer {
     private final Simulation simulation;
@@ -66,7 +65,6 @@ public final class LogPlayer {
         return log.hashEvery();
     }
 
-    /** Steps made. */
     public long steps() {
         return steps;
     }

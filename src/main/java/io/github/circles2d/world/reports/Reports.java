@@ -59,7 +59,6 @@ public final class Reports {
                 () -> events.report(types, handles));
     }
 
-    /** Sets which events are reported of two kinds. */
     public void report(int kindA, int kindB, int types) {
         change(
                 () -> {

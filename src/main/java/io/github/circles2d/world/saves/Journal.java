@@ -18,12 +18,10 @@ public final class Journal {
             this.log = log;
         }
 
-        /** Steps in the log. */
         public long steps() {
             return log.steps();
         }
 
-        /** Bytes of the log. */
         public long bytes() {
             return log.bytes();
         }

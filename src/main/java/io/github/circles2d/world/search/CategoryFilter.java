@@ -22,7 +22,6 @@ public final class CategoryFilter implements IdFilter {
         this.mask = mask;
     }
 
-    /** Takes another mask. */
     public void setMask(int to) {
         mask = to;
     }

@@ -11,19 +11,14 @@ import io.github.circles2d.world.shared.Pipeline;
 import io.github.circles2d.world.shared.WorldSettings;
 
 /**
- * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to
- * build a tree of them takes a host some 50 ms, and a call of the device a tenth of one.
+ * Answers queries on the device that has the circles, where that is likely to be the faster way: to read a million circles and to build a
+ * tree of them takes a host some 50 ms, and a call of the device a tenth of one.
  *
- * <p>The rule, on a GPU: a batch of at least {@link #LEAST_BATCH} queries among at least {@link #LEAST_CIRCLES} circles; or, among
- * at
- * least {@link #MANY_CIRCLES}, smaller calls that since the last change have not yet taken about as long as it would take to read
- * all
- * circles and build a tree. So whoever asks once or twice in a frame never pays for that, and whoever asks thousands of times one
- * by
- * one pays twice at most. On an NVIDIA H200 10,000 rays among 100,000 circles take 1.0 ms behind a step and 0.7 again, while its
- * host
- * takes 11 to 14 ms for as many among 1,250 to 15,000. The other numbers are estimates, by what a transfer, a launch and a tree
- * cost.
+ * <p>The rule, on a GPU: a batch of at least {@link #LEAST_BATCH} queries among at least {@link #LEAST_CIRCLES} circles; or, among at
+ * least {@link #MANY_CIRCLES}, smaller calls that since the last change have not yet taken about as long as it would take to read all
+ * circles and build a tree. So whoever asks once or twice in a frame never pays for that, and whoever asks thousands of times one by one
+ * pays twice at most. On an NVIDIA H200 10,000 rays among 100,000 circles take 1.0 ms behind a step and 0.7 again, while its host takes
+ * 11 to 14 ms for as many among 1,250 to 15,000. The other numbers are estimates, by what a transfer, a launch and a tree cost.
  */
 final class DeviceAnswers {
     private static final int LEAST_CIRCLES = 1000;

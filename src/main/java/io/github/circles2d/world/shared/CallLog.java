@@ -11,9 +11,8 @@ import java.nio.ByteOrder;
 import java.util.function.LongSupplier;
 
 /**
- * Tells a log what changes the world, while there is one. The waiting {@link Commands} are written as they are, whatever call has
- * made them; all other calls write a row of {@link LoggedCall} before they change the state. Without a log, a call costs a
- * comparison.
+ * Tells a log what changes the world, while there is one. The waiting {@link Commands} are written as they are, whatever call has made
+ * them; all other calls write a row of {@link LoggedCall} before they change the state. Without a log, a call costs a comparison.
  */
 public final class CallLog {
     private final Pipeline pipeline;

@@ -36,7 +36,6 @@ public final class Copies {
         last = new LastReading(pipeline, handles, pending);
     }
 
-    /** The last bulk reading. */
     public LastReading last() {
         return last;
     }

@@ -4,12 +4,11 @@ import java.util.ConcurrentModificationException;
 import java.util.concurrent.atomic.AtomicReferenceFieldUpdater;
 
 /**
- * Lets one thread at a time use a world, until it is closed or its state is lost. Each call of the world goes through {@code read}
- * or {@code change}, which take the call as a function and its values. The function is a constant: it captures nothing, so a call
- * leaves no garbage, and it is linked before memory ends.
+ * Lets one thread at a time use a world, until it is closed or its state is lost. Each call of the world goes through {@code read} or
+ * {@code change}, which take the call as a function and its values. The function is a constant: it captures nothing, so a call leaves no
+ * garbage, and it is linked before memory ends.
  *
- * <p>A few calls have more values than these methods take. They do the same by hand: {@link #enter}, {@link #failed}, {@link
- * #user}.
+ * <p>A few calls have more values than these methods take. They do the same by hand: {@link #enter}, {@link #failed}, {@link #user}.
  */
 public final class Guard {
     private static final AtomicReferenceFieldUpdater<Guard, Thread> USER =

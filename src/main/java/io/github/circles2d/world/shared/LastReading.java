@@ -31,7 +31,6 @@ public final class LastReading {
         changes++;
     }
 
-    /** Velocities have changed. */
     void forgetVelocities() {
         velocitiesCurrent = false;
     }

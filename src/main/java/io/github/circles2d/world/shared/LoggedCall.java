@@ -1,8 +1,7 @@
 package io.github.circles2d.world.shared;
 
 /**
- * The table of the calls of a log that are no {@link io.github.circles2d.world.circles.Commands}, one row each. Commands are in the
- * log
+ * The table of the calls of a log that are no {@link io.github.circles2d.world.circles.Commands}, one row each. Commands are in the log
  * with their operations for numbers, and need no row.
  */
 public enum LoggedCall {

@@ -83,7 +83,6 @@ public final class PendingWork {
         guard.changing = false;
     }
 
-    /** Waits for the events that were requested. */
     public void finishRequestedEvents() {
         guard.changing = true;
         pipeline.finishRequestedEvents();

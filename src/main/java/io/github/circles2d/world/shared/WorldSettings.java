@@ -118,7 +118,6 @@ public final class WorldSettings {
         return parameters;
     }
 
-    /** What the hash of the state has of it. */
     public long hash() {
         return WorldParameters.hash(bounds, wallStart, contacts);
     }

@@ -263,7 +263,6 @@ public enum DeviceArray {
         return "(global " + type + " *) (" + index.block + offset + ")";
     }
 
-    /** The comment of the declaration. */
     String comment() {
         return index.words + ": " + comment;
     }

@@ -208,7 +208,6 @@ public final class StepParameters {
         levels[FIRST_TILE + level] = first;
     }
 
-    /** Sets the number of tiles of all levels. */
     public void setTileCount(int tiles) {
         levels[TILE_COUNT] = tiles;
     }

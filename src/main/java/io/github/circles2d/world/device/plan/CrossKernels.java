@@ -38,7 +38,6 @@ final class CrossKernels {
         }
     }
 
-    /** The relaxing pass. */
     void relax(Steps steps, boolean last) {
         if (!steps.haveOneLevel()) {
             relaxLight(steps, last);

@@ -14,7 +14,6 @@ public record Steps(
         boolean thinning,
         boolean recording,
         boolean sensing) {
-    /** Whether all circles are of one level. */
     boolean haveOneLevel() {
         return levels.usedCount == 1;
     }

@@ -45,7 +45,6 @@ public final class Tiles implements Plan {
         this.sizes = sizes;
     }
 
-    /** Whether a device can run the tiles at all. */
     public static boolean fit(Device device) {
         return device.localMemoryBytes() >= LOCAL_BYTES && device.maxWorkGroupSize() >= TileRecord.GROUP;
     }
