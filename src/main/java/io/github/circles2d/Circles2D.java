@@ -31,10 +31,10 @@ import java.util.Objects;
  * #MAX_CIRCLES}. It is there for study, teaching and benchmarks.
  *
  * <p>A step moves every circle and reflects it at the walls, finds the minimum translation vector of every overlapping
- * pair, and then parts each such pair and exchanges its impulse. The behaviour of the thesis is kept, with its consequences:
- * pairs that share a circle are resolved in a race, so results differ from run to run in a crowd; a bounce off one wall
- * scales both components of the velocity; impulses act on separating pairs too. Three things are not kept. A slot that
- * strategy 0 maps wrongly is skipped instead of touching memory that is not its own. A pair with coincident centres,
+ * pair, and then parts each such pair and exchanges its impulse. The behaviour of the thesis is kept, with its consequences.
+ * Pairs that share a circle are resolved in a race, so results differ from run to run in a crowd. A bounce off one wall
+ * scales both components of the velocity. Impulses act on separating pairs too. Three things are not kept. A slot that
+ * strategy 0 maps wrongly is skipped, so it touches no memory outside the buffers. A pair with coincident centres,
  * which has no direction to part in, gets no minimum translation vector in that step. And no n overflows an int.
  *
  * <p>Use: add circles, {@link #init}, then call {@link #loop} once a frame. Positions and radii are in widths of the arena,

@@ -51,9 +51,10 @@ import io.github.circles2d.world.saves.Snapshots;
  * effects on your game are lost. The reported types of events and the hit speed are in no frame either: they stay as they are.
  *
  * <p><b>Cost.</b> A frame takes 33 bytes a circle and 5 or 6 a contact that presses. 1,000 circles in a dense heap take 49 KB a frame,
- * and 600 frames 30 MB. On the JVM, on one core of an AMD EPYC, {@link #save} takes 0.05 to 0.07 ms for them and {@link #restore} 0.04 ms, and
- * neither leaves garbage once the memory of the frames has grown. (A frame whose time step, gravity or bounds differ from those of the
- * last one leaves some 50 bytes. A world in which dozens of reported pairs touch leaves what Java takes to sort them.) On an OpenCL device each waits for the device, copies the whole state and allocates for it.
+ * and 600 frames 30 MB. On the JVM, on one core of an AMD EPYC, {@link #save} takes 0.05 to 0.07 ms for them and {@link #restore} 0.04
+ * ms. Neither leaves garbage once the memory of the frames has grown. (A frame whose time step, gravity or bounds differ from those of
+ * the last one leaves some 50 bytes. A world in which dozens of reported pairs touch leaves what Java takes to sort them.) On an OpenCL
+ * device each waits for the device, copies the whole state and allocates for it.
  *
  * <p>One thread at a time uses it, as the world.
  */

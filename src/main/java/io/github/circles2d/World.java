@@ -55,8 +55,8 @@ import java.nio.LongBuffer;
  * 0.1 (1 - restitution) r per second for two circles that nothing carries. This limit falls from a restitution of 0.9 on, to 0 at a
  * restitution of 1: elastic circles bounce at any speed, so a pile of them never rests.
  *
- * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
- * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper
+ * <p><b>Overlaps</b>, for example after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do
+ * not burst. Overlaps of up to 0.4 mean radii go at up to 0.8 mean radii a second, deeper ones faster
  * ({@link Builder#greatestPushOutSpeed}). Shallow overlaps shrink to a third in about a tenth of a second. Circles that need more room
  * than the arena has stay in each other.
  *
@@ -104,10 +104,16 @@ import java.nio.LongBuffer;
  * OpenCL device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later call but close throws
  * an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
- * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
- * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities
- * and gravity up to 1e9; steps from 1e-6
- * to 1 second. Within them no sequence of calls leads to a state that is not finite.
+ * <p><b>Ranges.</b> Within them no sequence of calls leads to a state that is not finite:
+ *
+ * <ul>
+ *   <li>coordinates: up to 1e9 in magnitude;
+ *   <li>radii: from 2^-20 of the greatest coordinate or extent of the bounds up to half of the lesser extent, or up to an eleventh of it
+ *       along an axis that wraps;
+ *   <li>masses: from 1e-9 to 1e9;
+ *   <li>components of velocities and of gravity: up to 1e9 in magnitude;
+ *   <li>steps: from 1e-6 to 1 second.
+ * </ul>
  */
 public final class World implements AutoCloseable {
     /** By the settings of the matrix of kinds. */
