@@ -1,13 +1,13 @@
 package io.github.circles2d;
 
-/** What a {@link World} runs on. Every back end gives the same bits. */
+/** The back ends: a {@link World} runs on one of them. All give the same bits. */
 public enum Backend {
     /**
-     * The one that is likely to be the fastest for a world with the {@link World.Builder#capacity} and the {@link
-     * World.Builder#radii} given: the JVM or a GPU, never OpenCL on a CPU. If a {@link Calibration} has measured both, it is the one
-     * with the shortest frame, a step and a read of all circles. Without one it is a GPU, if there is one, from a capacity of 1,250
-     * circles on, else the JVM. Devices that do not round correctly are never taken.
-     * {@link World#stats()} says which one was taken, and why; the log says it the first time.
+     * The back end that is likely to be the fastest for a world with the {@link World.Builder#capacity} and the {@link
+     * World.Builder#radii} given: the JVM or a GPU, never OpenCL on a CPU. If a {@link Calibration} has measured both, AUTO takes the
+     * one with the shorter frame (a step and a read of all circles). Without a calibration it takes a GPU, if there is one, from a
+     * capacity of 1,250 circles on, else the JVM. It never takes a device that does not round correctly.
+     * {@link World#stats()} says which back end was taken, and why; the log says it the first time.
      */
     AUTO,
     /** Plain Java threads, the fast way on processors: runs everywhere, needs no driver. */
@@ -17,6 +17,6 @@ public enum Backend {
      * with {@link #JVM}, which is the fast way on processors.
      */
     OPENCL_CPU,
-    /** OpenCL on a GPU; {@link World#stats()} calls other accelerators so, too. */
+    /** OpenCL on a GPU. {@link World#stats()} gives other accelerators this name, too. */
     OPENCL_GPU
 }

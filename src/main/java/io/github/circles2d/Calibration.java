@@ -31,22 +31,21 @@ import java.util.function.Function;
 import java.util.function.IntFunction;
 
 /**
- * What {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose by: times of frames, taken on this machine when {@link #run} is
- * called and at no other time. Without it they choose by rules.
+ * Times of frames, by which {@link Backend#AUTO} and {@link PairIndexing#AUTO} choose. {@link #run} takes them on this machine, and
+ * nothing else does. Without a calibration AUTO chooses by rules.
  *
  * <p>The times are kept in a file, for each device with its driver, its kernels and the version of this library; those of another
  * version are not used. The file lies in the user's folder for caches ({@code $XDG_CACHE_HOME} or {@code ~/.cache}, {@code
  * ~/Library/Caches}, {@code %LOCALAPPDATA%}) as {@code circles2d/calibration.txt}, and may be deleted at any time. The system
- * property {@code circles2d.calibration} names another file; {@code off} keeps no file, so that a calibration holds for the
- * process that made it alone. A file that cannot be read, or is damaged, is a warning in the log and no error; so is a folder for
- * caches that cannot be written. But a property that names no file that can be written is refused before anything is measured.
+ * property {@code circles2d.calibration} names another file; {@code off} keeps no file, so that a calibration holds only for
+ * the process that made it. If the file is damaged or cannot be read, or the folder for caches cannot be written, the log gets a
+ * warning, and there is no error. But if the property names a file that cannot be written, {@link #run} refuses before it measures.
  *
  * <p>Crowds that fill 0.62 of an arena are timed at a few sizes: World, on the JVM and on GPUs, at 250, 1,000, 3,000, 10,000, 30,000
- * and 100,000 circles, with like radii and with radii of 1:3, 1:10 and 1:100; Circles2D, on every OpenCL device, at 1,000 and 8,000 with
- * each exact indexing; fewer where it would take long.
- * What lies between is interpolated; beyond, the order at the last size and ratio holds. {@link World.Builder#capacity} and {@link
- * World.Builder#radii} say which of these times count for a world. A world unlike those crowds (a thousand circles in one point, one
- * boulder in sand) may be faster elsewhere.
+ * and 100,000 circles, with like radii and with radii of 1:3, 1:10 and 1:100; Circles2D, on every OpenCL device, at 1,000 and 8,000
+ * with each exact indexing; fewer if it would take long. Times between these sizes and ratios are interpolated. Beyond them, the order
+ * at the last size and ratio holds. {@link World.Builder#capacity} and {@link World.Builder#radii} say which of these times count for a
+ * world. A world unlike those crowds (a thousand circles in one point, one boulder in sand) may be faster elsewhere.
  */
 public final class Calibration {
     private static final System.Logger LOG = System.getLogger(Calibration.class.getName());
@@ -278,7 +277,7 @@ public final class Calibration {
     /**
      * Returns the file that keeps these times.
      *
-     * @return the file; empty where it is turned off, or could not be written: the times hold for this process then
+     * @return the file; empty if it is turned off, or could not be written: the times hold for this process then
      */
     public Optional<Path> file() {
         return file;

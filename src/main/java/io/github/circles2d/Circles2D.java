@@ -31,10 +31,10 @@ import java.util.Objects;
  * #MAX_CIRCLES}. It is there for study, teaching and benchmarks.
  *
  * <p>A step moves every circle and reflects it at the walls, finds the minimum translation vector of every overlapping
- * pair, and then parts each such pair and exchanges its impulse. What the thesis does is kept, with what follows from it:
- * pairs that share a circle are resolved in a race, so results differ from run to run in a crowd; a bounce off one wall
- * scales both components of the velocity; impulses act on separating pairs too. Three things are not kept. A slot that
- * strategy 0 maps wrongly is skipped instead of touching memory that is not its own. A pair with coincident centres,
+ * pair, and then parts each such pair and exchanges its impulse. The behaviour of the thesis is kept, with its consequences.
+ * Pairs that share a circle are resolved in a race, so results differ from run to run in a crowd. A bounce off one wall
+ * scales both components of the velocity. Impulses act on separating pairs too. Three things are not kept. A slot that
+ * strategy 0 maps wrongly is skipped, so it touches no memory outside the buffers. A pair with coincident centres,
  * which has no direction to part in, gets no minimum translation vector in that step. And no n overflows an int.
  *
  * <p>Use: add circles, {@link #init}, then call {@link #loop} once a frame. Positions and radii are in widths of the arena,
@@ -60,7 +60,7 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Creates an engine without circles.
      *
-     * @param gpu true for the best device, which is a GPU where there is one; false for a CPU device
+     * @param gpu true for the best device, which is a GPU if there is one; false for a CPU device
      * @throws OpenClUnavailableException if there is no such device; the message says what is missing and what to install
      */
     public Circles2D(boolean gpu) {
@@ -247,7 +247,7 @@ public final class Circles2D implements AutoCloseable {
     /**
      * Returns how slots find their pairs.
      *
-     * @return the indexing of the last init; never {@link PairIndexing#AUTO} but what it was taken for
+     * @return the indexing of the last init; never {@link PairIndexing#AUTO}, but the one that AUTO has taken
      * @throws IllegalStateException before the first init
      */
     public synchronized PairIndexing indexing() {
@@ -267,7 +267,7 @@ public final class Circles2D implements AutoCloseable {
 
     /**
      * Returns how many slots the indexing in use maps wrongly for this number of circles on this device. {@link #init}
-     * counts them there, and logs a warning where there are any.
+     * counts them there, and logs a warning if there are any.
      *
      * @return the number of pairs that can never collide; 0 for all indexings but {@link PairIndexing#COMPUTED}
      * @throws IllegalStateException before the first init

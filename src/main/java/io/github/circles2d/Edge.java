@@ -1,6 +1,6 @@
 package io.github.circles2d;
 
-/** What there is at the two ends of an axis of a world; see {@link World.Builder#edges}. */
+/** The two ends of an axis of a world; see {@link World.Builder#edges}. */
 public enum Edge {
     /** Walls, which keep the circles in. */
     WALL,
@@ -8,6 +8,6 @@ public enum Edge {
     /** Nothing: circles go on beyond the bounds, up to coordinates of 1e9 in magnitude. */
     OPEN,
 
-    /** The other end: what leaves on one side comes in on the other, and circles meet across the seam. */
+    /** Each other: a circle that leaves on one side comes in on the other, and circles meet across the seam. */
     WRAP
 }

@@ -4,8 +4,8 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.events.EventRows;
 
 /**
- * What happened between circles, and between circles and walls, since the last call of {@link World#events}. {@link World#report} says
- * what of it is told.
+ * The contacts of circles, and of circles and walls, since the last call of {@link World#events}: which began, hit and ended.
+ * {@link World#report} sets the types that a world reports.
  *
  * <pre>{@code
  * world.report(Events.BEGIN | Events.HIT);
@@ -19,40 +19,40 @@ import io.github.circles2d.world.events.EventRows;
  * }</pre>
  *
  * <p><b>Touching:</b> a pair touches after a step if an impulse acted between the two within it, or if their surfaces met or
- * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It goes on
- * touching until a step in which nothing of that happens ends with a gap of more than 0.5 % of the sum of the radii (at a wall:
- * of the diameter); then it {@link #END ends}. So a pile at rest is silent. Two static circles never touch, nor do circles that ignore
- * each other by their kinds or groups ({@link Kind}). A circle that is added where it touches another begins with the next
- * step. A circle that is moved away, or removed, ends with the next step, a removed one under its old handle. In a crowd, where a
- * circle has more than some thirty neighbours, only the pairs that World solves count.
+ * overlapped at the start or the end of a sub-step. It {@link #BEGIN begins} if it did not touch after the step before. It {@link #END
+ * ends} with the first step in which nothing of that happens, and after which the gap is more than 0.5 % of the sum of the radii (at a
+ * wall: of the diameter). So a pile at rest is silent. Two static circles never touch, nor do circles that ignore each other by their
+ * kinds or groups ({@link Kind}). If a circle is added at a place where it touches another, the pair begins with the next step. If a
+ * circle is moved away or removed, its pairs end with the next step, those of a removed one under its old handle. In a crowd, where
+ * circles have more than 60 others near them, only the pairs that World solves count.
  *
  * <p><b>Sensors:</b> two circles that only sense each other ({@link Kind#setSensor}, {@link Response#SENSE}) begin and end, and never hit. They
- * touch in a step if they do so at any time in it, on straight paths from where they were at its start to where they are at its end. So a bullet
+ * touch in a step if they do so at any time in it, on straight paths from their places at its start to those at its end. So a bullet
  * that flies right through a small sensor in a step begins in this step, and ends in the next. The numbers of a begin are those of the
- * moment when they first touch in the step; the speed is that at which the two approach, by their paths, and the impulse is 0. A circle
- * that is moved by {@link World#teleport}, or one that is not static by {@link World#setPosition}, touches nothing on its way. A crowd
- * hides nothing from a sensor. Between a sensor and a wall there are the events of any circle at a wall.
+ * moment when the two first touch in the step. The speed is that at which they approach, by their paths; the impulse is 0. A circle
+ * that {@link World#teleport} moves touches nothing on its way, nor does one that is not static and that {@link World#setPosition}
+ * moves. A sensor notices all circles of a crowd. A sensor at a wall has the events of any circle at a wall.
  *
- * <p><b>Which pairs</b> are told of, kinds decide: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for those
- * of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A pair of which nothing is reported is not followed: it
- * ends in silence if its circles get such kinds, and begins if it touches when it is reported again.
+ * <p><b>Kinds decide</b> which pairs are reported: {@link World#report(int)} asks for all pairs, {@link World#report(int, int, int)} for
+ * those of two kinds, and {@link World#reportWalls} for walls and the circles of a kind. A pair of which no type is reported is not
+ * followed: it ends in silence if its circles get such kinds, and begins if it touches when it is reported again.
  *
  * <p><b>Hits:</b> a pair {@link #HIT hits} if an impulse acted and its approach speed is at least {@link World#setHitSpeed}, whether
- * or not it touched before. A hit that a step leaves half done is finished by the next step, and reported there, once: so it may
- * come a step after its begin.
+ * or not it touched before. If a step leaves a hit half done, the next step finishes and reports it, once. So a hit may come a step after
+ * its begin.
  *
- * <p><b>What is exact:</b> {@link #speed} is the greatest approach speed of the sub-steps in which the pair touched, along the normal,
+ * <p><b>Exact meaning:</b> {@link #speed} is the greatest approach speed of the sub-steps in which the pair touched, along the normal,
  * from the velocities before any impulse of the sub-step. {@link #impulse} is the sum of all impulses of the steps of the hit, those
  * included that carry a load. If nothing else acts on the two, it is the change of their momentum, up to rounding for a bounce,
- * and up to one part in 64 for a circle that sticks. An impulse that acts after a hit has been reported is in no event. A wall that is
- * hit has the same numbers; the speed is relative to a wall that moves. A circle that is fast stops where it touches, and bounces in the next step: it may begin, with speed
- * and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
+ * and up to one part in 64 for a circle that sticks. An impulse that acts after a hit has been reported is in no event. A hit of a wall
+ * has the same numbers; the speed is relative to a wall that moves. A fast circle stops where it touches, and bounces in the next step:
+ * so it may begin, with speed and impulse 0, a step before it hits. For damage, take hits; for damage at any speed, set a hit speed of 0.
  *
- * <p><b>Circles that are gone:</b> the list is of what happened, so a circle may be in several events, and a game that removes circles
- * while it reads finds them again under stale handles: {@link World#contains} tells. It is false for the 0 of a wall too.
+ * <p><b>Removed circles:</b> a circle may be in several events. If a game removes circles while it reads, later events name them by
+ * stale handles: {@link World#contains} is false for these. It is false for the 0 of a wall, too.
  *
  * <p><b>Order:</b> step, lower id, higher id (walls after circles), then begin, hit, end. Events of a removed circle come before those
- * of one that has its id now. The events and their order are the same on every back end, device and number of threads.
+ * of a circle that has its id now. The events and their order are the same on every back end, device and number of threads.
  *
  * <p>There is one object per world, which each call of {@link World#events} and {@link World#takeEvents} fills again; steps do not touch it. Reading it makes
  * no garbage.
@@ -107,7 +107,7 @@ public final class Events {
     }
 
     /**
-     * What happened.
+     * The type of an event.
      *
      * @param event its number, from 0 on
      * @return {@link #BEGIN}, {@link #HIT} or {@link #END}
@@ -117,11 +117,11 @@ public final class Events {
     }
 
     /**
-     * When it happened.
+     * The step of an event.
      *
      * @param event its number, from 0 on
-     * @return the number of the step: 0 for the first since {@link World#events} was called before, or since the request that was taken;
-     *     2^31 - 1 for that step and all later ones
+     * @return the number of the step: 0 for the first step since the call of {@link World#events} before, or since the request that was
+     *     taken; 2^31 - 1 for that step and all later ones
      */
     public int step(int event) {
         return rows.step(event);
@@ -169,7 +169,7 @@ public final class Events {
     }
 
     /**
-     * By how much the two pushed each other in all.
+     * The sum of the impulses by which the two pushed each other.
      *
      * @param event its number, from 0 on
      * @return an impulse, mass times length per second, at least 0; 0 for an end
@@ -179,8 +179,8 @@ public final class Events {
     }
 
     /**
-     * The place: half-way between the surfaces when they approached fastest, or after the step, if that is the same within 0.5 % of the
-     * sum of the radii.
+     * The place: half-way between the surfaces when they approached fastest. If the place after the step is the same within 0.5 % of the
+     * sum of the radii, it is that one.
      *
      * @param event its number, from 0 on
      * @return x; 0 for an end

@@ -26,15 +26,15 @@ import java.util.Arrays;
  * }</pre>
  *
  * <p><b>Steps.</b> Time is saved up until it is enough for a step. A frame makes at most {@link #setMaxSteps} of them, 5 at first;
- * whole steps that are due beyond that are dropped, and the game slows down. Otherwise steps that take longer than they last would
- * be more in each frame. Changes of the world that a replay is to repeat belong into the Runnable: it runs before each step, so it
- * sees the same steps at any rate of frames. A frame may make no step at all: a game forgets that a key was pressed only when the
- * Runnable has seen it.
+ * whole steps that are due beyond that are dropped, and the game slows down. Otherwise, if a step takes longer than the time that it
+ * simulates, each frame would owe more steps than the one before. Changes of the world that a replay is to repeat belong into the
+ * Runnable: it runs before each step, so it sees the same steps at any rate of frames. Take events there, too: {@link World#events}
+ * gives those of the step before. A frame may make no step at all, so keep a key press until the Runnable has seen it.
  *
- * <p><b>Positions</b> lie on the straight line from where a circle was before the last step to where it was after it, as far as
- * {@link #alpha} says. So they are up to a step old, and move evenly. Both ends are taken with no change in between: a circle that a
- * call moves elsewhere, or that is new, appears where it is and is not drawn across the screen. What a call does shows from the next
- * step on, except for {@link World#remove}: a removed circle is gone at once. {@link #radii} are those of circles that grow, likewise.
+ * <p><b>Positions</b> lie on the straight line from the place of a circle before the last step to its place after it; {@link #alpha} says
+ * how far along. So they are up to a step old, and move evenly. No call comes between the two places: a circle that a call moves
+ * elsewhere, or that is new, appears at its place and is not drawn across the screen. The effect of a call shows from the next step on,
+ * except for {@link World#remove}: a removed circle is gone at once. {@link #radii} gives the radii of circles that grow, likewise.
  *
  * <p><b>A replay</b> is shown by {@link #advanceReplay} in place of {@link #advance}: it makes the steps of a log, and positions are as
  * smooth as in the game.
@@ -100,7 +100,7 @@ public final class FixedStep {
      *
      * @param world the world that makes the steps
      * @param timeStep the length of each in seconds, 1e-6 to 1; games use 1 / 60f
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public FixedStep(World world, float timeStep) {
         this.world = Limits.notNull("world", world);
@@ -112,7 +112,7 @@ public final class FixedStep {
      * Sets the most steps of a frame. At first 5.
      *
      * @param steps 1 to 1000
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public void setMaxSteps(int steps) {
         maxSteps = Limits.within("the number of steps", steps, 1, GREATEST_MAX_STEPS);
@@ -123,21 +123,21 @@ public final class FixedStep {
      * between keep slow motion smooth.
      *
      * @param factor 0 (stands still) to 1000; 1 at first, and less than 1 for slow motion
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public void setSpeed(float factor) {
         speed = Limits.within("the speed", factor, 0, GREATEST_SPEED);
     }
 
     /**
-     * Makes the steps that are due. If the Runnable throws, the step that it came before and those behind it are not made, and are not
-     * caught up.
+     * Makes the steps that are due. If the Runnable throws, the step that it came before and those after it are not made, neither now nor
+     * later.
      *
      * @param frameSeconds time since the last frame in seconds, at least 0 and finite
      * @param beforeStep runs before each step; may be null. Keep one in a field: a lambda that is made in each frame may be garbage
      * @return the number of steps made, 0 to the greatest number of a frame
-     * @throws IllegalArgumentException where the time is out of range
-     * @throws IllegalStateException where the Runnable calls this method
+     * @throws IllegalArgumentException if the time is out of range
+     * @throws IllegalStateException if the Runnable calls this method
      */
     public int advance(float frameSeconds, Runnable beforeStep) {
         int steps = due(frameSeconds);
@@ -158,8 +158,8 @@ public final class FixedStep {
      * @param frameSeconds time since the last frame in seconds, at least 0 and finite
      * @param replay a replay in the world of this loop
      * @return the number of steps made, 0 to the greatest number of a frame; fewer than are due at the end of the log
-     * @throws IOException where the log's stream fails
-     * @throws IllegalArgumentException where the time is out of range, the replay plays in another world, or the log is damaged or cut
+     * @throws IOException if the log's stream fails
+     * @throws IllegalArgumentException if the time is out of range, the replay plays in another world, or the log is damaged or cut
      *     off
      */
     public int advanceReplay(float frameSeconds, Replay replay) throws IOException {
@@ -283,8 +283,8 @@ public final class FixedStep {
 
     /**
      * Starts again from the world as it is: no time is saved up, and {@link #positions} are those of now until the next step. Call
-     * this after {@link World#restore} and {@link Rewind#restore}, and when a level has been built. In the Runnable of {@link #advance}, the step that it comes
-     * before is the last one of the frame.
+     * this after {@link World#restore} and {@link Rewind#restore}, and when a level has been built. If the Runnable of {@link #advance}
+     * calls it, the step that follows is the last one of the frame.
      */
     public void reset() {
         forget();
@@ -311,16 +311,16 @@ public final class FixedStep {
     }
 
     /**
-     * The positions to draw, by id: element 2 k is x of the circle with the id k ({@link World#id}), and the one behind it is y. NaN
-     * are those of ids that no circle has, or one that has been added since the last step. Before the first step, the positions are
-     * those of now.
+     * The positions to draw, by id: element 2 k is x of the circle with the id k ({@link World#id}), and element 2 k + 1 is y. They are
+     * NaN if no circle has the id, or if its circle has been added since the last step. Before the first step, the positions are the
+     * present ones.
      *
      * @param living takes a bit for each id, 1 if there is a position: id k is bit k % 64 of element k / 64. Further bits become 0.
      *     It has an element for each 64 of {@link World#idLimit}, or more; may be null
      * @return two elements an id, from position 0 to the limit, in direct memory of the loop's own. Read-only, and often the same
      *     object: the next call overwrites it
-     * @throws IllegalArgumentException where the array is too short
-     * @throws IllegalStateException where the game has requested positions of its own since the last step
+     * @throws IllegalArgumentException if the array is too short
+     * @throws IllegalStateException if the game has requested positions of its own since the last step
      */
     public FloatBuffer positions(long[] living) {
         take();
@@ -346,12 +346,12 @@ public final class FixedStep {
     /**
      * The radii to draw, by id: element k is the radius of the circle with the id k. A radius that {@link World#grow} changes lies on the
      * way from before the last step to after it, as far as {@link #alpha} says; one that {@link World#setRadius} has set changes at
-     * once, with the next step. NaN are the same ids as in {@link #positions}. The loop keeps radii from the first call of this method
-     * on. That call, and those before the first step, give the radii of now.
+     * once, with the next step. The same ids have NaN as in {@link #positions}. The loop keeps radii from the first call of this method
+     * on. That call, and those before the first step, give the present radii.
      *
      * @return an element an id, from position 0 to the limit, in direct memory of the loop's own. Read-only, and often the same object:
      *     the next call overwrites it
-     * @throws IllegalStateException where the game has requested positions of its own since the last step
+     * @throws IllegalStateException if the game has requested positions of its own since the last step
      */
     public FloatBuffer radii() {
         take();

@@ -4,9 +4,9 @@ import io.github.circles2d.world.changes.Kinds;
 import io.github.circles2d.world.circles.KindField;
 
 /**
- * A kind of circles of a world, as players, bullets or grains: what its circles meet, and how they move. A world has 256
- * kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. A kind that nobody has
- * changed meets all others.
+ * A kind of circles of a world, such as players, bullets or grains. It decides which other circles they meet, and how they move. A world
+ * has 256 kinds, numbered from 0; {@link World#kind(int)} gives them. Each circle is of one kind, at first of kind 0. A kind that nobody
+ * has changed meets all others.
  *
  * <pre>{@code
  * static final int ENEMY = 1, BULLET = 2;
@@ -23,22 +23,22 @@ import io.github.circles2d.world.circles.KindField;
  *       fires, the parts of one vehicle.
  *   <li>The <b>matrix</b> ({@link World#setResponse}), for two kinds at a time: the exceptions, or all rules of a game with a handful
  *       of kinds.
- *   <li><b>Category and mask</b>, for rules of many kinds at once: what a kind is, and what it meets. Two circles meet only if each
- *       one's mask has a bit of the other's category.
+ *   <li><b>Category and mask</b>, for rules of many kinds at once. The category has the bits that say what a kind is; the mask has the
+ *       bits of the categories that it meets. Two circles meet only if each one's mask has a bit of the other's category.
  * </ol>
  *
  * <p><b>What circles that meet do:</b> they push each other, unless one of them is of a <b>sensor</b> ({@link #setSensor}). Then they
  * pass through each other, and {@link Events} tells when they begin and end to touch, if {@link World#report} asks for it. Make a kind a
- * sensor if it pushes nobody: goals, triggers, fields of view, what is picked up. Take {@link Response#SENSE} in the matrix if a kind
- * is solid for some and only notices others, as a ghost that notices the player and stands on the floor. For what nobody is to
- * notice, a mask or {@link Response#IGNORE} is enough.
+ * sensor if it pushes nobody: goals, triggers, fields of view, coins to pick up. Take {@link Response#SENSE} in the matrix if a kind
+ * is solid for some and only notices others, such as a ghost that notices the player and stands on the floor. If nobody is to notice the
+ * two, a mask or {@link Response#IGNORE} is enough.
  *
- * <p>Circles that ignore each other are dropped where pairs are found, and cost nothing after that. A change acts from the next step
- * on: circles that overlap and ignore each other from now on separate freely; if they are solid again they are pushed out slowly, as
- * any overlap is. Kinds are in snapshots and in the hash.
+ * <p>Circles that ignore each other are dropped when pairs are searched, and cost nothing after that. A change acts from the next step
+ * on. Circles that overlap and begin to ignore each other move freely. If they become solid again, they are pushed out slowly, as any
+ * overlap is. Kinds are in snapshots and in the hash.
  *
  * <p><b>How circles move:</b> a kind scales gravity, damps velocities and limits the speed of its circles, unless they are static.
- * Numbers that are as at first change no bit.
+ * The initial values change no bit.
  *
  * <p>A kind belongs to its world: the rules of threads and of {@link World#close()} are the world's. Each setter returns the kind.
  */
@@ -61,7 +61,7 @@ public final class Kind {
     }
 
     /**
-     * Sets what the kind is, for the masks of others and of queries ({@link Queries#withMask}).
+     * Sets the categories of the kind, for the masks of others and of queries ({@link Queries#withMask}).
      *
      * @param category any bits; a kind without any is met by no mask
      * @return this
@@ -71,7 +71,7 @@ public final class Kind {
     }
 
     /**
-     * What the kind is, for the masks of others.
+     * The categories of the kind, for the masks of others.
      *
      * @return bits; 1 at first
      */
@@ -80,7 +80,7 @@ public final class Kind {
     }
 
     /**
-     * Sets what circles of the kind meet.
+     * Sets the categories that circles of the kind meet.
      *
      * @param mask the bits of the categories; the others must accept this kind's category too
      * @return this
@@ -90,7 +90,7 @@ public final class Kind {
     }
 
     /**
-     * What circles of the kind meet.
+     * The categories that circles of the kind meet.
      *
      * @return bits of categories; all at first
      */
@@ -126,7 +126,7 @@ public final class Kind {
      * @param restitution 0 (inelastic) to 1 (elastic), or {@link Float#NaN} for none: then new circles get the world's, and others
      *     keep theirs
      * @return this
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setRestitution(float restitution) {
         return set(KindField.RESTITUTION, restitution);
@@ -142,20 +142,20 @@ public final class Kind {
     }
 
     /**
-     * Sets what gravity is multiplied by for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
+     * Sets the factor of gravity for circles of the kind. Which impacts are too slow to bounce depends on the world's gravity,
      * whatever the kind.
      *
-     * @param scale -1000 to 1000: 0 for circles that do not fall, less for some that rise. Gravity times this is cut to 1e9 along each
-     *     axis
+     * @param scale -1000 to 1000: 0 for circles that do not fall, negative for circles that rise. Gravity times this is cut to 1e9
+     *     along each axis
      * @return this
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setGravityScale(float scale) {
         return set(KindField.GRAVITY_SCALE, scale);
     }
 
     /**
-     * What gravity is multiplied by for circles of the kind.
+     * The factor of gravity for circles of the kind.
      *
      * @return a factor; 1 at first
      */
@@ -164,12 +164,12 @@ public final class Kind {
     }
 
     /**
-     * Sets how fast circles of the kind lose their velocity, as by the drag of air. In a time of t seconds about 1 - e^(-damping t) of
-     * it goes. A circle that a force drives comes to the speed force / (mass * damping).
+     * Sets how fast circles of the kind lose their velocity, for example by the drag of air. In t seconds they lose about the share
+     * 1 - e^(-damping t) of it. A circle that a force drives comes to the speed force / (mass * damping).
      *
      * @param damping per second, 0 to 1e6
      * @return this
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setDamping(float damping) {
         return set(KindField.DAMPING, damping);
@@ -185,12 +185,12 @@ public final class Kind {
     }
 
     /**
-     * Sets the greatest speed of circles of the kind. A collision may give a circle more for the rest of a sub-step; a velocity that is
-     * set, or an impulse, is cut down in the next step.
+     * Sets the greatest speed of circles of the kind. A collision may make a circle faster for the rest of a sub-step. A velocity that is
+     * set, or one that an impulse gives, is cut down in the next step.
      *
      * @param speed lengths per second, at least 0; infinite for none
      * @return this
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public Kind setGreatestSpeed(float speed) {
         return set(KindField.GREATEST_SPEED, speed);

@@ -29,10 +29,10 @@ public enum PairIndexing {
     EXACT,
 
     /**
-     * No indexing of its own, but the one of {@link #EXACT}, {@link #LOOKUP_TABLE} and {@link #ROW_SEARCH} that is likely to be
-     * the fastest on the device for the number of circles, and fits into its memory. Where a {@link Calibration} has measured
-     * the device, it is the one with the shortest loop; elsewhere, by rule, the look-up table on a CPU and EXACT on other
-     * devices. Never {@link #COMPUTED}, which may be wrong and is no faster than EXACT. {@link Circles2D#indexing} says which one
+     * The one of {@link #EXACT}, {@link #LOOKUP_TABLE} and {@link #ROW_SEARCH} that is likely to be
+     * the fastest on the device for the number of circles, and fits into its memory. If a {@link Calibration} has measured
+     * the device, it is the one with the shortest loop. Else it is, by rule, the look-up table on a CPU and EXACT on other
+     * devices. It is never {@link #COMPUTED}, which may be wrong and is no faster than EXACT. {@link Circles2D#indexing} says which one
      * was taken; the log says why.
      */
     AUTO;

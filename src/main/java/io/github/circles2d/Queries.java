@@ -21,10 +21,10 @@ import io.github.circles2d.world.search.Searches;
  * long target = queries.rayCast(40, 50, 100, 0, hit); // from (40, 50) to (140, 50)
  * }</pre>
  *
- * <p><b>Circles</b> are where they are now: behind all steps that were asked for, and with the changes that wait for the next one
- * (circles that were added, removed, moved or resized, and kinds). Static circles are found like all others, those that
- * {@link World#setPosition} lets travel where they set out from; sensors are found, too; the walls are not. Queries change nothing, and
- * can be made at any time between two steps.
+ * <p><b>Circles</b> have their present places: those after all steps that were asked for, with the changes that wait for the next step
+ * (circles that were added, removed, moved or resized, and kinds). Queries find static circles and sensors like all others. A static
+ * circle that {@link World#setPosition} lets travel is found at the place where it sets out. Queries do not find walls. They change
+ * nothing, and can be made at any time between two steps.
  *
  * <p><b>Masks:</b> {@link #withMask} gives the same queries of some circles alone: those whose kind's category has a bit of the mask.
  *
@@ -48,19 +48,19 @@ import io.github.circles2d.world.search.Searches;
  * on every back end, and the same as if all circles were tested.
  *
  * <p><b>Cost:</b> the first query after a step or a change reads all circles, as {@link World#x} does, and builds an index on the
- * calling thread; later ones use both. On an OpenCL device that waits for the steps and copies 16 bytes a circle, so make the
- * queries of a frame together, before the changes that they lead to. The index and what it is built with take about 40 bytes a
+ * calling thread; later ones use both. On an OpenCL device the first query waits for the steps and copies 16 bytes a circle. So make the
+ * queries of a frame together, before the changes that follow from them. The index and what it is built with take about 40 bytes a
  * circle.
  *
- * <p><b>On a GPU</b> that has 1,000 circles or more, batches of 512 queries or more are answered there, and so are the first few other
- * calls after a change if it has 20,000: the index is built on the GPU, and only what is found comes to the host. The first of them compiles the
- * searches, which may take a second. The index takes about 80 bytes a circle of the GPU's memory. The host answers if that is not
- * there, if the GPU has no double precision, if a call finds more than four million circles, and if thousands of circles lie where one
- * would if all were spread evenly.
+ * <p><b>On a GPU</b> that has 1,000 circles or more, the GPU answers batches of 512 queries or more. If it has 20,000 circles or more,
+ * it also answers the first few other calls after a change. It builds the index itself, and only results come to the host. The first of
+ * these calls compiles the searches, which may take a second. The index takes about 80 bytes a circle of the GPU's memory. The host
+ * answers if there is no such memory, if the GPU has no double precision, if a call finds more than four million circles, or if
+ * thousands of circles crowd into a place that would hold one if all were spread evenly.
  *
  * <p><b>Misuse:</b> coordinates, radii and lengths may be any finite floats, in the units of the world; radii are at least 0. A
  * query with other values throws an IllegalArgumentException that names the value (in a batch, the query too, and what the arrays
- * then hold is undefined), as does an array that is too short where no rule above says otherwise. The rules of {@link World} for
+ * then hold is undefined). So does an array that is too short, unless a rule above says otherwise. The rules of {@link World} for
  * threads, for failures and for closed worlds hold here too.
  */
 public final class Queries {
@@ -105,7 +105,7 @@ public final class Queries {
      * are at each query. Keep the object, so that a frame leaves no garbage.
      *
      * @param mask the bits of the categories to find: -1 for all categories but 0, and 0 for no circle
-     * @return queries with this mask, in place of the one that this object may have
+     * @return queries with this mask; a mask of this object no longer counts for them
      */
     public Queries withMask(int mask) {
         return new Queries(searches, searches.filter(mask));
@@ -201,7 +201,7 @@ public final class Queries {
     }
 
     /**
-     * Finds the circles nearest to a point. What counts is the distance from the point to their edges, which is negative inside.
+     * Finds the circles nearest to a point. The distance is that from the point to their edges, negative inside.
      *
      * @param x x of the point
      * @param y y of the point
@@ -245,7 +245,7 @@ public final class Queries {
      * @param dx how far it reaches along x
      * @param dy how far it reaches along y
      * @param hit takes {@link #HIT_STRIDE} elements; if there is no hit, the length of the ray, its end and a normal of 0 (infinite
-     *     where that is more than a float holds). May be null
+     *     if that is more than a float holds). May be null
      * @return the handle, or 0 if the ray meets none; of several at the same distance that of the lowest id
      * @throws IllegalArgumentException if a value is not finite, or the array is too short
      */

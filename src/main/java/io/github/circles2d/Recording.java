@@ -43,9 +43,9 @@ public final class Recording implements AutoCloseable {
      * @param out takes the log; {@link #close} closes it. It must not call the world
      * @param hashEvery steps between two hashes, at least 1: 60 names the second in which a replay differs, 1 the step. {@link
      *     World#step(float, int)} writes at most one hash, at its end
-     * @throws IOException if the beginning cannot be written, whatever the stream has thrown, which is the cause. The stream stays open
-     * @throws IllegalArgumentException where the number of steps is out of range
-     * @throws IllegalStateException where the world is being recorded already
+     * @throws IOException if the beginning cannot be written; the cause is the exception of the stream. The stream stays open
+     * @throws IllegalArgumentException if the number of steps is out of range
+     * @throws IllegalStateException if the world is being recorded already
      */
     public Recording(World world, OutputStream out, int hashEvery) throws IOException {
         journal = Limits.notNull("world", world).simulation().journal();
@@ -58,7 +58,7 @@ public final class Recording implements AutoCloseable {
      * The number of steps in the log. If the log has failed, it is the number of those that the stream has taken, which a {@link Replay}
      * makes before it says that the log is cut.
      *
-     * @return at least 0, also when the log is closed
+     * @return at least 0, also after {@link #close}
      */
     public long steps() {
         return log.steps();
@@ -67,16 +67,16 @@ public final class Recording implements AutoCloseable {
     /**
      * The length of the log so far.
      *
-     * @return bytes, those included that have not reached the stream unless the log has failed; also when the log is closed
+     * @return bytes, also after {@link #close}. Unless the log has failed, they include those that have not reached the stream yet
      */
     public long bytes() {
         return log.bytes();
     }
 
     /**
-     * Whether the log could not be written on. The world is not touched by it. {@link #close} throws the reason.
+     * Whether the log has ended early because its stream failed. The world goes on as before. {@link #close} throws the reason.
      *
-     * @return true where the log ends early, also when it is closed
+     * @return true if the log ends early, also after {@link #close}
      */
     public boolean hasFailed() {
         return log.hasFailed();
@@ -86,8 +86,8 @@ public final class Recording implements AutoCloseable {
      * Ends the log, with a hash of the state as of now, and closes the stream. If the world has been closed before, the changes that were
      * still waiting for a step are not in the log. Closing it again does nothing.
      *
-     * @throws IOException if the log could not be written to its end, or the stream could not be closed, whatever the stream has
-     *     thrown, which is the cause
+     * @throws IOException if the log could not be written to its end, or the stream could not be closed; the cause is the exception of
+     *     the stream
      */
     @Override
     public void close() throws IOException {

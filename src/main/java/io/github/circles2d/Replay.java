@@ -20,8 +20,9 @@ import java.io.InputStream;
  * }
  * }</pre>
  *
- * <p><b>The world</b> may be any, on any back end: its own state gives way to that of the log. It may be read, drawn and queried between
- * steps, and a replay that is not played to its end leaves a world to go on with. Changes make it differ.
+ * <p><b>The world</b> may be any, on any back end: the replay replaces its state by that of the log. You may read, draw and query it
+ * between steps. You may stop a replay before its end, and go on with the world. If you change the world between steps, the replay
+ * differs.
  *
  * <p><b>A screen</b> shows a replay by a {@link FixedStep} of the same world: {@link FixedStep#advanceReplay} makes the steps that are
  * due by the log, at any rate of frames, and {@link FixedStep#positions} gives positions in between.
@@ -35,10 +36,9 @@ import java.io.InputStream;
  * }</pre>
  *
  * <p><b>The log</b> may come from anywhere: it is checked as it is read, its calls are checked as all calls are, and it takes no more
- * memory than it has bytes. What is no log, is damaged or is cut off throws an IllegalArgumentException that says which of these it is,
- * and after which step; the world is then what the calls before have made it. So a log that ends early, because its program died or its
- * disk was full, replays up to there. A version of the library whose physics are others replays an old log to other states, and {@link
- * #differs} says so.
+ * memory than it has bytes. If it is no log, damaged or cut off, an IllegalArgumentException says so, and after which step; the world has
+ * the state after the calls before. So a log that ends early, because its program died or its disk was full, replays up to there. If
+ * another version of the library has other physics, it replays an old log to other states, and {@link #differs} says so.
  */
 public final class Replay {
     private final LogPlayer player;
@@ -48,8 +48,8 @@ public final class Replay {
      *
      * @param in a log from its beginning; it is not closed
      * @param world makes the calls
-     * @throws IOException where the stream fails
-     * @throws IllegalArgumentException where this is no log, or one that is damaged or cut off before its first step
+     * @throws IOException if the stream fails
+     * @throws IllegalArgumentException if this is no log, or one that is damaged or cut off before its first step
      */
     public Replay(InputStream in, World world) throws IOException {
         Limits.notNull("in", in);
@@ -59,9 +59,9 @@ public final class Replay {
     /**
      * Makes the next step, and the changes before it. Several steps of one call are made one by one.
      *
-     * @return false where the log has come to its end, and only changes were left
-     * @throws IOException where the stream fails
-     * @throws IllegalArgumentException where the log is damaged or cut off
+     * @return false if the log has come to its end, and only changes were left
+     * @throws IOException if the stream fails
+     * @throws IllegalArgumentException if the log is damaged or cut off
      */
     public boolean step() throws IOException {
         if (!player.makeChanges()) {
@@ -89,7 +89,7 @@ public final class Replay {
     /**
      * Whether the log has come to its end: {@link #step} has returned false, or {@link FixedStep#advanceReplay} has made the last step.
      *
-     * @return true where no step is left
+     * @return true if no step is left
      */
     public boolean hasEnded() {
         return player.hasEnded();
@@ -99,8 +99,8 @@ public final class Replay {
      * Makes all steps that are left.
      *
      * @return this
-     * @throws IOException where the stream fails
-     * @throws IllegalArgumentException where the log is damaged or cut off
+     * @throws IOException if the stream fails
+     * @throws IllegalArgumentException if the log is damaged or cut off
      */
     public Replay run() throws IOException {
         while (step()) {
@@ -121,17 +121,17 @@ public final class Replay {
     /**
      * Whether some hash so far was not that of the log.
      *
-     * @return true where the replay has left the recording
+     * @return true if the replay has left the recording
      */
     public boolean differs() {
         return player.differsAt() >= 0;
     }
 
     /**
-     * The first step after which the hash was not that of the log. It is the step that went another way if the recording has a hash for
-     * each step. Else that is one of those after {@link #equalUpTo}.
+     * The first step after which the hash was not that of the log. If the recording has a hash for each step, this step went another
+     * way. Else the step that did so is one of those after {@link #equalUpTo}.
      *
-     * @return the number of the step, from 1 on; 0 where the states differ from the start; -1 where no hash has differed
+     * @return the number of the step, from 1 on; 0 if the states differ from the start; -1 if no hash has differed
      */
     public long firstDifference() {
         return player.differsAt();
@@ -140,7 +140,7 @@ public final class Replay {
     /**
      * The last step, before any difference, after which the hash was that of the log.
      *
-     * @return the number of the step; 0 where there is none
+     * @return the number of the step; 0 if there is none
      */
     public long equalUpTo() {
         return player.equalUpTo();

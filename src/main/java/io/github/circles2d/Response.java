@@ -1,10 +1,10 @@
 package io.github.circles2d;
 
-/** What the circles of two kinds do to each other; see {@link World#setResponse}. {@link Kind} says when to take which. */
+/** The effect that the circles of two kinds have on each other; see {@link World#setResponse}. {@link Kind} says when to take which. */
 public enum Response {
     /**
-     * Masks and sensors decide, as for all kinds at first: solid, if the masks let both meet and neither is a sensor; sensed, if one is;
-     * ignored, if both are or a mask says so.
+     * Masks and sensors decide, as for all kinds at first. If a mask refuses the other kind, or both kinds are sensors, the circles
+     * ignore each other. Else they sense each other if one kind is a sensor, and push each other if none is.
      */
     BY_MASK,
     /** They push each other, whatever their masks say, sensors too. */

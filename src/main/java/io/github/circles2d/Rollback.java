@@ -8,8 +8,8 @@ import java.nio.BufferOverflowException;
 import java.nio.ByteBuffer;
 
 /**
- * Rollback netcode: frames are made at once, with predictions for the inputs that have not come yet. If an input turns out to be another,
- * the world goes back to its frame and makes the frames since again.
+ * Rollback netcode: frames are made at once, with predictions for the inputs that have not come yet. If an input turns out different from
+ * its prediction, the world goes back to the frame of that input and makes the frames since again.
  *
  * <pre>{@code
  * Rollback rollback = new Rollback(world, game, 1 / 60f, 2, 8); // two players; up to 8 frames are predicted
@@ -29,9 +29,9 @@ import java.nio.ByteBuffer;
  * }
  * }</pre>
  *
- * <p><b>A frame</b> is one step of the world, with the changes that {@link Game#beforeStep} makes before it by the inputs, and those that
- * {@link Game#afterStep} makes behind it by its events. Frames are numbered from 0 on. A player whose input has not come is predicted to
- * do as in the frame before, and nothing (0) in frame 0. Inputs may come in any order, late, and more than once.
+ * <p><b>A frame</b> is one step of the world, with the changes that {@link Game#beforeStep} makes before it by the inputs, and those
+ * that {@link Game#afterStep} makes after it by its events. Frames are numbered from 0 on. The prediction for a player whose input has
+ * not come is the input of the frame before, or 0 in frame 0. Inputs may come in any order, late, and more than once.
  *
  * <p>A frame is <i>confirmed</i> if it was made with the inputs of all players, and all frames before it were too. It is never made
  * again, and it is the same on all machines that play together.
@@ -56,8 +56,8 @@ import java.nio.ByteBuffer;
  *       of {@code Math} may differ. Nothing depends on a clock, on the order of a HashMap, or on another thread.
  * </ol>
  *
- * <p>To find out whether a game keeps them, note {@link World#hash} in {@link Game#afterStep}, by the number of the frame, and compare it
- * with that of the other machines in {@link Game#confirmed}.
+ * <p>To find out whether a game keeps these rules, note {@link World#hash} in {@link Game#afterStep}, by the number of the frame, and
+ * compare it with that of the other machines in {@link Game#confirmed}.
  *
  * <p><b>Failures.</b> If a method of the game throws, the caller of {@link #advance} or {@link #reconcile} gets its exception. Nothing is
  * lost: the next call makes the frame again, from its start. Until then the world is in the middle of the frame.
@@ -94,7 +94,7 @@ public final class Rollback {
         void beforeStep(int frame, long[] inputs);
 
         /**
-         * Makes what follows from the events of a frame, behind its step.
+         * Makes the changes of a frame by its events, after its step.
          *
          * @param frame its number
          * @param events those of its step, valid during the call
@@ -166,8 +166,8 @@ public final class Rollback {
      * @param game the rules
      * @param timeStep the length of each step in seconds, 1e-6 to 1; games use 1 / 60f
      * @param players how many give inputs, 1 to 64
-     * @param window how many frames may be made from the first one on that lacks an input, 1 to 3,600. Games take about 8: an
-     *     input may come 8 frames late before the game waits for it
+     * @param window how many frames may be made ahead, from the first frame that lacks an input on, 1 to 3,600. Games take about 8: an
+     *     input may then come 8 frames late before the game waits for it
      * @throws IllegalArgumentException if a value is out of range
      */
     public Rollback(World world, Game game, float timeStep, int players, int window) {
@@ -206,7 +206,7 @@ public final class Rollback {
     }
 
     /**
-     * Sets the input of a player in a frame. If the frame has been made with another, the next call of {@link #advance} or {@link
+     * Sets the input of a player in a frame. If the frame has been made with another input, the next call of {@link #advance} or {@link
      * #reconcile} goes back to it. A game that delays its own inputs by some frames sets those of its first frames, too, to 0.
      *
      * @param player 0 to the number of players - 1
@@ -360,7 +360,7 @@ public final class Rollback {
     }
 
     /**
-     * Sets what random numbers follow. It is 0 at first.
+     * Sets the seed of the random numbers. It is 0 at first.
      *
      * @param seed any number, the same on all machines
      * @throws IllegalStateException if frames have been made, and none is being made
@@ -427,7 +427,7 @@ public final class Rollback {
     }
 
     /**
-     * How many frames have been made again for that.
+     * How many frames have been made again because of wrong predictions.
      *
      * @return at least 0
      */

@@ -19,91 +19,101 @@ import java.nio.FloatBuffer;
 import java.nio.LongBuffer;
 
 /**
- * The engine for games: rigid circles that fall, collide, bounce and pile up, come and go, and replay to the bit.
+ * The engine for games: rigid circles that fall, collide, bounce and pile up. A replay of the same calls gives the same bits.
  *
  * <pre>{@code
  * try (World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).restitution(0.5f).build()) {
  *     long ball = world.add(40, 50, 1, 2);
  *     world.setVelocity(ball, 1, 0);
  *     world.step(1 / 60f);
- *     float[] circles = new float[4 * world.size()];
- *     world.read(circles); // x, y, radius, mass of each
+ *     float[] circles = new float[4 * world.idLimit()];
+ *     world.readById(circles, null); // x, y, radius, mass of each, by World.id
  * }
  * }</pre>
  *
- * <p><b>Units</b> are the caller's: any length, any mass, seconds. <b>Handles</b> are longs, never 0, and stay valid until
- * their circle is removed; after that they are stale, and every method but {@link #contains} refuses them with an
- * IllegalArgumentException, even if the circle's place has been taken by another. Methods that take many handles skip and count stale
- * ones if you ask for it ({@link StaleHandles}). (Handles given after a snapshot was taken may
- * name other circles once it is restored, and those of two worlds may be equal.) <b>Order:</b> the bulk reads give the
- * circles in the order of their ids, the lower 32 bits of the handle. A new circle takes the lowest free id, so while
- * nothing is removed this is the order of adding; removing a circle closes its gap. The reads by id ({@link #readById}) leave the
- * gaps, so there the element of a circle depends on its {@link #id} alone.
+ * <p><b>Units</b> are the caller's for lengths and masses; time is in seconds.
  *
- * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest before the next
- * step or read. <b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}: nothing pushes them, they may overlap
- * walls and each other, and they move only by the velocity set for them (none at first).
+ * <p><b>Handles</b> are longs, never 0, and stay valid until their circle is removed. After that they are stale: every method but
+ * {@link #contains} and {@link #id} refuses them with an IllegalArgumentException, even if another circle has the id now. Methods that
+ * take many handles skip and count stale ones if you ask for it ({@link StaleHandles}). Handles given after a snapshot was taken may
+ * name other circles once it is restored. Handles of two worlds may be equal.
  *
- * <p><b>Restitution:</b> a pair has the greater of its two circles' values; a wall takes the circle's. Slow impacts do not bounce,
- * so that piles come to rest: those of a normal speed up to sqrt(0.16 g r + c^2), or up to that of
- * {@link Builder#restitutionThreshold}. r is the mean radius of the pair, or the circle's
- * at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
- * 0.1 (1 - restitution) r per second for two circles that nothing carries. From a restitution of 0.9 on all of it goes down, to 0
- * at 1: elastic circles bounce at any speed, so a pile of them never rests.
+ * <p><b>Order:</b> the bulk reads give the circles in the order of their ids, which are the lower 32 bits of the handles. A new circle
+ * takes the lowest free id. So while nothing is removed this is the order of adding, and removing a circle closes its gap. The reads
+ * by id ({@link #readById}) leave the gaps, so the element of a circle depends on its {@link #id} alone.
  *
- * <p><b>Overlaps</b>, as after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do not
- * burst: at up to 0.8 mean radii a second while they are no deeper than 0.4 mean radii, and faster if they are deeper
- * ({@link Builder#greatestPushOutSpeed}). Shallow ones
- * shrink to a third in about a tenth of a second. Circles that need more room than the arena has stay in each other.
+ * <p><b>Changes</b> (add, remove, set, impulse, of one circle or of many) are gathered and take effect in call order, at the latest
+ * before the next step or read.
  *
- * <p><b>Masses:</b> a circle can carry about a hundred times its own mass, whatever its radius and kind. What is heavier sinks into
- * it: a thousand times its mass by 0.4 radii. From about ten thousand times its mass on, it sinks through. So in a pile the light
- * circles under a heavy one overlap with it and are squeezed out. Masses by the square of the radius stay within a hundred for
- * radii of 1:10. Masses that double from kind to kind reach 1:1024 with the eleventh kind.
+ * <p><b>Static circles</b> have a mass of {@link Float#POSITIVE_INFINITY}. Nothing pushes them, and they may overlap walls and each
+ * other. They move only by the velocity set for them (none at first), and by {@link #setPosition} and {@link #teleport}.
+ *
+ * <p><b>Restitution</b> is the share of its speed that a bounce keeps. A pair has the greater of its two circles' values; at a wall the
+ * circle's value counts. Slow impacts do not bounce, so that piles come to rest. An impact is slow if its speed along the normal is
+ * at most sqrt(0.16 g r + c^2), or at most {@link Builder#restitutionThreshold}, if that is set. r is the mean radius of the pair, or
+ * the circle's at a wall. g is gravity; at a wall only its component along that axis counts. c is r per second, and only
+ * 0.1 (1 - restitution) r per second for two circles that nothing carries. This limit falls from a restitution of 0.9 on, to 0 at a
+ * restitution of 1: elastic circles bounce at any speed, so a pile of them never rests.
+ *
+ * <p><b>Overlaps</b>, for example after {@link #add}, {@link #setPosition} or {@link #setRadius}, are pushed out slowly, so that they do
+ * not burst. Overlaps of up to 0.4 mean radii go at up to 0.8 mean radii a second, deeper ones faster
+ * ({@link Builder#greatestPushOutSpeed}). Shallow overlaps shrink to a third in about a tenth of a second. Circles that need more room
+ * than the arena has stay in each other.
+ *
+ * <p><b>Masses:</b> a circle can carry about a hundred times its own mass, whatever its radius and kind. A heavier load sinks into it:
+ * a load of a thousand times its mass by 0.4 radii. A load of about ten thousand times its mass sinks through. So in a pile the light
+ * circles under a heavy one overlap with it and are squeezed out. Let masses grow with the square of the radius: then radii of 1:10
+ * have masses of 1:100. Masses that double from kind to kind reach 1:1024 with the eleventh kind.
  *
  * <p><b>Kinds:</b> each circle is of one of 256 kinds, which say what it meets and what it has in common with others of the kind; see
  * {@link Kind}.
  *
- * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). Where these pages speak of walls and of what
- * lies within the bounds, they mean axes with walls.
+ * <p><b>Edges:</b> each axis has walls, is open, or wraps ({@link Builder#edges}). If this Javadoc speaks of walls, and of places
+ * within the bounds, it means axes with walls.
  *
  * <p><b>The same bits everywhere:</b> the state after any sequence of calls is the same on every back end, device and number
- * of threads; {@link #hash()} is a number to compare. So {@link Rewind} goes back to frames and on to the same bits, and {@link Replay}
- * repeats what a {@link Recording} has written.
+ * of threads; {@link #hash()} is a number to compare. So a world that {@link Rewind} has put back goes on to the same bits, and
+ * {@link Replay} repeats the calls that a {@link Recording} has written.
  *
  * <p><b>Fast circles</b>, which move farther than a quarter of their radius in a step, look ahead and stop where they touch
- * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Of 21,600
- * circles that flew for 300 steps at a fence of static circles, or between two, at 1 to 200 radii a step with restitution 0.8 or 1,
- * none slipped through; nor did any of 21,000 that flew for 60 steps at posts as small as a two-hundredth of their radius. At gaps of
- * 0.95 of their diameter, beside a wall, about one in a thousand still does. Circles do not stop at others that are less than a
- * sixteenth of their radius, unless those are static; of pebbles of a tenth, a ball runs over about one in a hundred. In one step a
- * circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it along: do not make
- * circles tiny that are to fly far.
+ * another; in the next step they bounce. So a fast circle loses up to a step of time in a collision, but no energy. Fences of static
+ * circles hold: of 21,600 circles that flew for 300 steps at one, or between two, none slipped through. They flew at 1 to 200 radii a
+ * step with restitution 0.8 or 1. None of 21,000 slipped past posts as small as a two-hundredth of their radius in 60 steps.
+ * At gaps of 0.95 of their diameter, beside a wall, about one in a thousand still does. A circle does not stop at others whose radius is
+ * less than a sixteenth of its own, unless they are static. Of pebbles with a tenth of its radius, a ball runs over about one in a
+ * hundred. In one step a circle that is not static moves at most 64 of its radii, whatever its velocity, unless a static one takes it
+ * along. So do not make a circle tiny if it is to fly far.
  *
- * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead what they meet, and pass through
- * nothing: fences of them that drove through crowds at 0.2 to 10 of the circles' radii a step left none behind. From about half a
- * radius a step on, they press a crowd into itself; faster ones press circles into one point, which part later. They push circles
- * through other static ones, and one that is between two which move against each other comes behind one of them.
+ * <p><b>Static circles that move</b>, by their velocity or by {@link #setPosition}, push ahead the circles that they meet, and pass
+ * through none: fences of them drove through crowds at 0.2 to 10 of the circles' radii a step, and no circle slipped through. From about
+ * half a radius a step on, they press a crowd into itself. Faster ones press circles into one point; these part later. They push
+ * circles through other static ones. A circle between two that move against each other ends up behind one of them.
  *
  * <p><b>Time steps</b> may vary. A pile at rest has the same depth for every step whose sub-steps are at most 1/223 second long (with
  * four sub-steps, a step of 1/56 second), so a change of the length sets nothing free. Longer steps make contacts softer, and large
- * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays takes real time
- * into an accumulator and makes whole steps of one length, as {@link FixedStep} does.
+ * changes from step to step keep a pile trembling a little. The same bits need the same steps: a game that replays saves up real time
+ * and makes whole steps of one length, as {@link FixedStep} does.
  *
  * <p><b>One thread at a time:</b> a call while another thread is inside throws a ConcurrentModificationException. Another
  * thread may write to an array or a buffer that a call reads from: each value is copied before it is checked. After
  * {@link #close()} every method but close throws an IllegalStateException.
  *
- * <p><b>Failures:</b> a call that throws an IllegalArgumentException has changed nothing. Nor has a call other than a step that
- * finds too little memory for itself (OutOfMemoryError, {@link io.github.circles2d.opencl.DeviceMemoryException}); it may be
- * made again. The state may be lost if a step fails in any other way, and is lost if any other error ends a change
- * half-way, and if an OpenCL device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later
- * call but close throws an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
+ * <p><b>Failures:</b> a call that throws an IllegalArgumentException has changed nothing. A call other than a step that finds too
+ * little memory (OutOfMemoryError, {@link io.github.circles2d.opencl.DeviceMemoryException}) has changed nothing either, and may be
+ * made again. The state may be lost if a step fails in another way. It is lost if any other error ends a change half-way, and if an
+ * OpenCL device fails (any other {@link io.github.circles2d.opencl.OpenClException}). If it is lost, every later call but close throws
+ * an IllegalStateException that names the failure. A device may tell of a step's failure in a later call.
  *
- * <p><b>Ranges:</b> coordinates up to 1e9 in magnitude; radii from 2^-20 of the greatest coordinate (or extent) up to half
- * the lesser extent of the bounds, an eleventh of it along an axis that wraps; masses from 1e-9 to 1e9; components of velocities
- * and gravity up to 1e9; steps from 1e-6
- * to 1 second. Within them no sequence of calls leads to a state that is not finite.
+ * <p><b>Ranges.</b> Within them no sequence of calls leads to a state that is not finite:
+ *
+ * <ul>
+ *   <li>coordinates: up to 1e9 in magnitude;
+ *   <li>radii: from 2^-20 of the greatest coordinate or extent of the bounds up to half of the lesser extent, or up to an eleventh of it
+ *       along an axis that wraps;
+ *   <li>masses: from 1e-9 to 1e9;
+ *   <li>components of velocities and of gravity: up to 1e9 in magnitude;
+ *   <li>steps: from 1e-6 to 1 second.
+ * </ul>
  */
 public final class World implements AutoCloseable {
     /** By the settings of the matrix of kinds. */
@@ -153,7 +163,7 @@ public final class World implements AutoCloseable {
      * @param mass mass, 1e-9 to 1e9; positive infinity for a static circle. A circle can carry about a hundred times its own mass,
      *     whatever its radius and kind: see <b>Masses</b> above
      * @return its handle
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass) {
         return add(x, y, radius, mass, 0, 0);
@@ -170,7 +180,7 @@ public final class World implements AutoCloseable {
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
      * @return its handle
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy) {
         return simulation.circles().add(x, y, radius, mass, vx, vy);
@@ -188,18 +198,18 @@ public final class World implements AutoCloseable {
      * @param vy velocity along y, likewise
      * @param kind the number of its kind, 0 to 255
      * @return its handle
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public long add(float x, float y, float radius, float mass, float vx, float vy, int kind) {
         return simulation.circles().add(x, y, radius, mass, vx, vy, kind);
     }
 
     /**
-     * Adds many circles at rest, with the world's restitution: all of them, or none where one is refused.
+     * Adds many circles at rest, with the world's restitution: all of them, or none if one is refused.
      *
      * @param circles x, y, radius and mass of one after the other
      * @param handles takes the handle of each; at least as many elements as there are circles; may be null
-     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     * @throws IllegalArgumentException if a value is out of range (the message has the number of the circle), or an array
      *     has the wrong length
      */
     public void addAll(float[] circles, long[] handles) {
@@ -207,12 +217,12 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Adds many circles, with the world's restitution: all of them, or none where one is refused.
+     * Adds many circles, with the world's restitution: all of them, or none if one is refused.
      *
      * @param circles x, y, radius and mass of one after the other
      * @param velocities vx and vy of one after the other; may be null, for circles at rest
      * @param handles takes the handle of each; at least as many elements as there are circles; may be null
-     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     * @throws IllegalArgumentException if a value is out of range (the message has the number of the circle), or an array
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, long[] handles) {
@@ -220,13 +230,13 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Adds many circles of any kinds, each with its kind's restitution, else the world's: all of them, or none where one is refused.
+     * Adds many circles of any kinds, each with its kind's restitution, else the world's: all of them, or none if one is refused.
      *
      * @param circles x, y, radius and mass of one after the other
      * @param velocities vx and vy of one after the other; may be null, for circles at rest
      * @param kinds the number of the kind of each, 0 to 255; may be null, for circles of kind 0
      * @param handles takes the handle of each; at least as many elements as there are circles; may be null
-     * @throws IllegalArgumentException where a value is out of range (the message has the number of the circle), or an array
+     * @throws IllegalArgumentException if a value is out of range (the message has the number of the circle), or an array
      *     has the wrong length
      */
     public void addAll(float[] circles, float[] velocities, int[] kinds, long[] handles) {
@@ -237,20 +247,20 @@ public final class World implements AutoCloseable {
      * Removes a circle. Its handle is stale from now on.
      *
      * @param handle the circle
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public void remove(long handle) {
         simulation.circles().remove(handle);
     }
 
     /**
-     * Removes many circles: all of them, or none where one is refused. A handle that occurs again is stale by then.
+     * Removes many circles: all of them, or none if one is refused. A handle that occurs again is stale by then.
      *
      * @param handles the circles
      * @param count how many of them, from the first element on; 0 to the length of the array
      * @param stale what to do about stale handles
      * @return the number of handles that were left out, as the caller asked for
-     * @throws IllegalArgumentException where a handle is stale and not to be left out, or the count is out of range
+     * @throws IllegalArgumentException if a handle is stale and not to be left out, or the count is out of range
      */
     public int removeAll(long[] handles, int count, StaleHandles stale) {
         return simulation.bulk().remove(handles, count, StaleHandles.areSkipped(stale));
@@ -258,21 +268,20 @@ public final class World implements AutoCloseable {
 
     /**
      * Removes all circles, as {@link #remove} of each in the order of their ids would: their handles are stale from now on, their ids
-     * are free, and pairs that touched end. It takes about as long as a read. Changes that were made before act no more, except that new
-     * circles had their handles; changes behind it are of circles that come.
+     * are free, and pairs that touched end. It takes about as long as a read. Changes of circles that still wait for a step are dropped.
      *
      * <p>All else stays: the bounds and the way that walls have to go, gravity, sub-steps and the other settings of the builder, kinds and
-     * what {@link #setResponse} has set, what is reported and events that have not been taken, {@link #idLimit}, and the length of the
-     * last step. {@link #stats} counts no pairs until the next step.
+     * the responses of {@link #setResponse}, the reported types and events that have not been taken, {@link #idLimit}, and the length of
+     * the last step. {@link #stats} counts no pairs until the next step.
      */
     public void clear() {
         simulation.clearing().clear();
     }
 
     /**
-     * The id of a handle: its lower 32 bits. Ids are small numbers from 0 on, so a game keeps what it knows of its circles in arrays
-     * by id. Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over:
-     * reset what the arrays have of an id when you add a circle.
+     * The id of a handle: its lower 32 bits. Ids are small numbers from 0 on, so a game keeps its own data of circles in arrays by id.
+     * Two circles that live at the same time have different ids. When a circle has been removed, a new one takes its id over: reset
+     * the entries of its id when you add a circle.
      *
      * @param handle the handle of a circle, stale or not
      * @return its id, at least 0
@@ -296,8 +305,8 @@ public final class World implements AutoCloseable {
      * The handle of the circle that has an id now. {@link #readHandles} gives those of all circles.
      *
      * @param id an id, at least 0 and less than {@link #idLimit}
-     * @return the handle; 0 where no circle has the id
-     * @throws IllegalArgumentException where the id is out of range
+     * @return the handle; 0 if no circle has the id
+     * @throws IllegalArgumentException if the id is out of range
      */
     public long handle(int id) {
         return simulation.circles().handle(id);
@@ -307,7 +316,7 @@ public final class World implements AutoCloseable {
      * Whether a handle is that of a circle of this world. This looks into two arrays and waits for nothing.
      *
      * @param handle any number
-     * @return false where it is stale or never was a handle
+     * @return false if it is stale or never was a handle
      */
     public boolean contains(long handle) {
         return simulation.circles().contains(handle);
@@ -336,7 +345,7 @@ public final class World implements AutoCloseable {
      * @param handle the circle
      * @param x x of the centre, within the bounds
      * @param y y of the centre, within the bounds
-     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setPosition(long handle, float x, float y) {
         simulation.circles().move(handle, x, y);
@@ -349,32 +358,32 @@ public final class World implements AutoCloseable {
      * @param handle the circle
      * @param x x of the centre, within the bounds
      * @param y y of the centre, within the bounds
-     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void teleport(long handle, float x, float y) {
         simulation.circles().set(Commands.POSITION, handle, x, y);
     }
 
     /**
-     * Gives a circle a velocity. A static circle moves on with it until told otherwise; at the
-     * bounds it stops, and has no velocity from there on.
+     * Gives a circle a velocity. A static circle keeps it until another call changes it; at the bounds it stops, and has no velocity
+     * from there on.
      *
      * @param handle the circle
      * @param vx velocity along x, lengths per second, up to 1e9 in magnitude
      * @param vy velocity along y, likewise
-     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void setVelocity(long handle, float vx, float vy) {
         simulation.circles().set(Commands.VELOCITY, handle, vx, vy);
     }
 
     /**
-     * Gives a circle another radius at once; its mass stays. Others that it overlaps then are pushed out slowly (see the class), so
-     * many circles may grow at once. {@link #grow} overlaps them less.
+     * Gives a circle another radius at once; its mass stays. Circles that it overlaps then are pushed out slowly (see the class), so
+     * many circles may grow at once. With {@link #grow} it overlaps them less.
      *
      * @param handle the circle
      * @param radius radius, from 2^-20 of the greatest coordinate or extent of the bounds up to half their lesser extent
-     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRadius(long handle, float radius) {
         simulation.circles().set(Commands.RADIUS, handle, radius, 0);
@@ -382,12 +391,12 @@ public final class World implements AutoCloseable {
 
     /**
      * Lets a circle grow or shrink to a radius over some steps, in equal parts; its mass stays. Each step begins with the next radius,
-     * so reads and queries give that of the last step. {@link #setRadius} ends the growth, another call of this method replaces it, and
-     * it is in snapshots, in the hash and in logs.
+     * so reads and queries give that of the last step. {@link #setRadius} ends the growth, and another call of this method replaces it.
+     * The growth is in snapshots, in the hash and in logs.
      *
      * <p><b>In a crowd</b> a circle hardly overlaps others, and throws none, if it grows by at most about 0.4 of its radius a second: by
-     * 30 % in 45 steps of 1/60 second. Two circles that merge need no room at once if one of them goes, and the other one grows from the
-     * radius that it has:
+     * 30 % in 45 steps of 1/60 second. Two circles that merge need no extra room at first: remove one of them, and let the other one grow
+     * from the radius that it has:
      *
      * <pre>{@code
      * world.remove(upper);
@@ -395,14 +404,14 @@ public final class World implements AutoCloseable {
      * world.grow(lower, radius, 45);
      * }</pre>
      *
-     * <p>So balls that merge in a full box overlapped others by more than 0.15 of their radius in one of 48,000 frames, with the
-     * builder's {@code subSteps(8)}, {@code contactFrequency(134)} and {@code greatestPushOutSpeed(2)}. With the defaults they did so in
-     * one of 60 frames, and balls that came with their whole size in one of 12. A circle that grows goes on to carry what lies on it.
+     * <p>Balls that merged so in a full box overlapped others by more than 0.15 of their radius in one of 60 frames. With the builder's
+     * {@code subSteps(8)}, {@code contactFrequency(134)} and {@code greatestPushOutSpeed(2)} they did so in one of 48,000 frames. Balls
+     * that came with their whole size did so in one of 12. A circle that grows still carries the circles that lie on it.
      *
      * @param handle the circle
      * @param radius the radius at the end, as {@link #setRadius} takes it
      * @param steps in how many steps, 1 to 100,000
-     * @throws IllegalArgumentException where the handle is stale or a value is out of range
+     * @throws IllegalArgumentException if the handle is stale or a value is out of range
      */
     public void grow(long handle, float radius, int steps) {
         simulation.growth().grow(handle, radius, steps);
@@ -414,30 +423,30 @@ public final class World implements AutoCloseable {
      * @param handle the circle
      * @param mass mass, 1e-9 to 1e9 (a circle can carry about a hundred times its own); positive infinity makes it a static circle,
      *     which keeps its velocity
-     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setMass(long handle, float mass) {
         simulation.circles().set(Commands.MASS, handle, mass, 0);
     }
 
     /**
-     * Gives a circle another restitution than the world's.
+     * Gives a circle a restitution, in place of the one that it got when it was added.
      *
      * @param handle the circle
      * @param restitution 0 (inelastic) to 1 (elastic); slow impacts do not bounce (see the class)
-     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setRestitution(long handle, float restitution) {
         simulation.circles().set(Commands.RESTITUTION, handle, restitution, 0);
     }
 
     /**
-     * Gives a circle a number, by which the caller knows it again. It is 0 at first. It changes no step, but it is in snapshots, and
-     * in the hash if it is not 0.
+     * Gives a circle a number for the caller's own use. It is 0 at first. It changes no step, but it is in snapshots, and in the hash if
+     * it is not 0.
      *
      * @param handle the circle
      * @param tag any number
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public void setTag(long handle, long tag) {
         simulation.circles().set(CircleField.TAG, handle, tag);
@@ -448,7 +457,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @param kind the number of the kind, 0 to 255
-     * @throws IllegalArgumentException where the handle is stale or the value is out of range
+     * @throws IllegalArgumentException if the handle is stale or the value is out of range
      */
     public void setKind(long handle, int kind) {
         simulation.circles().setKind(handle, kind);
@@ -459,7 +468,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @param group any number; 0 for no group, as at first
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public void setGroup(long handle, int group) {
         simulation.circles().set(CircleField.GROUP, handle, group);
@@ -471,42 +480,42 @@ public final class World implements AutoCloseable {
      * @param handle the circle
      * @param x impulse along x, mass times length per second, up to 1e18 in magnitude
      * @param y impulse along y, likewise
-     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyImpulse(long handle, float x, float y) {
         simulation.circles().set(Commands.IMPULSE, handle, x, y);
     }
 
     /**
-     * Sets a force on a circle, which acts in every step until it is changed: thrust, steering, wind. It adds the force over the mass to
-     * the velocity, each second; static circles do not feel it. Forces do not wipe out what collisions do, as
-     * {@link #setVelocity} would.
+     * Sets a force on a circle, which acts in every step until it is changed: thrust, steering, wind. Each second it adds the force over
+     * the mass to the velocity; static circles do not feel it. A force keeps the effects of collisions, which {@link #setVelocity} would
+     * wipe out.
      *
      * @param handle the circle
      * @param x force along x, mass times length per second squared, up to 1e18 in magnitude; in a sub-step it changes a velocity by at
      *     most 1e9
      * @param y force along y, likewise
-     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void setForce(long handle, float x, float y) {
         simulation.circles().setForce(handle, x, y);
     }
 
     /**
-     * Applies a force to a circle in the next step alone (the first of several that are made by one call), besides the one that is set
-     * for it. Several that are applied before a step add up. For a push that is over at once there is {@link #applyImpulse}.
+     * Applies a force to a circle in the next step alone (the first of several that one call makes), besides the force that
+     * {@link #setForce} has set. Several that are applied before a step add up. For a push that is over at once use {@link #applyImpulse}.
      *
      * @param handle the circle
      * @param x force along x, mass times length per second squared, up to 1e18 in magnitude. The sum of several forces is cut to that
      * @param y force along y, likewise
-     * @throws IllegalArgumentException where the handle is stale or a component is over 1e18 in magnitude
+     * @throws IllegalArgumentException if the handle is stale or a component is over 1e18 in magnitude
      */
     public void applyForce(long handle, float x, float y) {
         simulation.circles().applyForce(handle, x, y);
     }
 
     /**
-     * Puts many circles somewhere else, as {@link #setPosition} does, in the order of the array: all of them, or none where one is
+     * Puts many circles somewhere else, as {@link #setPosition} does, in the order of the array: all of them, or none if one is
      * refused.
      *
      * @param handles the circles
@@ -514,7 +523,7 @@ public final class World implements AutoCloseable {
      * @param positions x and y of the centre of each, within the bounds
      * @param stale what to do about stale handles
      * @return the number of handles that were left out, as the caller asked for
-     * @throws IllegalArgumentException where a handle is stale and not to be left out, a value of a handle that is not left out is
+     * @throws IllegalArgumentException if a handle is stale and not to be left out, a value of a handle that is not left out is
      *     out of range (the message has its place), or the count is out of range or there are too few values
      */
     public int setPositions(long[] handles, int count, float[] positions, StaleHandles stale) {
@@ -522,7 +531,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives many circles velocities, as {@link #setVelocity} does, in the order of the array: all of them, or none where one is
+     * Gives many circles velocities, as {@link #setVelocity} does, in the order of the array: all of them, or none if one is
      * refused.
      *
      * @param handles the circles
@@ -537,7 +546,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Pushes many circles, as {@link #applyImpulse} does, in the order of the array: all of them, or none where one is refused.
+     * Pushes many circles, as {@link #applyImpulse} does, in the order of the array: all of them, or none if one is refused.
      *
      * @param handles the circles; one that occurs twice is pushed twice
      * @param count how many of them, from the first element on; 0 to the length of the array
@@ -551,7 +560,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Sets forces on many circles, as {@link #setForce} does, in the order of the array: on all of them, or on none where one is
+     * Sets forces on many circles, as {@link #setForce} does, in the order of the array: on all of them, or on none if one is
      * refused.
      *
      * @param handles the circles
@@ -566,7 +575,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives many circles other kinds, as {@link #setKind} does, in the order of the array: all of them, or none where one is refused.
+     * Gives many circles other kinds, as {@link #setKind} does, in the order of the array: all of them, or none if one is refused.
      *
      * @param handles the circles
      * @param count how many of them, from the first element on; 0 to the length of the array
@@ -584,8 +593,8 @@ public final class World implements AutoCloseable {
      * point, none from radius + falloff on, and in between a share that falls in a straight line. The same impulse makes a light
      * circle faster than a heavy one. Static circles stay as they are, and so does a circle whose centre is the point itself.
      *
-     * <p>It needs the positions of now. So the first explosion after a step, or after a change of circles, reads all circles back,
-     * as {@link #x} does, and waits for the device; the others are computed from that.
+     * <p>It needs the present positions. So the first explosion after a step, or after a change of circles, reads all circles back, as
+     * {@link #x} does, and waits for the device. Further ones use the same positions.
      *
      * @param x x of the point, up to 1e9 in magnitude; it may lie outside the bounds
      * @param y y of the point, likewise
@@ -593,7 +602,7 @@ public final class World implements AutoCloseable {
      * @param impulse mass times length per second, up to 1e18 in magnitude; negative to pull circles to the point
      * @param falloff a length, 0 to 1e10
      * @return the number of circles that got an impulse
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff) {
         return simulation.bulk().explode(false, 0, x, y, radius, impulse, falloff);
@@ -610,7 +619,7 @@ public final class World implements AutoCloseable {
      * @param falloff a length, 0 to 1e10
      * @param mask the bits of the categories to push
      * @return the number of circles that got an impulse
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public int explode(float x, float y, float radius, float impulse, float falloff, int mask) {
         return simulation.bulk().explode(true, mask, x, y, radius, impulse, falloff);
@@ -620,12 +629,11 @@ public final class World implements AutoCloseable {
     // ---------------------------------------------------------------------------------------------------
 
     /**
-     * A kind of circles, to change or to ask. Kind 0 is what circles are that nobody gives a kind. {@link #kindOf} tells the kind of a
-     * circle.
+     * A kind of circles, to change or to ask. A circle without another kind is of kind 0. {@link #kindOf} tells the kind of a circle.
      *
      * @param number 0 to 255
      * @return the kind; the same object for the same number
-     * @throws IllegalArgumentException where there is no such kind
+     * @throws IllegalArgumentException if there is no such kind
      */
     public Kind kind(int number) {
         if (kinds[simulation.kinds().check(number)] == null) {
@@ -640,7 +648,7 @@ public final class World implements AutoCloseable {
      * @param kindA the number of a kind, 0 to 255
      * @param kindB the number of another kind, or of the same
      * @param response what they do; {@link Response#BY_MASK} to leave it to masks and sensors, as at first
-     * @throws IllegalArgumentException where there is no such kind
+     * @throws IllegalArgumentException if there is no such kind
      */
     public void setResponse(int kindA, int kindB, Response response) {
         simulation
@@ -649,12 +657,12 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * What {@link #setResponse} has said of two kinds.
+     * The response that {@link #setResponse} has set for two kinds.
      *
      * @param kindA the number of a kind, 0 to 255
      * @param kindB the number of another kind, or of the same
      * @return what was set last; {@link Response#BY_MASK} at first
-     * @throws IllegalArgumentException where there is no such kind
+     * @throws IllegalArgumentException if there is no such kind
      */
     public Response response(int kindA, int kindB) {
         return RESPONSES[simulation.kinds().setting(kindA, kindB)];
@@ -665,7 +673,7 @@ public final class World implements AutoCloseable {
      *
      * @param x acceleration along x, lengths per second squared, up to 1e9 in magnitude
      * @param y acceleration along y, likewise; negative downwards
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public void setGravity(float x, float y) {
         simulation.setGravity(x, y);
@@ -690,17 +698,17 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Moves the walls. They travel to their new places in the first step from here, and push the circles that they meet: these get
-     * the wall's speed, or bounce off by their speed against the wall. Call it before each step to let a wall go on. A wall that is
-     * set farther than the radius of a circle jumps for that circle, which is brought to the nearest place inside at once and gets
-     * no speed. Along an {@linkplain Builder#edges open} axis nothing is moved.
+     * Moves the walls. They travel to their new places in the next step, and push the circles that they meet: these get the wall's
+     * speed, or bounce off by their speed against the wall. Call this before each step to let a wall go on. If a wall moves farther than
+     * the radius of a circle, it does not push that circle: the circle is brought to the nearest place inside at once, and gets no speed.
+     * Along an {@linkplain Builder#edges open} axis nothing is moved.
      *
      * @param minX left wall
      * @param minY lower wall
      * @param maxX right wall
      * @param maxY upper wall
-     * @throws IllegalArgumentException where a value is out of range, or a circle is too large or too small for these bounds, or grows to be so; or
-     *     an axis wraps, and would have another place
+     * @throws IllegalArgumentException if a value is out of range; if a circle is, or grows to be, too large or too small for these bounds;
+     *     or if the call would move the bounds of an axis that wraps
      */
     public void setBounds(float minX, float minY, float maxX, float maxY) {
         simulation.setBounds(minX, minY, maxX, maxY);
@@ -823,26 +831,26 @@ public final class World implements AutoCloseable {
      * Makes one step.
      *
      * @param timeStep its length in seconds, 1e-6 to 1; games use 1 / 60f. It may differ from that of the step before
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public void step(float timeStep) {
         step(timeStep, 1);
     }
 
     /**
-     * Makes several steps in one trip.
+     * Makes several steps in one call, which an OpenCL device gets together.
      *
      * @param timeStep the length of each in seconds, 1e-6 to 1
      * @param steps number of steps, at least 1
-     * @throws IllegalArgumentException where a value is out of range
+     * @throws IllegalArgumentException if a value is out of range
      */
     public void step(float timeStep, int steps) {
         simulation.step(timeStep, steps);
     }
 
     /**
-     * Waits until all steps that were asked for have been made. Nothing but time depends on it: a step on an OpenCL device is
-     * only enqueued, and whatever needs its result waits for it anyway.
+     * Waits until all steps that were asked for have been made. It is for measuring alone: a step on an OpenCL device is only enqueued,
+     * and each call that needs its result waits for it anyway.
      */
     public void finish() {
         simulation.finish();
@@ -855,7 +863,7 @@ public final class World implements AutoCloseable {
      * Reads x, y, radius and mass of every circle, in the order of the ids.
      *
      * @param circles takes four elements a circle
-     * @throws IllegalArgumentException where the array is too short
+     * @throws IllegalArgumentException if the array is too short
      */
     public void read(float[] circles) {
         simulation.readings().read(circles);
@@ -864,8 +872,8 @@ public final class World implements AutoCloseable {
     /**
      * Reads x, y, radius and mass of every circle, in the order of the ids.
      *
-     * @param circles takes four elements a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
+     * @param circles takes four elements a circle from its position on; the position moves behind them
+     * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void read(FloatBuffer circles) {
         simulation.readings().read(circles);
@@ -873,7 +881,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Reads x, y, radius and mass of every circle by id: element 4 k is x of the circle with the {@link #id} k. So a circle stays
-     * where it is in the array, whichever others are removed, and an array for the greatest number of circles serves for good:
+     * at its place in the array, whichever others are removed, and an array for the greatest number of circles serves for good:
      *
      * <pre>{@code
      * world.readById(circles, null);
@@ -884,7 +892,7 @@ public final class World implements AutoCloseable {
      *     circle become NaN
      * @param living takes a bit for each id, 1 if there is such a circle: id k is bit k % 64 of element k / 64, in Java
      *     {@code living[k >> 6] >>> k & 1}. Further bits become 0. May be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readById(float[] circles, long[] living) {
         simulation.readings().readById(circles, living);
@@ -895,7 +903,7 @@ public final class World implements AutoCloseable {
      *
      * @param velocities takes vx and vy of each id. All of it is written: elements without a circle become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readVelocitiesById(float[] velocities, long[] living) {
         simulation.readings().readVelocitiesById(velocities, living);
@@ -907,7 +915,7 @@ public final class World implements AutoCloseable {
      * @param radii takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
      *     become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readRadiiById(float[] radii, long[] living) {
         simulation.readings().readRadiiById(radii, living);
@@ -919,7 +927,7 @@ public final class World implements AutoCloseable {
      * @param kinds takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
      *     become -1
      * @param living takes a bit for each id, as with {@link #readById}; may be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readKindsById(int[] kinds, long[] living) {
         simulation.readings().readKindsById(kinds, living);
@@ -931,7 +939,7 @@ public final class World implements AutoCloseable {
      * @param tags takes an element an id, so it has at least {@link #idLimit}. All of it is written: elements without a circle
      *     become 0, as those of circles without a tag are
      * @param living takes a bit for each id, as with {@link #readById}; may be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readTagsById(long[] tags, long[] living) {
         simulation.readings().readTagsById(tags, living);
@@ -939,14 +947,14 @@ public final class World implements AutoCloseable {
 
     /**
      * Reads by id how hard every circle is pressed: by how many circles and walls, and the sum of the forces, without their directions,
-     * by which these do so. The forces are those at the end of the last step that the next one starts from. They hold piles up; a
-     * bounce, which is over at once, is none of them. The numbers are the same to the bit on every back end. The call copies the state,
-     * as {@link #snapshot} does.
+     * by which these do so. The forces are those at the end of the last step, from which the next one starts. They hold piles up. A
+     * bounce is over at once, and does not count. The numbers are the same to the bit on every back end. The call copies the state, as
+     * {@link #snapshot} does.
      *
      * @param loads takes two elements an id: the number of circles and walls that press the circle, and the sum of their forces, mass
      *     times length per second squared. All of it is written: elements without a circle become NaN
      * @param living takes a bit for each id, as with {@link #readById}; may be null
-     * @throws IllegalArgumentException where an array is too short
+     * @throws IllegalArgumentException if an array is too short
      */
     public void readLoadsById(float[] loads, long[] living) {
         simulation.loads().readById(loads, living);
@@ -958,7 +966,7 @@ public final class World implements AutoCloseable {
      * @param living takes a bit for each id, as with {@link #readById}; may be null
      * @return two elements for each id less than {@link #idLimit}, NaN where there is no such circle, from position 0 to the limit.
      *     Read-only; the next call of this method or of {@link #positions} overwrites it
-     * @throws IllegalArgumentException where the array is too short
+     * @throws IllegalArgumentException if the array is too short
      */
     public FloatBuffer positionsById(long[] living) {
         return simulation.readings().positionsById(living);
@@ -966,7 +974,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Reads x and y of every circle, in the order of the ids, into memory of the world's own. That is the fastest way to what
-     * a frame needs: on an OpenCL device the memory is page-locked where the driver can, and nothing is copied again.
+     * a frame needs: on an OpenCL device the memory is page-locked if the driver can do it, and nothing is copied again.
      *
      * @return two elements a circle, from position 0 to the limit. Read-only, and often the same object: the next call of this
      *     method or of {@link #positionsById} overwrites what it shows, no other does. It may be kept beyond {@link #close()}.
@@ -977,7 +985,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Asks for x and y of every circle as they are now, without waiting for them: on an OpenCL device they are copied while the
-     * next step runs. A game that draws one frame while the next is computed makes its frame of
+     * next step runs. A game that draws one frame while the next is computed makes each frame so:
      *
      * <pre>{@code
      * world.requestPositions();
@@ -993,13 +1001,13 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives the positions that {@link #requestPositions} asked for last, and waits for them where they are still on their way.
+     * Gives the positions that {@link #requestPositions} asked for last, and waits for them if they are still on their way.
      * Each request can be taken once.
      *
      * @return two elements a circle, from position 0 to the limit, in memory of the world's own. Read-only, and valid until the
      *     second {@link #requestPositions} from now: the next one leaves it as it is. No other method touches it, and it may be
      *     kept beyond {@link #close()}.
-     * @throws IllegalStateException where nothing has been requested since the last were taken
+     * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public FloatBuffer takePositions() {
         return simulation.readings().takePositions();
@@ -1012,8 +1020,8 @@ public final class World implements AutoCloseable {
      *
      * @param living takes a bit for each id, 1 if its position is shown, as with {@link #readById}; may be null
      * @return two elements for each id less than {@link #idLimit} was at the request, in memory as that of {@link #takePositions}
-     * @throws IllegalStateException where nothing has been requested since the last were taken
-     * @throws IllegalArgumentException where the array is too short; the positions can still be taken
+     * @throws IllegalStateException if nothing has been requested since the last were taken
+     * @throws IllegalArgumentException if the array is too short; the positions can still be taken
      */
     public FloatBuffer takePositionsById(long[] living) {
         return simulation.readings().takePositionsById(living);
@@ -1033,7 +1041,7 @@ public final class World implements AutoCloseable {
      * Reads the velocity of every circle, in the order of the ids.
      *
      * @param velocities takes vx and vy of each
-     * @throws IllegalArgumentException where the array is too short
+     * @throws IllegalArgumentException if the array is too short
      */
     public void readVelocities(float[] velocities) {
         simulation.readings().readVelocities(velocities);
@@ -1042,8 +1050,8 @@ public final class World implements AutoCloseable {
     /**
      * Reads the velocity of every circle, in the order of the ids.
      *
-     * @param velocities takes vx and vy of each from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
+     * @param velocities takes vx and vy of each from its position on; the position moves behind them
+     * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readVelocities(FloatBuffer velocities) {
         simulation.readings().readVelocities(velocities);
@@ -1053,7 +1061,7 @@ public final class World implements AutoCloseable {
      * Reads the handle of every circle, in the order of the ids.
      *
      * @param handles takes one element a circle
-     * @throws IllegalArgumentException where the array is too short
+     * @throws IllegalArgumentException if the array is too short
      */
     public void readHandles(long[] handles) {
         simulation.readings().readHandles(handles);
@@ -1062,8 +1070,8 @@ public final class World implements AutoCloseable {
     /**
      * Reads the handle of every circle, in the order of the ids.
      *
-     * @param handles takes one element a circle from its position on, which is moved behind them
-     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
+     * @param handles takes one element a circle from its position on; the position moves behind them
+     * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
      */
     public void readHandles(LongBuffer handles) {
         simulation.readings().readHandles(handles);
@@ -1075,7 +1083,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return x of its centre
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float x(long handle) {
         return simulation.readings().circle(handle, CircleRow.X);
@@ -1086,7 +1094,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return y of its centre
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float y(long handle) {
         return simulation.readings().circle(handle, CircleRow.Y);
@@ -1097,7 +1105,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return its radius
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float radius(long handle) {
         return simulation.readings().circle(handle, CircleRow.RADIUS);
@@ -1108,7 +1116,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return its mass; positive infinity for a static circle
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float mass(long handle) {
         return simulation.readings().circle(handle, CircleRow.MASS);
@@ -1119,7 +1127,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return its velocity along x
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float vx(long handle) {
         return simulation.readings().vx(handle);
@@ -1130,7 +1138,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return its velocity along y
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float vy(long handle) {
         return simulation.readings().vy(handle);
@@ -1141,7 +1149,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return 0 (inelastic) to 1 (elastic)
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float restitution(long handle) {
         return simulation.circles().restitution(handle);
@@ -1152,7 +1160,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the steps left; 0 if it does not grow or shrink
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public int growthSteps(long handle) {
         return simulation.growth().steps(handle);
@@ -1163,7 +1171,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the force; 0 at first
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float forceX(long handle) {
         return simulation.circles().force(CircleField.FORCE_X, handle);
@@ -1174,7 +1182,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the force; 0 at first
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public float forceY(long handle) {
         return simulation.circles().force(CircleField.FORCE_Y, handle);
@@ -1185,7 +1193,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the number set last, or 0
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public long tag(long handle) {
         return simulation.circles().get(CircleField.TAG, handle);
@@ -1196,7 +1204,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the number of its kind, 0 to 255
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public int kindOf(long handle) {
         return (int) simulation.circles().get(CircleField.KIND, handle);
@@ -1207,7 +1215,7 @@ public final class World implements AutoCloseable {
      *
      * @param handle the circle
      * @return the number of the group; 0 for none
-     * @throws IllegalArgumentException where the handle is stale
+     * @throws IllegalArgumentException if the handle is stale
      */
     public int group(long handle) {
         return (int) simulation.circles().get(CircleField.GROUP, handle);
@@ -1225,9 +1233,9 @@ public final class World implements AutoCloseable {
 
     /**
      * A hash of the state: of every circle, its tag too, of the impulses that the next step starts from, and of the kinds. Equal states
-     * have equal hashes, whatever they were computed on. In it are also the way that walls have to go in the next step, and how
-     * contacts are if that is not the default. Not in it is what else the caller has set for the world as a whole (bounds, gravity,
-     * sub-steps, restitution of circles to come) and which handles are stale; two snapshots compare these, too.
+     * have equal hashes, whatever they were computed on. The hash also has the way that walls have to go in the next step, and the
+     * contact settings of the builder that are not the defaults. It lacks the other settings of the world as a whole (bounds, gravity,
+     * sub-steps, restitution of circles to come) and the handles that are stale. Compare two snapshots if these count, too.
      *
      * @return 64 bits
      */
@@ -1236,8 +1244,8 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * What the world is made of and what the last step did. Waits for the device, and takes about as long as a read: a call a
-     * second is fine, one a frame is not.
+     * The size of the world, its back end, and the work of the last step. Waits for the device, and takes about as long as a read: a
+     * call a second is fine, one a frame is not.
      *
      * @return the figures as of now
      */
@@ -1259,70 +1267,72 @@ public final class World implements AutoCloseable {
     // ------------------------------------------------------------------------------------------------------
 
     /**
-     * Sets what {@link #events} reports of all circles, from the next step on, in place of what any call has said before. By default
-     * nothing, which costs nothing. What a world reports changes no step, and is in no snapshot and no log: whoever restores or replays
-     * says what he wants to hear. ({@link Rollback} brings it back.) Pairs that touch already begin with the next step after they are
-     * first reported.
+     * Sets the types of events that {@link #events} reports of all circles, from the next step on, in place of all earlier calls. By
+     * default a world reports nothing, which costs nothing. The reported types change no step, and are in no snapshot and no log: call
+     * this again in a world that restores or replays. ({@link Rollback} brings them back.) If a pair touches already, its begin comes
+     * with the first step that reports it.
      *
      * <p>Steps that report take longer: docs/guide.md has the costs in its chapter on events, and the ways to lower them.
      *
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT}, {@link Events#END}, and {@link Events#WALL} if walls
      *     count too, which alone reports nothing; 0 for nothing
-     * @throws IllegalArgumentException where there are others
+     * @throws IllegalArgumentException if there are other types
      */
     public void report(int types) {
         simulation.reports().report(types);
     }
 
     /**
-     * Sets what {@link #events} reports of the circles of two kinds, from the next step on, in place of what {@link #report(int)} says of
-     * all circles; a later call of that takes the place of this. Pairs that only sense each other report {@link Events#BEGIN} and
-     * {@link Events#END}, and never {@link Events#HIT}. While no circle is of a kind that is reported, a step takes no longer.
+     * Sets the types of events that {@link #events} reports of the circles of two kinds, from the next step on, in place of those that
+     * {@link #report(int)} has set for all circles. A later call of {@link #report(int)} replaces them. Pairs that only sense each
+     * other report {@link Events#BEGIN} and {@link Events#END}, and never {@link Events#HIT}. While no circle is of a kind that is
+     * reported, a step takes no longer.
      *
      * @param kindA the number of a kind, 0 to 255
      * @param kindB the number of another kind, or of the same; which of them comes first does not matter
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
-     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void report(int kindA, int kindB, int types) {
         simulation.reports().report(kindA, kindB, types);
     }
 
     /**
-     * Sets what {@link #events} reports of the circles of a kind and walls, from the next step on, in place of what {@link #report(int)}
-     * says of all circles.
+     * Sets the types of events that {@link #events} reports of the circles of a kind and walls, from the next step on, in place of those
+     * that {@link #report(int)} has set for all circles.
      *
      * @param kind the number of a kind, 0 to 255
      * @param types the sum of some of {@link Events#BEGIN}, {@link Events#HIT} and {@link Events#END}; 0 for nothing
-     * @throws IllegalArgumentException where there is no such kind, or there are other types
+     * @throws IllegalArgumentException if there is no such kind, or there are other types
      */
     public void reportWalls(int kind, int types) {
         simulation.reports().reportWalls(kind, types);
     }
 
     /**
-     * Lists the pairs of circles of two kinds that touch: that have begun and not ended, by the rules of {@link Events}. Only pairs of
-     * which the world reports something are there.
+     * Lists the pairs of circles of two kinds that touch: that have begun and not ended, by the rules of {@link Events}. It lists only
+     * pairs of which the world reports some type of event.
      *
      * @param kindA the number of a kind, 0 to 255
      * @param kindB the number of another kind, or of the same
      * @param handles takes two handles a pair, first that of the circle of kindA; of one kind, that of the lower id. Pairs are in the
      *     order of their lower ids, then of the higher. If it is too short, it takes the first of them
      * @return how many pairs there are, which may be more than the array takes
-     * @throws IllegalArgumentException where there is no such kind
+     * @throws IllegalArgumentException if there is no such kind
      */
     public int touching(int kindA, int kindB, long[] handles) {
         return simulation.reports().touching(kindA, kindB, handles);
     }
 
     /**
-     * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than what a
-     * restitution below 0.9 does not answer by a bounce, sqrt(0.16 g r + (r/s)^2), where g is gravity (at a wall its component along that
-     * axis) and r the mean radius of the pair; or than {@link Builder#restitutionThreshold}, if that is set. So nothing in a pile at rest
-     * is a hit. Like what is reported, it is in no snapshot and no log.
+     * Sets the approach speed from which on a hit is reported. By default it depends on the pair: a hit is faster than
+     * sqrt(0.16 g r + c^2), up to which circles of a restitution below 0.9 do not bounce (see the class), or than
+     * {@link Builder#restitutionThreshold}, if that is set. g is gravity (at a wall its component along that axis), r is the mean radius
+     * of the pair, and c is r per second. So nothing in a pile at rest is a hit. Like the reported types, the hit speed is in no snapshot
+     * and no log.
      *
      * @param speed lengths per second, from 0 to 1e9
-     * @throws IllegalArgumentException where the value is out of range
+     * @throws IllegalArgumentException if the value is out of range
      */
     public void setHitSpeed(float speed) {
         simulation.reports().setHitSpeed(speed);
@@ -1332,15 +1342,15 @@ public final class World implements AutoCloseable {
      * The events of all steps since the last call of this method, or since {@link #restore}. Call it often while the world reports: all
      * events are kept until then.
      *
-     * @return a view of this world's, which the next call fills again
+     * @return always the same object, which the next call fills again
      */
     public Events events() {
         return events.of(simulation.reports().take());
     }
 
     /**
-     * Asks for the events of all steps so far that have not been taken, without waiting for these. On an OpenCL device the next step hands
-     * them over before it begins, so {@link #takeEvents} behind it waits for no step.
+     * Asks for the events of all steps so far that have not been taken, without waiting for these steps. On an OpenCL device the next
+     * step hands the events over before it begins, so a later {@link #takeEvents} waits for no step.
      *
      * <pre>{@code
      * world.requestEvents();
@@ -1356,11 +1366,11 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Gives the events that {@link #requestEvents} asked for last, and waits for them where they are still on their way. Those of later
+     * Gives the events that {@link #requestEvents} asked for last, and waits for them if they are still on their way. Those of later
      * steps stay, and number their steps from the request on.
      *
-     * @return a view of this world's, which the next call of this method or of {@link #events} fills again
-     * @throws IllegalStateException where nothing has been requested since the last were taken
+     * @return always the same object, which the next call of this method or of {@link #events} fills again
+     * @throws IllegalStateException if nothing has been requested since the last were taken
      */
     public Events takeEvents() {
         return events.of(simulation.reports().takeRequested());
@@ -1372,35 +1382,42 @@ public final class World implements AutoCloseable {
     /**
      * The number of bytes that {@link #snapshot} would write now.
      *
-     * @return about 50 a circle, where few of them were removed
-     * @throws IllegalStateException where it is more than one buffer holds
+     * @return about 50 a circle, if few circles were removed
+     * @throws IllegalStateException if it is more than one buffer holds
      */
     public int snapshotBytes() {
         return simulation.snapshots().bytes();
     }
 
     /**
-     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds,
-     * gravity, restitution, sub-steps and how contacts are; and, if the world reports events, which pairs touch. Equal states give equal
-     * bytes, on every back end.
+     * Writes all that decides this world's future: circles, handles, the impulses that the next step starts from, bounds, gravity,
+     * restitution, sub-steps and contact settings; and, if the world reports events, the pairs that touch. Equal states give equal bytes,
+     * on every back end.
      *
-     * @param to takes {@link #snapshotBytes} bytes from its position on, which is moved behind them; its byte order is of no
-     *     meaning
-     * @throws IllegalArgumentException where too little remains of the buffer, or it is read-only
-     * @throws IllegalStateException where the snapshot is more than one buffer holds
+     * <pre>{@code
+     * ByteBuffer saved = ByteBuffer.allocate(world.snapshotBytes());
+     * world.snapshot(saved);
+     * saved.flip(); // so that it is read from its beginning
+     * world.restore(saved);
+     * }</pre>
+     *
+     * @param to takes {@link #snapshotBytes} bytes from its position on; the position moves behind them. Its byte order does not
+     *     matter
+     * @throws IllegalArgumentException if too little remains of the buffer, or it is read-only
+     * @throws IllegalStateException if the snapshot is more than one buffer holds
      */
     public void snapshot(ByteBuffer to) {
         simulation.snapshots().write(to);
     }
 
     /**
-     * Makes this world what a snapshot says, in place of what it is: the same calls from here on lead to the same bits as in
-     * the world that it was taken from, on any back end. Handles of that world are valid in this one. What is reported stays as it is;
-     * events that have not been taken are dropped. Pairs that touched then do not begin again, if that world reported them and this one
-     * does: call {@link #report} before this.
+     * Gives this world the state of a snapshot, in place of its own. The same calls from here on lead to the same bits as in the world
+     * that the snapshot was taken from, on any back end. Handles of that world are valid in this one. The reported types stay as they
+     * are, and events that have not been taken are dropped. Pairs that touched then do not begin again, if that world reported them and
+     * this one does: call {@link #report} before this.
      *
-     * @param from a snapshot from its position on, which is moved behind it; its byte order is of no meaning
-     * @throws IllegalArgumentException where the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
+     * @param from a snapshot from its position on; the position moves behind it. Its byte order does not matter
+     * @throws IllegalArgumentException if the bytes are no snapshot, or are damaged or cut off; world and buffer are then as
      *     before
      */
     public void restore(ByteBuffer from) {
@@ -1409,8 +1426,8 @@ public final class World implements AutoCloseable {
 
     /**
      * Ends the world and gives its memory, threads and devices back. Closing it again does nothing, unless an error has cut the
-     * first call short. The threads of a world that is never closed do not keep the virtual machine running, and end some time
-     * after the world has been forgotten.
+     * first call short. The threads of a world that is never closed do not keep the virtual machine running. They end some time after
+     * the program has dropped the world.
      */
     @Override
     public void close() {
@@ -1446,14 +1463,14 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * The walls. By default the unit square.
+         * The bounds: where the walls are. By default the unit square.
          *
          * @param minX left wall
          * @param minY lower wall
          * @param maxX right wall
          * @param maxY upper wall
          * @return this
-         * @throws IllegalArgumentException where a value is out of range
+         * @throws IllegalArgumentException if a value is out of range
          */
         public Builder bounds(float minX, float minY, float maxX, float maxY) {
             bounds = Limits.bounds(minX, minY, maxX, maxY);
@@ -1461,7 +1478,7 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * What there is at the ends of each axis. By default walls.
+         * The ends of each axis: walls, nothing, or each other. By default walls.
          *
          * <p>Along an open axis the bounds are no limit. Circles go on to coordinates of 1e9 in magnitude, and bounce there as
          * off a wall, of which no event tells. Keep circles nearer than 2^17 of their radii: farther out coordinates are too
@@ -1470,9 +1487,9 @@ public final class World implements AutoCloseable {
          * <p>Along an axis that wraps, coordinates are from the least one of the bounds to less than the greatest. A position
          * that a caller gives may be anywhere up to 1e9 in magnitude, and is brought inside. Circles meet across the seam, and
          * static ones that travel take the short way round. A radius is at most an eleventh of the extent, which {@link #bounds}
-         * must make at least 2^-14 of the greatest coordinate. In one step no circle takes more than an eighth of the extent of
-         * its path along: a faster one is held up, and a static one that travels farther arrives, but pushes only what it meets
-         * on that part.
+         * must make at least 2^-14 of the greatest coordinate. In one step no circle moves farther than an eighth of the extent: a
+         * faster one is held up. A static one that travels farther arrives, but pushes only the circles that it meets on that part of
+         * its way.
          *
          * <p>The edges are in snapshots; a world that restores one has its edges from then on.
          *
@@ -1492,7 +1509,7 @@ public final class World implements AutoCloseable {
          * @param x acceleration along x, lengths per second squared, up to 1e9 in magnitude
          * @param y acceleration along y, likewise; negative downwards
          * @return this
-         * @throws IllegalArgumentException where a value is out of range
+         * @throws IllegalArgumentException if a value is out of range
          */
         public Builder gravity(float x, float y) {
             gravityX = Limits.within("gravity x", x, -Limits.SPEED, Limits.SPEED);
@@ -1505,7 +1522,7 @@ public final class World implements AutoCloseable {
          *
          * @param restitution 0 (inelastic) to 1 (elastic)
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder restitution(float restitution) {
             this.restitution = Limits.restitution(restitution);
@@ -1518,7 +1535,7 @@ public final class World implements AutoCloseable {
          *
          * @param subSteps 1 to 16
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder subSteps(int subSteps) {
             this.subSteps = Limits.within("the number of sub-steps", subSteps, 1, Limits.SUB_STEPS);
@@ -1528,11 +1545,11 @@ public final class World implements AutoCloseable {
         /**
          * The normal speed up to which impacts do not bounce, the same for all circles, elastic ones too, and for walls. At 0 all
          * impacts bounce, and piles of circles with a restitution take long to rest. By default it follows from gravity, radii and
-         * restitutions, as {@link World} says. A back end by OpenCL compiles its kernels anew for another value.
+         * restitutions, as {@link World} says. A back end by OpenCL compiles its kernels again for another value.
          *
          * @param speed lengths per second, 0 to 1e9
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder restitutionThreshold(float speed) {
             contacts = contacts.withRestitutionThreshold(
@@ -1542,12 +1559,12 @@ public final class World implements AutoCloseable {
 
         /**
          * The stiffness of contacts, as the frequency of a spring; walls have twice as much. Softer contacts let piles sink in. By
-         * default 67. Times the length of a sub-step it counts as at most 0.3, since stiffer contacts tremble: with four sub-steps
-         * a sixtieth of a second, up to 72 Hz.
+         * default 67. Its product with the length of a sub-step counts as at most 0.3, since stiffer contacts tremble. So with four
+         * sub-steps in a sixtieth of a second, frequencies over 72 Hz count as 72.
          *
          * @param hertz 1 to 10,000
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder contactFrequency(float hertz) {
             contacts = contacts.withFrequency(hertz);
@@ -1560,7 +1577,7 @@ public final class World implements AutoCloseable {
          *
          * @param ratio 0 to 1,000
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder contactDamping(float ratio) {
             contacts = contacts.withDamping(ratio);
@@ -1569,14 +1586,14 @@ public final class World implements AutoCloseable {
 
         /**
          * The greatest speed at which overlaps of up to 0.4 mean radii of the pair are pushed out; deeper ones are pushed out faster,
-         * in the same proportion as by default. By default 0.8. A slow one keeps crowds calm in which many circles grow at once. A
-         * fast one soon separates circles, but crowds without room may boil: what a loaded pair overlaps by must be less than it
-         * is pushed out in a fortieth of a second for the pair to bounce. A back end by OpenCL compiles its kernels anew for
+         * in the same proportion as by default. By default 0.8. A slow one keeps crowds calm in which many circles grow at once. A fast
+         * one soon separates circles, but crowds without room may boil: a pair that carries a load bounces only if its overlap is less
+         * than the length by which it is pushed out in a fortieth of a second. A back end by OpenCL compiles its kernels again for
          * another value.
          *
          * @param speed mean radii of the pair a second, 0 to 100
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder greatestPushOutSpeed(float speed) {
             contacts = contacts.withPushOutSpeed(speed);
@@ -1584,7 +1601,7 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * What to run on. By default {@link Backend#AUTO}.
+         * The back end to run on. By default {@link Backend#AUTO}.
          *
          * @param backend the back end
          * @return this
@@ -1596,7 +1613,7 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * The OpenCL device to run on, where there are several; instead of a back end.
+         * The OpenCL device to run on, if there are several; instead of a back end.
          *
          * @param device one of {@link io.github.circles2d.opencl.OpenCl#devices}
          * @return this
@@ -1607,12 +1624,12 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * Threads of the JVM back end, the caller's included. By default one a processor, at most 16, and on Android at most 2. No effect on
-         * results. In a browser there is one, whatever is said here.
+         * Threads of the JVM back end, the caller's included. By default one a processor, at most 16, and on Android at most 2. They
+         * have no effect on results. In a browser there is one, whatever the number.
          *
          * @param threads 1 to 256
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder threads(int threads) {
             wish.threads = Limits.within("the number of threads", threads, 1, Limits.THREADS);
@@ -1620,12 +1637,13 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * How many circles to make room for at once. A world grows by itself; this saves it the growing, and tells
-         * {@link Backend#AUTO} for how many circles the world is to be fast.
+         * How many circles to make room for at once. By default 1,024. A world grows by itself; this saves it the growing, and tells
+         * {@link Backend#AUTO} for how many circles the world is to be fast. So name it for a large world: with the default AUTO looks
+         * for no GPU, unless a {@link Calibration} says otherwise.
          *
          * @param capacity number of circles, at least 0
          * @return this
-         * @throws IllegalArgumentException where the value is out of range
+         * @throws IllegalArgumentException if the value is out of range
          */
         public Builder capacity(int capacity) {
             wish.capacity = Limits.within("the capacity", capacity, 0, Limits.CIRCLES);
@@ -1633,14 +1651,14 @@ public final class World implements AutoCloseable {
         }
 
         /**
-         * Which radii circles are going to have. It tells {@link Backend#AUTO} for which radii the world is to be fast: the fastest
-         * back end for like radii may not be the fastest for mixed ones. By default radii are expected to be alike. No effect on
-         * results, and circles may have any other radii.
+         * The radii that circles are going to have. They tell {@link Backend#AUTO} for which radii the world is to be fast: the fastest
+         * back end for like radii may not be the fastest for mixed ones. By default AUTO expects like radii. The call has no effect on
+         * results, and circles may have other radii.
          *
          * @param least the least radius that is expected, greater than 0
          * @param greatest the greatest radius that is expected, at least the least
          * @return this
-         * @throws IllegalArgumentException where a value is out of range
+         * @throws IllegalArgumentException if a value is out of range
          */
         public Builder radii(float least, float greatest) {
             wish.expectRadii(least, greatest);
@@ -1662,9 +1680,9 @@ public final class World implements AutoCloseable {
          * Builds the world.
          *
          * @return an empty world; close it after use
-         * @throws OpenClUnavailableException where an OpenCL back end is asked for and there is no such device; the message says
+         * @throws OpenClUnavailableException if an OpenCL back end is asked for and there is no such device; the message says
          *     what is missing and what to install
-         * @throws OpenClException where an OpenCL back end is asked for and its driver refuses, or memory is short
+         * @throws OpenClException if an OpenCL back end is asked for and its driver refuses, or memory is short
          */
         public World build() {
             Limits.edges(arena()); // before anything is opened

@@ -3,16 +3,16 @@ package io.github.circles2d;
 import java.util.Map;
 
 /**
- * What a world is made of and what its last step did.
+ * The size of a world, its back end, and the work of its last step.
  *
  * @param circles number of circles
  * @param candidatePairs pairs whose distance the broad phase tested in the last step; back ends test the same ones if radii are
  *     alike, so that there is one level of the grid
  * @param contacts pairs that were listed as contacts in the last step: they touch, or might have within the step
  * @param greatestContacts greatest number of contacts of one circle in the last step
- * @param bytesHeld bytes of memory that the engine holds for circles and contacts, on the device where there is one
+ * @param bytesHeld bytes of memory that the engine holds for circles and contacts, on the device if there is one
  * @param stageMillis milliseconds spent in each stage since the world was built, by the stage's name; empty unless profiling
- * @param backend what the world runs on; never {@link Backend#AUTO}
+ * @param backend the back end that the world runs on; never {@link Backend#AUTO}
  * @param device the device, in words
  * @param reason why this back end was taken
  */

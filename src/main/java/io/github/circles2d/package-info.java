@@ -1,11 +1,12 @@
 /**
- * Rigid circles in two dimensions, simulated on the JVM or by OpenCL on CPUs and GPUs: the public face of circles2d.
+ * The public API of circles2d: rigid circles in two dimensions, simulated on the JVM or by OpenCL on CPUs and GPUs.
  *
- * <p>Two engines, which have nothing to do with each other:
+ * <p>There are two engines, which have nothing to do with each other:
  *
  * <ul>
  *   <li>{@link io.github.circles2d.World} is <b>the engine for games; start with it.</b> Thousands to a million circles fall,
- *       bounce, pile up and come to rest, come and go, and replay to the last bit on every back end. It needs no OpenCL.
+ *       bounce, pile up and come to rest. They may be added and removed at any time, and a replay gives the same bits on every back
+ *       end. It needs no OpenCL.
  *   <li>{@link io.github.circles2d.Circles2D} is the engine of a thesis on pair indexing, reproduced. It tests every pair of
  *       circles in every step. Take it to study, to teach and to measure.
  * </ul>
@@ -23,9 +24,9 @@
  * }
  * }</pre>
  *
- * <p>Lengths and masses are in units of your own, time is in seconds, y points upwards. A handle stays valid until its circle
- * is removed. Of one circle {@link io.github.circles2d.World#x}, {@link io.github.circles2d.World#vx} and their sisters
- * tell; whoever draws many takes them all at once:
+ * <p>Lengths and masses are in your own units, time is in seconds, y points upwards. A handle stays valid until its circle is
+ * removed. {@link io.github.circles2d.World#x}, {@link io.github.circles2d.World#vx} and similar calls read one circle. To draw many
+ * circles, read all of them at once:
  *
  * <pre>{@code
  * float[] circles = new float[4 * world.idLimit()];
@@ -35,7 +36,7 @@
  *
  * <h2>A whole game</h2>
  *
- * <p>Steps of one length, events that score, a key that goes a second back, and a log of all that was played:
+ * <p>It makes steps of one length, scores by events, goes a second back when a key is pressed, and writes a log of the game:
  *
  * <pre>{@code
  * final World world = World.builder().bounds(0, 0, 80, 100).gravity(0, -10).build();
@@ -69,9 +70,9 @@
  *             points++;
  *         }
  *     }
- *     rewind.save(step); // behind the events, which no frame has; drops newer frames if the game has gone back
+ *     rewind.save(step); // after the events, which no frame has; drops newer frames if the game has gone back
  *     pointsOf[step % 600] = points;
- *     world.applyForce(player, 40 * stickX(), 0); // what the step is to know, as input, comes last
+ *     world.applyForce(player, 40 * stickX(), 0); // changes by input come last
  *     step++;
  * }
  *
@@ -83,16 +84,16 @@
  * }
  * }</pre>
  *
- * <p>Everything that decides the game happens in {@code beforeStep}, so it is the same at any rate of frames. What only shows it, as
- * sounds, may take its time. A game that reports no events leaves the first lines out. {@link io.github.circles2d.Replay} plays the log,
- * and {@link io.github.circles2d.FixedStep#advanceReplay} draws it.
+ * <p>Everything that decides the game happens in {@code beforeStep}, so it is the same at any rate of frames. Pictures and sounds may
+ * follow later. A game that reports no events leaves the first lines out. {@link io.github.circles2d.Replay} plays the log, and
+ * {@link io.github.circles2d.FixedStep#advanceReplay} draws it.
  *
  * <h2>Where to go on</h2>
  *
  * <ul>
  *   <li>{@link io.github.circles2d.FixedStep}: the loop of a game with a screen, whatever the rate of its frames.
- *   <li>{@link io.github.circles2d.World.Builder}: walls, gravity, restitution, sub-steps, and what to run on ({@link
- *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells what was chosen, and why.
+ *   <li>{@link io.github.circles2d.World.Builder}: walls, gravity, restitution, sub-steps, and the back end ({@link
+ *       io.github.circles2d.Backend}). {@link io.github.circles2d.World#stats} tells which one was chosen, and why.
  *   <li>{@link io.github.circles2d.Queries}: which circles a disc or a box overlaps, which is at a point, which are nearest, and
  *       which a ray or a moving disc meets.
  *   <li>{@link io.github.circles2d.World#snapshot} and {@link io.github.circles2d.World#restore} save a world and go back;
@@ -102,13 +103,19 @@
  *       all calls, and {@link io.github.circles2d.Replay} makes them again and compares.
  *   <li>{@link io.github.circles2d.Rollback}: rollback netcode, and the rules that a game keeps for it.
  *   <li>{@link io.github.circles2d.Calibration} measures once which back end is the fastest on this machine.
- *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, where one of several is to be chosen, and the exceptions that tell
- *       what is missing.
+ *   <li>{@link io.github.circles2d.opencl}: OpenCL devices, to choose one of several, and the exceptions that say what is
+ *       missing.
  * </ul>
  *
- * <p>A value that is out of range, and a handle whose circle is gone, is refused with an IllegalArgumentException that names it and what
- * is allowed; null, with a NullPointerException that names the parameter; a closed engine, with an IllegalStateException. Such a call
- * has changed nothing. Both engines hold memory, threads and devices that {@code close} gives back.
+ * <p>These calls throw an exception, and change nothing:
+ *
+ * <ul>
+ *   <li>with a value out of range, or a handle whose circle is gone: an IllegalArgumentException that names the value and the range;
+ *   <li>with null: a NullPointerException that names the parameter;
+ *   <li>after {@code close}: an IllegalStateException.
+ * </ul>
+ *
+ * <p>Both engines hold memory, threads and devices that {@code close} gives back.
  *
  * <h2>Without OpenCL</h2>
  *

@@ -15,7 +15,7 @@ import java.nio.FloatBuffer;
 import java.util.Map;
 
 /**
- * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. {@link Simulation} has
+ * The engine behind a World: it holds the state and makes the steps. All pipelines give the same bits. {@code Simulation} has
  * checked the arguments, and lets one thread in at a time.
  */
 public interface Pipeline extends AutoCloseable {
