@@ -23,6 +23,10 @@ public final class BulkChanges {
         boolean prepare(int id, A values, int i);
     }
 
+    private interface PreparationOfTwo {
+        void prepare(int id, float x, float y);
+    }
+
     /** A call with many handles, and elements for each; the name of its values is null if it has none. */
     private record Call<A>(
             String values, int each, ToIntFunction<A> length, int operation, Preparation<A> preparation) {}
@@ -55,22 +59,10 @@ public final class BulkChanges {
         this.settings = settings;
         this.changes = changes;
         removal = new Call<>(null, 0, values -> 0, Commands.REMOVE, (id, values, i) -> changes.remove(id));
-        positions = ofTwo("positions", Commands.POSITION, (id, values, i) -> {
-            changes.move(id, values[2 * i], values[2 * i + 1]);
-            return true;
-        });
-        velocities = ofTwo("velocities", Commands.VELOCITY, (id, values, i) -> {
-            changes.set(Commands.VELOCITY, id, values[2 * i], values[2 * i + 1]);
-            return true;
-        });
-        impulses = ofTwo("impulses", Commands.IMPULSE, (id, values, i) -> {
-            changes.set(Commands.IMPULSE, id, values[2 * i], values[2 * i + 1]);
-            return true;
-        });
-        forces = ofTwo("forces", Commands.FIELD, (id, values, i) -> {
-            changes.setForce(id, values[2 * i], values[2 * i + 1]);
-            return true;
-        });
+        positions = ofTwo("positions", Commands.POSITION, changes::move);
+        velocities = ofTwo("velocities", Commands.VELOCITY, (id, x, y) -> changes.set(Commands.VELOCITY, id, x, y));
+        impulses = ofTwo("impulses", Commands.IMPULSE, (id, x, y) -> changes.set(Commands.IMPULSE, id, x, y));
+        forces = ofTwo("forces", Commands.FIELD, changes::setForce);
         kinds = new Call<>("kinds", 1, values -> values.length, Commands.FIELD, (id, values, i) -> {
             changes.setKind(id, values[i]);
             return true;
@@ -78,8 +70,11 @@ public final class BulkChanges {
         filter = new CategoryFilter(handles.fields(), kindTable, 0);
     }
 
-    private static Call<float[]> ofTwo(String values, int operation, Preparation<float[]> preparation) {
-        return new Call<>(values, 2, array -> array.length, operation, preparation);
+    private static Call<float[]> ofTwo(String values, int operation, PreparationOfTwo preparation) {
+        return new Call<>(values, 2, array -> array.length, operation, (id, array, i) -> {
+            preparation.prepare(id, array[2 * i], array[2 * i + 1]);
+            return true;
+        });
     }
 
     /** Removes circles. Returns the number of handles that were left out, as all calls here do. */

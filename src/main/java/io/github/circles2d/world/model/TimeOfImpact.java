@@ -7,7 +7,7 @@ package io.github.circles2d.world.model;
 public final class TimeOfImpact {
     private TimeOfImpact() {}
 
-    /** Negative in the wall. Walls have come in by travel. */
+    /** Negative in the wall. Walls are as at the end of the step, and have come in by travel. */
     public static float timeOfWall(float x, float p, float r, float min, float max, float travelMin, float travelMax) {
         float low = ((min - travelMin) + r) - x;
         float high = ((max + travelMax) - r) - x;

@@ -14,11 +14,7 @@ public enum DeviceArray {
     // The state between two steps.
     HOME_CIRCLE("float4", "homeCircle", Index.HOME_SLOT, "x, y of the base, radius, mass"),
     HOME_MOTION("float4", "homeMotion", Index.HOME_SLOT, "displacement x, y, velocity x, y"),
-    HOME_TRAITS(
-            "float4",
-            "homeTraits",
-            Index.HOME_SLOT,
-            "inverse mass (0: static), restitution, wall impulse x, y (positive: lower wall)"),
+    HOME_TRAITS("float4", "homeTraits", Index.HOME_SLOT, "inverse mass, restitution, wall impulses x, y"),
     HOME_ID("int", "homeId", Index.HOME_SLOT, "NONE: empty"),
     HOME_FIRST_CACHED(
             "int",
@@ -43,11 +39,7 @@ public enum DeviceArray {
     SHEET_KEY("int", "sheetKey", Index.SLOT, "where there are sheets: see sheetKeyOf; 1 more of a static circle"),
     BUCKET_START("int", "bucketStart", Index.BUCKET, "first working slot"),
     BUCKET_OF("int", "bucketOf", Index.SLOT, "bucket of the working slot"),
-    SIGHT(
-            "float4",
-            "sight",
-            Index.SLOT,
-            "x, y of the base, speculative distance, inverse mass: what the search for contacts looks at"),
+    SIGHT("float4", "sight", Index.SLOT, "what a search reads: base x, y, speculative distance, inverse mass"),
     CIRCLE("float4", "circle", Index.SLOT, "as homeCircle"),
     MOTION("float4", "motion", Index.SLOT, "as homeMotion"),
     TRAITS("float4", "traits", Index.SLOT, "as homeTraits"),
@@ -76,31 +68,18 @@ public enum DeviceArray {
     CARRY_TIME("int", "carryTime", Index.SLOT, "as bits: the share of the step after which a static circle carries it"),
     CARRIER("int", "carrier", Index.SLOT, "the slot of that static circle, or NOBODY"),
     REACH("float4", "reach", Index.SLOT, "x, y of the base, reach, 1 where it is fast and not static"),
-    LAST_REACHED(
-            "int2", "lastReached", Index.SLOT, "two buckets each: the slot that came last, or NONE; see ReachGrid.cl"),
+    LAST_REACHED("int2", "lastReached", Index.SLOT, "two buckets: the slot that came last, or NONE"),
     REACHED_BEFORE("int", "reachedBefore", Index.SLOT, "the slot that came before it to its bucket, or NONE"),
-    BLOCK_RANGE(
-            "float4",
-            "blockRange",
-            Index.CELL_BLOCK,
-            "least and greatest x, least and greatest y of the paths in the block"),
+    BLOCK_RANGE("float4", "blockRange", Index.CELL_BLOCK, "least, greatest x, least, greatest y of paths"),
 
-    DRIVE(
-            "float4",
-            "drive",
-            Index.TILED_SLOT,
-            "as the biased pass begins: velocity x, y, the same before any impulse; see TileCircles.cl"),
+    DRIVE("float4", "drive", Index.TILED_SLOT, "as the biased pass begins: velocity, the same before impulses"),
     SOLVED_MOTION("float4", "solvedMotion", Index.TILED_SLOT, "between the passes"),
     BURDEN("float", "burden", Index.TILED_SLOT, "as the biased pass begins: inverse mass, negative where loaded"),
     SOLVED_BURDEN("float", "solvedBurden", Index.TILED_SLOT, "between the passes"),
 
     // Stage Contacts.
     GROUP_START("int", "groupStart", Index.BUCKET, "by group: its first contact"),
-    TALLY(
-            "int",
-            "tally",
-            Index.TALLY,
-            "counts by bucket, later by group; all 0 when a step begins, and when a scan has used them"),
+    TALLY("int", "tally", Index.TALLY, "counts, later by group; 0 as a step begins, and behind a scan"),
     KEY("ulong", "key", Index.CONTACT, "lower id, higher id"),
     PAIR("uint2", "pair", Index.CONTACT, "working slots, in the same order"),
     BASE("float4", "base", Index.CONTACT, "difference of the bases x, y, sum of the radii, restitution"),
@@ -116,32 +95,12 @@ public enum DeviceArray {
             "number of the contact, or before it has one its place as listed, NOT_OWN too where it is not the tile's; circlesOf"),
     BASES("float2", "bases", Index.TILED_COPY, "difference of the bases x, y"),
     HELD("float", "held", Index.TILED_CONTACT, "accumulated impulse after a sub-step"),
-    IMPULSE(
-            "float2",
-            "impulse",
-            Index.TILED_CONTACT,
-            "between the passes: accumulated impulse, target speed of a bounce"),
-    CROSS_LOAD(
-            "int",
-            "crossLoad",
-            Index.SLOT,
-            "if there are several levels, of a heavy circle: what its cross contacts add to its load"),
-    CLAIM(
-            "int",
-            "claim",
-            Index.SLOT,
-            "if there are several levels, of a heavy circle: of the light ones that are to bounce off it, 1 + the highest id, or 0"),
+    IMPULSE("float2", "impulse", Index.TILED_CONTACT, "between the passes: accumulated impulse, bounce speed"),
+    CROSS_LOAD("int", "crossLoad", Index.SLOT, "of a heavy circle: the load of its cross contacts"),
+    CLAIM("int", "claim", Index.SLOT, "of light circles that wait to bounce off it: 1 + the highest id, or 0"),
     COARSER("int", "coarser", Index.SLOT, "if there are several levels: the contacts that it found in coarser ones"),
-    HEAVY_SUM(
-            "long4",
-            "heavySum",
-            Index.SLOT,
-            "of a heavy circle: what its cross contacts give it in a pass, in units: velocity x, y, impulse x, y"),
-    LIGHT_VELOCITY(
-            "float2",
-            "lightVelocity",
-            Index.SLOT,
-            "of a circle that is both light and heavy: as its visits in a pass have left it"),
+    HEAVY_SUM("long4", "heavySum", Index.SLOT, "what cross contacts give in a pass, in units: velocity, impulse"),
+    LIGHT_VELOCITY("float2", "lightVelocity", Index.SLOT, "of a circle both light and heavy, behind its visits"),
     IMPULSE_CACHE(
             "int4",
             "impulseCache",

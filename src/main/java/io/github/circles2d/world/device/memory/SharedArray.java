@@ -5,11 +5,7 @@ package io.github.circles2d.world.device.memory;
  * {@code listedOf(w)} for {@link #LISTED}.
  */
 enum SharedArray {
-    CANDIDATES(
-            "int",
-            "candidates",
-            DeviceArray.RANK,
-            "by working slot: circles that it may meet, if crowds are thinned out"),
+    CANDIDATES("int", "candidates", DeviceArray.RANK, "by working slot, if crowds are thinned out"),
     FOUND(
             "int4",
             "found",
@@ -22,11 +18,7 @@ enum SharedArray {
             "by tiles, like contacts in no order within a group: ids as in key, slots as in pair; together, since a store of 16 bytes"
                     + " takes no longer than one of 8"),
     STARTING("float4", "starting", DeviceArray.MASSES, "by tiles, as contacts are listed: contact as the step begins"),
-    START_IMPULSES(
-            "float2",
-            "startImpulses",
-            DeviceArray.IMPULSE,
-            "by tiles, as contacts are listed: impulse as the step begins x, y"),
+    START_IMPULSES("float2", "startImpulses", DeviceArray.IMPULSE, "by tiles, as listed: impulse as the step begins"),
     NUMBERS("int", "numbers", DeviceArray.KEY, "by tiles, as contacts are listed: number for the passes"),
     MET(
             "uint",

@@ -21,29 +21,17 @@ public final class StepParameters {
             .field("float", "gravityStepY", (k, to) -> to.put(k.gravityStepY), "the same")
             .field("float", "fallX", (k, to) -> to.put(k.fallX), "what gravity moves a circle in the step")
             .field("float", "fallY", (k, to) -> to.put(k.fallY), "the same")
-            .field(
-                    "float",
-                    "biasRate",
-                    (k, to) -> to.put(k.contactSoftness.biasRate),
-                    "softness of contacts: push-out speed per depth")
+            .field("float", "biasRate", (k, to) -> to.put(k.contactSoftness.biasRate), "softness of contacts")
             .field("float", "massScale", (k, to) -> to.put(k.contactSoftness.massScale), "share of the impulse")
             .field("float", "impulseScale", (k, to) -> to.put(k.contactSoftness.impulseScale), "decay of the impulse")
             .field("float", "wallBiasRate", (k, to) -> to.put(k.oneBodySoftness.biasRate), "softness of walls")
             .field("float", "wallMassScale", (k, to) -> to.put(k.oneBodySoftness.massScale), "the same")
             .field("float", "wallImpulseScale", (k, to) -> to.put(k.oneBodySoftness.impulseScale), "the same")
             .field("float", "thresholdRate", (k, to) -> to.put(k.thresholdRate), "bounce threshold")
-            .field(
-                    "float",
-                    "thresholdRateX",
-                    (k, to) -> to.put(k.thresholdRateX),
-                    "the same, of walls across the x axis")
+            .field("float", "thresholdRateX", (k, to) -> to.put(k.thresholdRateX), "the same, across the x axis")
             .field("float", "thresholdRateY", (k, to) -> to.put(k.thresholdRateY), "the same, across the y axis")
             .field("float", "restRate", (k, to) -> to.put(k.restRate), "the same, without gravity")
-            .field(
-                    "float",
-                    "flightRestRate",
-                    (k, to) -> to.put(k.flightRestRate),
-                    "the same, of circles that nothing carries")
+            .field("float", "flightRestRate", (k, to) -> to.put(k.flightRestRate), "the same, in free flight")
             .field("float", "fixedThreshold", (k, to) -> to.put(k.fixedThreshold), "in place of all of these, or 0")
             .field("float", "pushRate", (k, to) -> to.put(k.pushRate), "push-out speed per sum of radii")
             .field("float", "deepRate", (k, to) -> to.put(k.deepRate), "its gain per depth of deep overlaps")
@@ -53,11 +41,7 @@ public final class StepParameters {
             .field("float", "maxX", (k, to) -> to.put(k.bounds.maxX()), "the same")
             .field("float", "maxY", (k, to) -> to.put(k.bounds.maxY()), "the same")
             .field("int", "subSteps", (k, to) -> to.put(k.subSteps), "sub-steps of the step")
-            .field(
-                    "int",
-                    "driving",
-                    (k, to) -> to.put(k.driving ? 1 : 0),
-                    "1 where circles may move by their kinds or by forces")
+            .field("int", "driving", (k, to) -> to.put(k.driving ? 1 : 0), "1 where kinds or forces move circles")
             .field("int", "filtering", (k, to) -> to.put(k.filtering ? 1 : 0), "1 where pairs have to be filtered")
             .apart("sweeping", "1 where the step has the stage ContinuousCollision, else it does not take fast circles")
             .apart("thinning", "1 where the step thins crowds out, else it does not take them")
@@ -66,12 +50,7 @@ public final class StepParameters {
     /** Read in memory where it is needed: few circles are at walls, and hardly any wall moves. */
     static final HostStruct<WallMotion> WALLS = new HostStruct<WallMotion>("WallMotion")
             .field("float", "travel[4]", WallMotion.COUNT, (m, to) -> to.put(m.travel), "by wall: what it comes in")
-            .field(
-                    "float",
-                    "sweep[4]",
-                    WallMotion.COUNT,
-                    (m, to) -> to.put(m.advance),
-                    "in a sub-step; 0 if it goes out")
+            .field("float", "sweep[4]", WallMotion.COUNT, (m, to) -> to.put(m.advance), "in a sub-step; 0 outwards")
             .field("float", "speed[4]", WallMotion.COUNT, (m, to) -> to.put(m.speed), "positive inwards")
             .field("int", "any", (m, to) -> to.put(m.any() ? 1 : 0), "whether any moves");
 
@@ -83,12 +62,7 @@ public final class StepParameters {
             .field("float", "inverseEdge[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.inverseEdge), "of a cell")
             .field("float", "top[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.top), "greatest radius")
             .field("int", "levelOf[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.levelOf), "by size class")
-            .field(
-                    "int",
-                    "columnsLog[LEVELS]",
-                    GridLevels.COUNT,
-                    (s, to) -> to.put(s.columnsLog),
-                    "of the torus, rounded up to powers of two")
+            .field("int", "columnsLog[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.columnsLog), "rounded up")
             .field("int", "rowsLog[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.rowsLog), "the same")
             .field("int", "columnCount[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.columnCount), "of the torus")
             .field("int", "rowCount[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.rowCount), "of the torus")
@@ -100,12 +74,7 @@ public final class StepParameters {
                     (s, to) -> to.put(s.first).put(s.buckets()),
                     "first bucket, and first group; and the end")
             .field("int", "haveSheets", (s, to) -> to.put(s.haveSheets() ? 1 : 0), "1 where sheetKey is in use")
-            .field(
-                    "int",
-                    "folded[LEVELS]",
-                    GridLevels.COUNT,
-                    (s, to) -> to.put(s.folded),
-                    "1 where cells share buckets")
+            .field("int", "folded[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.folded), "1: cells share buckets")
             .field("int", "sheetsX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.sheetsX), "before they begin again")
             .field("int", "sheetsY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.sheetsY), "the same")
             .field("int", "edgeX", (s, to) -> to.put(s.bounds.edgeX().ordinal()), "EDGE_WALL, EDGE_OPEN, or it wraps")
@@ -114,12 +83,7 @@ public final class StepParameters {
             .field("float", "periodY", (s, to) -> to.put(s.bounds.periodY()), "the same")
             .field("float", "lastX", (s, to) -> to.put(s.bounds.lastX()), "greatest coordinate, if it wraps")
             .field("float", "lastY", (s, to) -> to.put(s.bounds.lastY()), "the same")
-            .field(
-                    "float",
-                    "scaleX[LEVELS]",
-                    GridLevels.COUNT,
-                    (s, to) -> to.put(s.scaleX),
-                    "without walls: see cellAlong")
+            .field("float", "scaleX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.scaleX), "see cellAlong")
             .field("float", "scaleY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.scaleY), "the same")
             .field("int", "unitsX[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsX), "of a cell, if it is open")
             .field("int", "unitsY[LEVELS]", GridLevels.COUNT, (s, to) -> to.put(s.unitsY), "the same")
