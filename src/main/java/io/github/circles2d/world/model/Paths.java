@@ -4,10 +4,12 @@ package io.github.circles2d.world.model;
 public final class Paths {
     private Paths() {}
 
+    /** Circles nearer than the sum of theirs become a contact. */
     public static float speculativeDistance(float r, float path) {
         return (r + Tuning.MARGIN * r) + CircleMath.min(path, Tuning.CAP * r);
     }
 
+    /** May meet others unseen. */
     public static boolean isFast(float path, float r) {
         return path > Tuning.CAP * r;
     }
@@ -44,6 +46,7 @@ public final class Paths {
         return -leastBetween(-x, -px, y, py, low, high);
     }
 
+    /** Much smaller ones are pushed aside. */
     public static boolean sweeps(float r, float other) {
         return other * Tuning.SWEEP_RATIO >= r;
     }
