@@ -3,38 +3,15 @@
 // something is not as it should be.
 import assert from 'node:assert/strict';
 import { mkdirSync, readFileSync } from 'node:fs';
-import http from 'node:http';
-import { createRequire } from 'node:module';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-
-// From the folder of the call, which has node_modules.
-const require = createRequire(join(process.cwd(), 'x.js'));
-const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
+import { puppeteer, serve, sleep } from '../site.mjs';
 
 const [site, expected, pictures, ...browsers] = process.argv.slice(2);
-const TYPES = { html: 'text/html', js: 'text/javascript', wasm: 'application/wasm' };
 const MOST_CLICKS = 60;
 
 mkdirSync(pictures, { recursive: true });
-const missing = [];
-const server = http.createServer((request, response) => {
-  const path = new URL(request.url, 'http://localhost').pathname;
-  const name = path === '/' ? 'index.html' : path.slice(1);
-  try {
-    const body = readFileSync(join(site, name));
-    response.writeHead(200, { 'content-type': TYPES[name.split('.').pop()] ?? 'application/octet-stream' });
-    response.end(body);
-  } catch {
-    missing.push(name);
-    response.writeHead(404);
-    response.end();
-  }
-}).listen(0, '127.0.0.1');
-await new Promise(resolve => server.on('listening', resolve));
-const address = `http://127.0.0.1:${server.address().port}/`;
-
-const sleep = millis => new Promise(resolve => setTimeout(resolve, millis));
+const server = await serve(site);
+const { address, missing } = server;
 
 async function until(holds, millis, what) {
   for (const end = Date.now() + millis; !(await holds()); await sleep(100)) {

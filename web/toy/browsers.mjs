@@ -1,35 +1,16 @@
 // Plays with the page in headless browsers, with real clicks: `node browsers.mjs SITE PICTURES BROWSER=PROGRAM...`, where BROWSER is
 // chrome or firefox. Writes screenshots, and fails if something does not do what it should.
 import assert from 'node:assert/strict';
-import http from 'node:http';
-import { mkdirSync, readFileSync } from 'node:fs';
-import { createRequire } from 'node:module';
+import { mkdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { pathToFileURL } from 'node:url';
-
-// From the folder of the call, which has node_modules.
-const require = createRequire(join(process.cwd(), 'x.js'));
-const { default: puppeteer } = await import(pathToFileURL(require.resolve('puppeteer-core')));
+import { puppeteer, serve, sleep } from '../site.mjs';
 
 const [site, pictures, ...browsers] = process.argv.slice(2);
-const TYPES = { html: 'text/html', js: 'text/javascript', css: 'text/css', wasm: 'application/wasm', txt: 'text/plain' };
 
 mkdirSync(pictures, { recursive: true });
-const server = http.createServer((request, response) => {
-  const name = request.url === '/' ? 'index.html' : request.url.slice(1);
-  try {
-    const body = readFileSync(join(site, name));
-    response.writeHead(200, { 'content-type': TYPES[name.split('.').pop()] ?? 'application/octet-stream' });
-    response.end(body);
-  } catch {
-    response.writeHead(404);
-    response.end();
-  }
-}).listen(0, '127.0.0.1');
-await new Promise(resolve => server.on('listening', resolve));
-const address = `http://127.0.0.1:${server.address().port}/`;
+const server = await serve(site);
+const { address } = server;
 
-const sleep = millis => new Promise(resolve => setTimeout(resolve, millis));
 const text = (page, selector) => page.$eval(selector, e => e.textContent);
 const figure = async (page, k) =>
   Number((await page.$$eval('#figures b', all => all.map(e => e.textContent)))[k].replaceAll(',', ''));
