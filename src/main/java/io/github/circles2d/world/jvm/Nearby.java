@@ -157,12 +157,14 @@ final class Nearby {
             }
             int column = firstColumn + columnsSeen;
             boolean isBeyond = column >= side;
-            int width = bySheet ? 1 : isBeyond ? columns - columnsSeen : Math.min(columns, side - firstColumn);
             int bucket = firstBucket + (row << rowLog) + (isBeyond ? column - side : column);
+            int run = isBeyond ? columns - columnsSeen : Math.min(columns - columnsSeen, side - column);
+            boolean eachBucket = bySheet && !(withStatics && areFew(bucket, run));
+            int width = eachBucket ? 1 : run;
             columnsSeen += width;
             from = grid.start[bucket];
             to = grid.start[bucket + width];
-            if (bySheet && (withStatics ? to - from > GridLevels.FEW : from < to)) {
+            if (eachBucket && (withStatics ? to - from > GridLevels.FEW : from < to)) {
                 int own = sheet[beyond | (isBeyond ? 1 : 0) | (row < firstRow ? 2 : 0)];
                 from = grid.sheetStart(from, to, own);
                 to = withStatics ? grid.sheetEnd(from, to, own) : grid.movingEnd(from, to, own);
@@ -172,5 +174,10 @@ final class Nearby {
             }
         }
         return false;
+    }
+
+    /** Whether buckets have so few circles that all are looked at: to look for their sheets would take longer. */
+    private boolean areFew(int bucket, int many) {
+        return grid.start[bucket + many] - grid.start[bucket] <= GridLevels.FEW * many;
     }
 }
