@@ -105,7 +105,7 @@ public final class Simulation implements AutoCloseable {
         journal = new Journal(guard, log, pending, copies);
         searches = new Searches(guard, pipeline, handles, kindTable, pending, copies.last(), settings);
         try {
-            pipeline.prepare(settings.contacts(), !settings.bounds().isWalled());
+            pipeline.prepare(settings.contacts(), !settings.bounds().isWalled(), false);
         } catch (RuntimeException | Error e) {
             pipeline.close();
             throw e;

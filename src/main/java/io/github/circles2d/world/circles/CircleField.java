@@ -39,7 +39,22 @@ public enum CircleField {
     TARGET(9, "target", -1, Long.MIN_VALUE, Long.MAX_VALUE, false),
 
     /** The radius that a circle grows to, and in how many steps, by {@link #growth}, or 0. {@code world.Growth} alone sets it. */
-    GROWTH(10, "growth", 0, Long.MIN_VALUE, Long.MAX_VALUE, false);
+    GROWTH(10, "growth", 0, Long.MIN_VALUE, Long.MAX_VALUE, false),
+
+    /** The circle's own friction, or NaN for that of its kind. */
+    FRICTION(11, "friction", 0, Limits.FRICTION),
+
+    /** The circle's own rolling resistance, or NaN for that of its kind. */
+    ROLLING_RESISTANCE(12, "rollingResistance", 0, Limits.ROLLING_RESISTANCE),
+
+    /** The torque that is set for the circle. For steps, with what is applied in the one that is made. */
+    TORQUE(13, "torque", Limits.TORQUE, true),
+
+    /** The torque that is applied in the next step alone. */
+    APPLIED_TORQUE(14, "applied torque", Limits.TORQUE, false);
+
+    /** The bits that stand for no value of a float. */
+    public static final int NONE = Float.floatToRawIntBits(Float.NaN);
 
     static final List<CircleField> ALL = List.of(values());
 
@@ -79,6 +94,17 @@ public enum CircleField {
         least = Integer.MIN_VALUE;
         greatest = Integer.MAX_VALUE;
         this.ofSteps = ofSteps;
+        this.most = most;
+    }
+
+    /** A float that steps read, from 0 on, or none at first. */
+    CircleField(int number, String label, float least, float most) {
+        this.number = number;
+        this.label = label;
+        initial = Float.floatToRawIntBits(Float.NaN);
+        this.least = Float.floatToRawIntBits(least);
+        greatest = Integer.MAX_VALUE;
+        ofSteps = true;
         this.most = most;
     }
 
@@ -160,7 +186,7 @@ public enum CircleField {
             throw new IllegalArgumentException(
                     "the " + label + " is " + value + ", but must be from " + least + " to " + greatest);
         }
-        if (isFloat()) {
+        if (isFloat() && value != initial) {
             Limits.within("the " + label, Float.intBitsToFloat((int) value), -most, most);
         }
     }

@@ -52,6 +52,15 @@ public final class Commands {
     /** New radius of a circle that grows or shrinks; its impulses stay, so that it goes on to carry what lies on it. */
     public static final int GROW = 12;
 
+    /** New angle: its units, by {@link io.github.circles2d.world.model.Surface#units}, as bits. */
+    public static final int ANGLE = 13;
+
+    /** New angular velocity. */
+    public static final int ANGULAR_VELOCITY = 14;
+
+    /** An angular impulse; the inverse inertia by inverse mass of the circle's kind. */
+    public static final int ANGULAR_IMPULSE = 15;
+
     // ---- fields of a record, as indices of its ints
     // --------------------------------------------------------------------------------------------------
 
@@ -144,11 +153,16 @@ public final class Commands {
         return switch (operation) {
             case ADD -> STRIDE - FIRST;
             case REMOVE -> 0;
-            case RADIUS, MASS, RESTITUTION, GROW -> 1;
-            case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE -> 2;
+            case RADIUS, MASS, RESTITUTION, GROW, ANGLE, ANGULAR_VELOCITY -> 1;
+            case POSITION, VELOCITY, IMPULSE, FIELD, ARRIVE, ANGULAR_IMPULSE -> 2;
             case DEPART -> 3;
             default -> -1;
         };
+    }
+
+    /** Whether an operation makes a circle turn. */
+    public static boolean turns(int operation) {
+        return operation >= ANGLE;
     }
 
     /** Forgets all records. */

@@ -31,20 +31,44 @@ public enum KindField {
             7,
             "greatest speed",
             Float.floatToRawIntBits(Float.POSITIVE_INFINITY),
-            ofFloat("greatest speed", 0, Float.POSITIVE_INFINITY));
+            ofFloat("greatest speed", 0, Float.POSITIVE_INFINITY)),
+
+    /** The friction of circles that have none of their own, or NaN for the world's. */
+    FRICTION(8, "friction", KindTable.NONE, Check.orNone(Limits::friction)),
+
+    /** The rolling resistance of circles that have none of their own, or NaN for the world's. */
+    ROLLING_RESISTANCE(9, "rolling resistance", KindTable.NONE, Check.orNone(Limits::rollingResistance)),
+
+    /** Speed of the surface besides that of turning, positive to the left, a float. */
+    BELT_SPEED(10, "belt speed", 0, ofFloat("belt speed", -Limits.SPEED, Limits.SPEED)),
+
+    /** The order of {@code Inertia}. */
+    INERTIA(11, "inertia", 0, value -> Limits.within("inertia", value, 0, 2)),
+
+    /** Damping of angular velocities, 1/s, a float. */
+    ANGULAR_DAMPING(12, "angular damping", 0, ofFloat("angular damping", 0, Limits.VELOCITY_DAMPING));
 
     static final List<KindField> ALL = List.of(values());
 
     /** What is allowed of a field. */
     private interface Check {
         Check ANY_INT = value -> {};
-        Check RESTITUTION = value -> {
-            if (value != KindTable.NONE) {
-                Limits.restitution(Float.intBitsToFloat(value));
-            }
-        };
+        Check RESTITUTION = orNone(Limits::restitution);
+
+        /** A float, or none. */
+        static Check orNone(FloatCheck check) {
+            return value -> {
+                if (value != KindTable.NONE) {
+                    check.of(Float.intBitsToFloat(value));
+                }
+            };
+        }
 
         void of(int value);
+    }
+
+    private interface FloatCheck {
+        float of(float value);
     }
 
     private static Check ofFloat(String label, float least, float greatest) {

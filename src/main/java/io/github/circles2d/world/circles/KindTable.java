@@ -1,6 +1,7 @@
 package io.github.circles2d.world.circles;
 
 import io.github.circles2d.world.model.KindMotion;
+import io.github.circles2d.world.model.KindSurface;
 import io.github.circles2d.world.model.Limits;
 import io.github.circles2d.world.model.PairTable;
 import java.util.Arrays;
@@ -9,7 +10,7 @@ import java.util.Arrays;
  * What the kinds of circles are: the fields of each, by {@link KindField}, and a matrix of what the circles of two kinds do to each
  * other. From both follow the responses, which steps read.
  */
-public final class KindTable implements KindMotion.Values {
+public final class KindTable implements KindMotion.Values, KindSurface.Values {
     /** In the matrix: masks and sensors decide. */
     public static final int BY_MASK = 0;
 
@@ -30,6 +31,9 @@ public final class KindTable implements KindMotion.Values {
 
     /** Values that make circles of a kind move in another way than others. */
     private int motions;
+
+    /** Values that make circles of a kind turn or grip. */
+    private int surfaces;
 
     /** Pairs of which the matrix says something, counted likewise. */
     private int settings;
@@ -68,7 +72,9 @@ public final class KindTable implements KindMotion.Values {
     /** Sets a field of a kind, to a value that has been checked. */
     public void set(KindField field, int kind, int value) {
         if (value != get(field, kind)) {
-            if (field.ordinal() >= KindField.GRAVITY_SCALE.ordinal()) {
+            if (field.ordinal() >= KindField.FRICTION.ordinal()) {
+                surfaces += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
+            } else if (field.ordinal() >= KindField.GRAVITY_SCALE.ordinal()) {
                 motions += (value == field.initial() ? 0 : 1) - (get(field, kind) == field.initial() ? 0 : 1);
             }
             values[at(field, kind)] = value;
@@ -134,6 +140,36 @@ public final class KindTable implements KindMotion.Values {
         return motions > 0;
     }
 
+    /** Whether circles of some kind have a surface other than those of a kind as it is at first. */
+    public boolean grips() {
+        return surfaces > 0;
+    }
+
+    @Override
+    public float beltSpeed(int kind) {
+        return Float.intBitsToFloat(get(KindField.BELT_SPEED, kind));
+    }
+
+    @Override
+    public float inertia(int kind) {
+        return 2f - get(KindField.INERTIA, kind);
+    }
+
+    @Override
+    public float angularDamping(int kind) {
+        return Float.intBitsToFloat(get(KindField.ANGULAR_DAMPING, kind));
+    }
+
+    @Override
+    public float friction(int kind) {
+        return Float.intBitsToFloat(get(KindField.FRICTION, kind));
+    }
+
+    @Override
+    public float rollingResistance(int kind) {
+        return Float.intBitsToFloat(get(KindField.ROLLING_RESISTANCE, kind));
+    }
+
     @Override
     public float gravityScale(int kind) {
         return Float.intBitsToFloat(get(KindField.GRAVITY_SCALE, kind));
@@ -161,6 +197,7 @@ public final class KindTable implements KindMotion.Values {
         notSolid = from.notSolid;
         settings = from.settings;
         motions = from.motions;
+        surfaces = from.surfaces;
         version++;
     }
 
@@ -172,6 +209,7 @@ public final class KindTable implements KindMotion.Values {
         notSolid = 0;
         settings = 0;
         motions = 0;
+        surfaces = 0;
         version++;
     }
 

@@ -43,6 +43,18 @@ public final class SavedState {
     /** By circle: its row of traits, by {@link CircleRow}. */
     public float[] traits = new float[0];
 
+    /** Whether the state has what circles turn by: the arrays of angles, angular velocities and grips. */
+    public boolean turns;
+
+    /** By circle, if circles turn: the angle, in units of a turn's 2^-32. */
+    public int[] angle = new int[0];
+
+    /** By circle, if circles turn. */
+    public float[] angularVelocity = new float[0];
+
+    /** By circle, if circles turn: friction and rolling resistance of its walls, by {@link CircleRow}. */
+    public float[] wallGrip = new float[0];
+
     public int impulses;
 
     /** By impulse: the lower id of the pair. Impulses are in ascending order of the lower id, then of the higher. */
@@ -53,6 +65,12 @@ public final class SavedState {
 
     /** By impulse: the impulse, greater than 0. */
     public float[] normalImpulse = new float[0];
+
+    /** By impulse, if circles turn: the impulse of friction. */
+    public float[] friction = new float[0];
+
+    /** By impulse, if circles turn: the angular impulse of rolling resistance. */
+    public float[] rolling = new float[0];
 
     public SavedState() {}
 
@@ -92,19 +110,46 @@ public final class SavedState {
             hi = Arrays.copyOf(hi, c);
             normalImpulse = Arrays.copyOf(normalImpulse, c);
         }
+        if (turns && rolling.length < normalImpulse.length) {
+            friction = Arrays.copyOf(friction, normalImpulse.length);
+            rolling = Arrays.copyOf(rolling, normalImpulse.length);
+        }
+    }
+
+    /** Says whether circles turn, and makes room for what they turn by. */
+    public void setTurns(boolean does) {
+        turns = does;
+        if (turns && wallGrip.length < CircleRow.STRIDE * circles) {
+            angle = new int[circles];
+            angularVelocity = new float[circles];
+            wallGrip = new float[CircleRow.STRIDE * circles];
+        }
+    }
+
+    /** Adds an impulse without friction. */
+    public void addImpulse(int loId, int hiId, float impulse) {
+        addImpulse(loId, hiId, impulse, 0f, 0f);
     }
 
     /** Adds an impulse. Those of one lower id come in a row, the lower ids ascending; the higher ids in any order. */
-    public void addImpulse(int loId, int hiId, float impulse) {
+    public void addImpulse(int loId, int hiId, float impulse, float ofFriction, float ofRolling) {
         ensureImpulses(impulses + 1);
         int k = impulses++;
         while (k > 0 && lo[k - 1] == loId && hi[k - 1] > hiId) {
             hi[k] = hi[k - 1];
             normalImpulse[k] = normalImpulse[k - 1];
+            if (turns) {
+                friction[k] = friction[k - 1];
+                rolling[k] = rolling[k - 1];
+            }
             k--;
         }
         lo[impulses - 1] = loId;
         hi[k] = hiId;
         normalImpulse[k] = impulse;
+        if (turns) {
+            friction[k] = ofFriction;
+            rolling[k] = ofRolling;
+        }
     }
 }

@@ -25,6 +25,8 @@ public final class StateHash {
     private static final long WALLS = 0x77616C6C73746172L;
     private static final long CONTACTS = 0x636F6E7461637473L;
     private static final long EDGES = 0x6564676573324432L;
+    private static final long TURN = 0x7475726E696E6721L;
+    private static final long GRIP = 0x6772697065332121L;
     private static final long MULTIPLIER = 0x9E3779B97F4A7C15L;
 
     private StateHash() {}
@@ -69,6 +71,23 @@ public final class StateHash {
     static long contacts(ContactSettings s) {
         long h = absorb(absorb(CONTACTS, s.restitutionThreshold()), s.frequency());
         return absorb(absorb(h, s.damping()), s.pushOutSpeed());
+    }
+
+    /** The number of a circle that turns; 0 if it has not turned. */
+    public static long turn(int id, int angle, float angularVelocity, float[] wallGrip, int from) {
+        int any = angle | Float.floatToRawIntBits(angularVelocity);
+        long h = absorb(absorb(absorb(TURN, id), angle), angularVelocity);
+        for (int k = from; k < from + 4; k++) {
+            any |= Float.floatToRawIntBits(wallGrip[k]);
+            h = absorb(h, wallGrip[k]);
+        }
+        return any == 0 ? 0 : h;
+    }
+
+    /** The number of an impulse's friction and rolling resistance; 0 if there are none. */
+    public static long grip(int lower, int higher, float friction, float rolling) {
+        int any = Float.floatToRawIntBits(friction) | Float.floatToRawIntBits(rolling);
+        return any == 0 ? 0 : absorb(absorb(absorb(absorb(GRIP, lower), higher), friction), rolling);
     }
 
     public static long absorb(long hash, int word) {

@@ -142,7 +142,7 @@ public final class DevicePipeline implements Pipeline {
 
     /** Compiles the plans anew if contacts, or the edges, need what the kernels have as constants, which is rare. */
     @Override
-    public void prepare(ContactSettings contacts, boolean edges) {
+    public void prepare(ContactSettings contacts, boolean edges, boolean turning) {
         boolean tunes = tuned || contacts.areTuned();
         boolean edged = isEdged || edges;
         if (tunes != tuned || edged != isEdged) {

@@ -31,6 +31,12 @@ final class ImpulseCache {
     /** By contact of the step before: its impulse, 0 if it did not press. */
     private float[] impulseBefore = new float[0];
 
+    /** By contact: the impulses of friction and of rolling, where circles turn. */
+    private float[] grips = new float[0];
+
+    /** By contact of the step before: the same. */
+    private float[] gripsBefore = new float[0];
+
     /** By contact that presses, of the step before until the first is stored: the next with the same circle of lower id, or -1. */
     private int[] next = new int[0];
 
@@ -50,11 +56,15 @@ final class ImpulseCache {
             impulseBefore = Arrays.copyOf(impulseBefore, contacts);
             next = Arrays.copyOf(next, contacts);
         }
+        if (state.turning != null && grips.length < 2 * next.length) {
+            gripsBefore = Arrays.copyOf(gripsBefore, 2 * next.length);
+            grips = Arrays.copyOf(grips, 2 * next.length);
+        }
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        return 28L * next.length;
+        return 28L * next.length + 8L * grips.length;
     }
 
     /** What has been stored, of so many contacts, is of the step before. */
@@ -65,6 +75,9 @@ final class ImpulseCache {
         float[] impulse = normalImpulse;
         normalImpulse = impulseBefore;
         impulseBefore = impulse;
+        impulse = grips;
+        grips = gripsBefore;
+        gripsBefore = impulse;
         filledBefore = filled;
     }
 
@@ -97,6 +110,22 @@ final class ImpulseCache {
         return entry < 0 ? 0f : impulseBefore[entry];
     }
 
+    /** The impulse of friction of an entry of the step before; 0 of -1. */
+    float friction(int entry) {
+        return entry < 0 ? 0f : gripsBefore[2 * entry];
+    }
+
+    /** The angular impulse of rolling resistance of an entry of the step before; 0 of -1. */
+    float rolling(int entry) {
+        return entry < 0 ? 0f : gripsBefore[2 * entry + 1];
+    }
+
+    /** Stores the grips of contact c, whose impulse is stored too. */
+    void storeGrips(int c, float friction, float rolling) {
+        grips[2 * c] = friction;
+        grips[2 * c + 1] = rolling;
+    }
+
     /** Stores the impulse of contact c. No two contacts with a circle in common at once. */
     void store(int c, int lower, int id, float impulse) {
         ids[c] = (long) state.id[lower] << 32 | id;
@@ -122,7 +151,10 @@ final class ImpulseCache {
     void save(int slot, SavedState into) {
         for (int c = state.firstCached[slot]; c >= 0; c = next[c]) {
             if (isFound(c)) {
-                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c]);
+                boolean turns = state.turning != null;
+                float friction = turns ? grips[2 * c] : 0f;
+                float rolling = turns ? grips[2 * c + 1] : 0f;
+                into.addImpulse(state.id[slot], (int) ids[c], normalImpulse[c], friction, rolling);
             }
         }
     }
@@ -131,6 +163,9 @@ final class ImpulseCache {
     void load(SavedState from) {
         for (int c = 0; c < from.impulses; c++) {
             store(c, state.slotOf[from.lo[c]], from.hi[c], from.normalImpulse[c]);
+            if (state.turning != null) {
+                storeGrips(c, from.turns ? from.friction[c] : 0f, from.turns ? from.rolling[c] : 0f);
+            }
         }
     }
 
@@ -141,6 +176,9 @@ final class ImpulseCache {
             if (isFound(c)) {
                 long h = StateHash.absorb(StateHash.absorb(StateHash.impulse(), state.id[slot]), (int) ids[c]);
                 sum += StateHash.absorb(h, normalImpulse[c]);
+                if (state.turning != null) {
+                    sum += StateHash.grip(state.id[slot], (int) ids[c], grips[2 * c], grips[2 * c + 1]);
+                }
             }
         }
         return sum;

@@ -11,6 +11,7 @@ import io.github.circles2d.world.events.ContactEvents;
 import io.github.circles2d.world.jvm.threads.Team;
 import io.github.circles2d.world.model.Bounds;
 import io.github.circles2d.world.model.CircleRow;
+import io.github.circles2d.world.model.ContactSettings;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
 import io.github.circles2d.world.model.StepInput;
@@ -73,6 +74,13 @@ public final class JvmPipeline implements Pipeline {
     }
 
     @Override
+    public void prepare(ContactSettings settings, boolean edged, boolean turning) {
+        if (turning) {
+            state.startTurning();
+        }
+    }
+
+    @Override
     public void makeRoom(Commands commands) {
         state.makeRoom(commands);
     }
@@ -94,6 +102,10 @@ public final class JvmPipeline implements Pipeline {
         state.filtering = constants.filtering;
         state.responses = input.responses.table;
         state.kindMotion = constants.driving ? input.motion.rows : null;
+        if (constants.turning) {
+            state.startTurning();
+            state.turning.kinds = input.surfaces.rows;
+        }
         Touches touches = recorder == null ? null : recorder.touches(reports);
         contacts.touches = touches;
         solver.record(touches);
@@ -234,6 +246,7 @@ public final class JvmPipeline implements Pipeline {
     @Override
     public void save(SavedState into) {
         into.impulses = 0;
+        into.setTurns(state.turning != null);
         for (int k = 0; k < into.circles; k++) {
             int slot = state.slotOf[into.id[k]];
             state.save(slot, into, k);

@@ -94,6 +94,9 @@ public final class State {
     /** Within a step: what the circles of two kinds do to each other, by {@code PairTable}. */
     int[] responses;
 
+    /** What circles turn by; null as long as nothing has turned or gripped. */
+    Turning turning;
+
     private float[] circleSpare = new float[0];
     private float[] motionSpare = new float[0];
     private float[] traitsSpare = new float[0];
@@ -104,7 +107,10 @@ public final class State {
     /** Memory of the arrays. */
     long bytes() {
         // twice: 4 floats of circle, motion and traits, id, firstCached, fresh; once: load, bounce, plan, motionClamp
-        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity() + 4L * slotOf.length + fields.bytes();
+        return (2 * (3 * 16 + 4 + 4 + 1) + 16 + 8 + 8 + 16L) * capacity()
+                + 4L * slotOf.length
+                + fields.bytes()
+                + (turning == null ? 0 : turning.bytes());
     }
 
     int capacity() {
@@ -130,7 +136,19 @@ public final class State {
             idSpare = new int[c];
             firstCachedSpare = new int[c];
             freshSpare = new boolean[c];
+            if (turning != null) {
+                turning.ensure(c);
+            }
             capacity = c;
+        }
+    }
+
+    /** Makes room for what circles turn by. */
+    void startTurning() {
+        if (turning == null) {
+            Turning all = new Turning(this);
+            all.ensure(capacity);
+            turning = all;
         }
     }
 
@@ -155,6 +173,8 @@ public final class State {
                 ids = Math.max(ids, records[k + Commands.ID] + 1);
             } else if (records[k + Commands.OPCODE] == Commands.REMOVE) {
                 circles--;
+            } else if (Commands.turns(records[k + Commands.OPCODE])) {
+                startTurning();
             } else if (records[k + Commands.OPCODE] == Commands.FIELD) {
                 fields.ensure(field(records, k), records[k + Commands.ID] + 1);
             }
@@ -169,6 +189,9 @@ public final class State {
 
     void makeRoom(SavedState from) {
         ensure(from.circles);
+        if (from.turns) {
+            startTurning();
+        }
         ensureIds(from.ids);
         fields.makeRoom(from.fields);
     }
@@ -218,6 +241,9 @@ public final class State {
                     motion[s + VX] = Motion.afterImpulse(motion[s + VX], w, a);
                     motion[s + VY] = Motion.afterImpulse(motion[s + VY], w, b);
                 }
+                case Commands.ANGLE -> turning.angle[slot] = records[k + Commands.FIRST];
+                case Commands.ANGULAR_VELOCITY -> turning.angularVelocity[slot] = a;
+                case Commands.ANGULAR_IMPULSE -> turning.applyImpulse(slot, a, b);
                 case Commands.DEPART -> depart(s, a, b, records, k);
                 case Commands.ARRIVE -> arrive(s, a, b);
                 case Commands.FIELD -> fields.set(field(records, k), circleId, records[k + Commands.SECOND]);
@@ -264,6 +290,9 @@ public final class State {
         slotOf[circleId] = slot;
         fields.clear(circleId);
         forget(slot);
+        if (turning != null) {
+            turning.add(slot);
+        }
     }
 
     private void forget(int slot) {
@@ -271,6 +300,9 @@ public final class State {
         fresh[slot] = true;
         traits[CircleRow.of(slot) + WALL_X] = 0;
         traits[CircleRow.of(slot) + WALL_Y] = 0;
+        if (turning != null) {
+            turning.forget(slot);
+        }
     }
 
     private void remove(int slot) {
@@ -283,6 +315,9 @@ public final class State {
             id[slot] = id[last];
             firstCached[slot] = firstCached[last];
             fresh[slot] = fresh[last];
+            if (turning != null) {
+                turning.move(last, slot);
+            }
             slotOf[id[slot]] = slot;
         }
     }
@@ -360,6 +395,9 @@ public final class State {
         System.arraycopy(circle, CircleRow.of(slot), into.circle, CircleRow.of(k), CircleRow.STRIDE);
         System.arraycopy(motion, CircleRow.of(slot), into.motion, CircleRow.of(k), CircleRow.STRIDE);
         System.arraycopy(traits, CircleRow.of(slot), into.traits, CircleRow.of(k), CircleRow.STRIDE);
+        if (turning != null) {
+            turning.save(slot, into, k);
+        }
     }
 
     /** Takes over saved circles, for which there is room, without cached impulses; slots are in the order of the ids. */
@@ -372,6 +410,9 @@ public final class State {
         Arrays.fill(firstCached, 0, n, -1);
         Arrays.fill(fresh, 0, n, false);
         fields.copy(from.fields);
+        if (turning != null) {
+            turning.load(from);
+        }
         Arrays.fill(slotOf, -1);
         for (int slot = 0; slot < n; slot++) {
             slotOf[id[slot]] = slot;
@@ -393,6 +434,9 @@ public final class State {
                 h = StateHash.absorb(h, traits[s + k]);
             }
             sum += h;
+            if (turning != null) {
+                sum += turning.hash(slot);
+            }
         }
         return sum;
     }
@@ -407,6 +451,9 @@ public final class State {
             idSpare[slot] = id[old];
             firstCachedSpare[slot] = firstCached[old];
             freshSpare[slot] = fresh[old];
+            if (turning != null) {
+                turning.permute(old, slot);
+            }
             slotOf[id[old]] = slot;
         }
     }
@@ -430,5 +477,8 @@ public final class State {
         boolean[] b = fresh;
         fresh = freshSpare;
         freshSpare = b;
+        if (turning != null) {
+            turning.swap();
+        }
     }
 }

@@ -29,6 +29,20 @@ public final class Limits {
 
     public static final float FORCE = 1e18f;
 
+    public static final float FRICTION = 1_000f;
+
+    public static final float ROLLING_RESISTANCE = 1_000f;
+
+    /** Radians. */
+    public static final float ANGLE = 1e6f;
+
+    /** Radians a second. */
+    public static final float ANGULAR_VELOCITY = SPEED;
+
+    public static final float TORQUE = FORCE;
+
+    public static final float ANGULAR_IMPULSE = 1e18f;
+
     public static final int GROWTH_STEPS = 100_000;
 
     public static final float IMPULSE = 1e18f;
@@ -182,5 +196,13 @@ public final class Limits {
 
     public static float restitution(float restitution) {
         return within("restitution", restitution, 0f, 1f);
+    }
+
+    public static float friction(float friction) {
+        return within("friction", friction, 0f, FRICTION);
+    }
+
+    public static float rollingResistance(float resistance) {
+        return within("rolling resistance", resistance, 0f, ROLLING_RESISTANCE);
     }
 }

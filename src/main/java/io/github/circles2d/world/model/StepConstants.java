@@ -64,6 +64,11 @@ public final class StepConstants {
     /** Whether the step reads {@link KindMotion}. */
     public boolean driving;
 
+    /** Whether the step reads {@link KindSurface} and {@link #surfaces}: circles turn. */
+    public boolean turning;
+
+    public SurfaceSettings surfaces = SurfaceSettings.NONE;
+
     float gravityX;
     float gravityY;
 

@@ -5,5 +5,6 @@ public final class StepInput {
     public final StepConstants constants = new StepConstants();
     public final PairResponses responses = new PairResponses();
     public final KindMotion motion = new KindMotion();
+    public final KindSurface surfaces = new KindSurface();
     public final StepReports reports = new StepReports();
 }

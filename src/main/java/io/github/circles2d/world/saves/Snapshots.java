@@ -145,7 +145,7 @@ public final class Snapshots {
         growth.makeRoom(saved);
         pipeline.makeRoom(saved);
         pipeline.prepare(
-                saved.parameters().contacts(), !saved.parameters().bounds().isWalled());
+                saved.parameters().contacts(), !saved.parameters().bounds().isWalled(), saved.turns);
         events.makeRoom(saved.touches, saved.ids);
         copies.forget();
         log.restore(saved);

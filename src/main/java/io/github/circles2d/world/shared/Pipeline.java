@@ -25,8 +25,8 @@ public interface Pipeline extends AutoCloseable {
     /** In call order. Room has been made; the object is not kept. */
     void apply(Commands commands);
 
-    /** Makes ready for steps with such contacts, and with or without axes that have no walls. */
-    default void prepare(ContactSettings contacts, boolean edged) {}
+    /** Makes ready for steps with such contacts, with or without axes that have no walls, and with or without circles that turn. */
+    default void prepare(ContactSettings contacts, boolean edged, boolean turning) {}
 
     /** At least 1. */
     void step(StepInput input, GridLevels levels, int steps);

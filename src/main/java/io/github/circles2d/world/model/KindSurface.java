@@ -1,0 +1,73 @@
+package io.github.circles2d.world.model;
+
+/** What turns the circles of each kind: a row of floats a kind. */
+public final class KindSurface {
+    /** Surface speed that the surface has besides that of turning, positive to the left. */
+    public static final int BELT = 0;
+
+    /** Inverse inertia by inverse mass: 2 of a disc, 1 of a ring, 0 of a circle that does not turn. */
+    public static final int INERTIA = 1;
+
+    /** Share of angular velocity that a sub-step leaves. */
+    public static final int DAMPING_FACTOR = 2;
+
+    /** Of circles that have none of their own: the kind's, else the world's. */
+    public static final int FRICTION = 3;
+
+    public static final int ROLLING_RESISTANCE = 4;
+
+    public static final int STRIDE = 8;
+
+    /** Meaningless unless {@link StepConstants#turning}. */
+    public final float[] rows = new float[of(PairTable.KINDS)];
+
+    public int version;
+
+    // what the rows follow from
+    private float h;
+    private SurfaceSettings settings;
+    private int kindsVersion = -1;
+
+    public interface Values {
+        float beltSpeed(int kind);
+
+        /** {@link #INERTIA} */
+        float inertia(int kind);
+
+        /** 1/s */
+        float angularDamping(int kind);
+
+        /** NaN if the world's counts. */
+        float friction(int kind);
+
+        /** NaN if the world's counts. */
+        float rollingResistance(int kind);
+    }
+
+    public static int of(int kind) {
+        return STRIDE * kind;
+    }
+
+    /** Does nothing if nothing has changed. */
+    public void update(StepConstants k, Values kinds, int ofVersion) {
+        if (kindsVersion == ofVersion && h == k.h && settings == k.surfaces) {
+            return;
+        }
+        for (int kind = 0; kind < PairTable.KINDS; kind++) {
+            int row = of(kind);
+            rows[row + BELT] = kinds.beltSpeed(kind);
+            rows[row + INERTIA] = kinds.inertia(kind);
+            rows[row + DAMPING_FACTOR] = 1f / (1f + kinds.angularDamping(kind) * k.h);
+            rows[row + FRICTION] = or(kinds.friction(kind), k.surfaces.friction);
+            rows[row + ROLLING_RESISTANCE] = or(kinds.rollingResistance(kind), k.surfaces.rollingResistance);
+        }
+        h = k.h;
+        settings = k.surfaces;
+        kindsVersion = ofVersion;
+        version++;
+    }
+
+    private static float or(float own, float otherwise) {
+        return Float.isNaN(own) ? otherwise : own;
+    }
+}

@@ -1,0 +1,89 @@
+package io.github.circles2d.world.model;
+
+/**
+ * Friction, rolling resistance and turning of discs.
+ *
+ * <p>The tangent t is the normal turned to the left. A surface speed is an angular velocity times a radius, positive to the left. An
+ * inverse inertia is one over the angular inertia, times the square of the radius: what a surface speed gains by an impulse along the surface. Of a
+ * disc it is twice the inverse mass, of a ring the inverse mass, of a circle that friction does not turn 0.
+ *
+ * <p>Friction acts on both circles against their turning; the lever arm is the radius, whatever the overlap (E. Catto, "Solver2D", 2024, turns the
+ * anchors instead, so rolling balls rise).
+ */
+public final class Surface {
+    /** Units of an angle in a turn by its radians: 2^32 / (2 pi). */
+    public static final float UNITS_PER_RADIAN = 683565275.576f;
+
+    private static final double RADIANS_PER_UNIT = Math.PI / (1L << 31);
+
+    /** In units of an angle: within a long, and more than a step turns. */
+    private static final float MOST_UNITS = 0x1p62f;
+
+    private Surface() {}
+
+    /** Of two circles, or of a circle and a wall. */
+    public static float friction(float a, float b) {
+        return (float) Math.sqrt(a * b);
+    }
+
+    /** What friction of 1 takes from the speed along the surfaces; w, i: the inverse masses and inertias. */
+    public static float tangentMass(float wA, float iA, float wB, float iB) {
+        return 1f / ((wA + iA) + (wB + iB));
+    }
+
+    /** Of a light circle and a heavy one that counts as lighter by its share ({@link CrossRule}). */
+    public static float tangentMass(float wLight, float iLight, float wHeavy, float iHeavy, float share) {
+        return 1f / ((wLight + iLight) + share * (wHeavy + iHeavy));
+    }
+
+    /** The speed of B's surface against A's along t: along: t . (vB - vA); s: surface speeds; belt: the sum of both. */
+    public static float slip(float along, float sA, float sB, float belt) {
+        return (along - (sA + sB)) - belt;
+    }
+
+    /** The accumulated impulse along t that takes the slip away, within a limit that is not negative. */
+    public static float grip(float accumulated, float mass, float slip, float limit) {
+        return limit > 0f ? CircleMath.clamp(accumulated - mass * slip, -limit, limit) : 0f;
+    }
+
+    /** One over the sum of the inverse angular inertias of two circles; infinite if nothing turns them. */
+    public static float rollingMass(float rA, float iA, float rB, float iB) {
+        return 1f / (iA / (rA * rA) + iB / (rB * rB));
+    }
+
+    /** The accumulated angular impulse on B that stops its turning against A, within a limit; omega: by B's angular velocity minus A's. */
+    public static float rolling(float accumulated, float mass, float omega, float limit) {
+        return grip(accumulated, mass, omega, limit);
+    }
+
+    /** The surface speed before impulses; gain: by a torque; a factor of 1 and a gain of 0 change no bit. */
+    public static float beforeImpulse(float s, float gain, float dampingFactor) {
+        return (s + gain) * dampingFactor;
+    }
+
+    /** What a torque adds to a surface speed in a sub-step. */
+    public static float torqueGain(float torque, float inverseInertia, float r, float h) {
+        return torque == 0f ? 0f : Motion.limitSpeed(torque / r * inverseInertia * h);
+    }
+
+    /** An angle after a step; turned: the sum of the surface speeds in its sub-steps. */
+    public static int turn(int angle, float turned, float h, float r) {
+        float units = turned * h / r * UNITS_PER_RADIAN;
+        return angle + (int) (long) CircleMath.clamp(units, -MOST_UNITS, MOST_UNITS);
+    }
+
+    /** After a step: before, after: surface speeds. A circle that nothing has turned keeps its angular velocity to the bit. */
+    public static float angularVelocity(float omega, float before, float after, float r) {
+        return after == before ? omega : Motion.limitSpeed(after / r);
+    }
+
+    /** The angle in the unit of the state, of which a turn has 2^32, of an angle in radians. */
+    public static int units(float radians) {
+        return (int) Math.round(radians / RADIANS_PER_UNIT);
+    }
+
+    /** In [-pi, pi). */
+    public static float radians(int units) {
+        return (float) (units * RADIANS_PER_UNIT);
+    }
+}

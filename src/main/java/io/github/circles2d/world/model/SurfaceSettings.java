@@ -1,0 +1,68 @@
+package io.github.circles2d.world.model;
+
+import java.util.Arrays;
+
+/** What new circles and the walls have of friction and rolling resistance. A value; {@link WallMotion#of} numbers the walls. */
+public final class SurfaceSettings {
+    /** Nothing grips. */
+    public static final SurfaceSettings NONE = new SurfaceSettings(0f, 0f, new float[3 * WallMotion.COUNT]);
+
+    /** Floats: those of new circles, then three for each wall. */
+    public static final int VALUES = 2 + 3 * WallMotion.COUNT;
+
+    /** Of new circles. */
+    public final float friction;
+
+    public final float rollingResistance;
+
+    /** By wall: friction, rolling resistance, belt speed. */
+    private final float[] walls;
+
+    private SurfaceSettings(float friction, float rollingResistance, float[] walls) {
+        this.friction = Limits.friction(friction);
+        this.rollingResistance = Limits.rollingResistance(rollingResistance);
+        this.walls = walls;
+    }
+
+    public float wallFriction(int wall) {
+        return walls[3 * wall];
+    }
+
+    public float wallRollingResistance(int wall) {
+        return walls[3 * wall + 1];
+    }
+
+    /** Of the surface, along the axis that the wall runs along; positive towards greater coordinates. */
+    public float wallBelt(int wall) {
+        return walls[3 * wall + 2];
+    }
+
+    public SurfaceSettings ofCircles(float itsFriction, float itsRollingResistance) {
+        return new SurfaceSettings(itsFriction, itsRollingResistance, walls);
+    }
+
+    public SurfaceSettings withWall(int wall, float itsFriction, float itsRollingResistance, float belt) {
+        float[] next = walls.clone();
+        next[3 * wall] = Limits.friction(itsFriction);
+        next[3 * wall + 1] = Limits.rollingResistance(itsRollingResistance);
+        next[3 * wall + 2] = Limits.within("the belt speed", belt, -Limits.SPEED, Limits.SPEED);
+        return new SurfaceSettings(friction, rollingResistance, next);
+    }
+
+    /** Value number k of {@link #VALUES}. */
+    public float value(int k) {
+        return k == 0 ? friction : k == 1 ? rollingResistance : walls[k - 2];
+    }
+
+    /** By bits; no {@code equals}, as {@link Bounds#differs}. */
+    public boolean differs(SurfaceSettings other) {
+        return Float.floatToRawIntBits(friction) != Float.floatToRawIntBits(other.friction)
+                || Float.floatToRawIntBits(rollingResistance) != Float.floatToRawIntBits(other.rollingResistance)
+                || !Arrays.equals(walls, other.walls);
+    }
+
+    /** Whether circles may grip, roll or be carried by what is set here. */
+    public boolean any() {
+        return differs(NONE);
+    }
+}
