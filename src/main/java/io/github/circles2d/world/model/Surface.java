@@ -51,6 +51,11 @@ public final class Surface {
         return 1f / (iA / (rA * rA) + iB / (rB * rB));
     }
 
+    /** Of a light circle and a heavy one that counts as lighter by its share. */
+    public static float rollingMass(float rLight, float iLight, float rHeavy, float iHeavy, float share) {
+        return 1f / (iLight / (rLight * rLight) + share * (iHeavy / (rHeavy * rHeavy)));
+    }
+
     /** The accumulated angular impulse on B that stops its turning against A, within a limit; omega: by B's angular velocity minus A's. */
     public static float rolling(float accumulated, float mass, float omega, float limit) {
         return grip(accumulated, mass, omega, limit);
