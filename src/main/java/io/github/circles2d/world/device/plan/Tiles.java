@@ -90,9 +90,10 @@ public final class Tiles implements Plan {
         deciders = Math.min(ResidentGroups.most(stages.device()), EventArrays.MOST_DECIDERS);
     }
 
+    /** Not steps that turn: tiles have no room for turning yet. */
     @Override
     public boolean suits(Steps steps) {
-        return sizes.suit(steps);
+        return !steps.turning() && sizes.suit(steps);
     }
 
     @Override
