@@ -122,7 +122,7 @@ public final class DevicePipeline implements Pipeline {
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
         commands.use(loaded);
-        plans.forEach(each -> each.load(stages));
+        plansOf(turning).forEach(each -> each.load(stages));
         loaded.bind(
                 arrays,
                 queue.slotsBehindPending(),
@@ -139,9 +139,14 @@ public final class DevicePipeline implements Pipeline {
         }
     }
 
+    /** Those whose kernels are compiled. */
+    private List<Plan> plansOf(boolean turning) {
+        return turning ? plans.stream().filter(Plan::turns).toList() : plans;
+    }
+
     private StageKernels compile(
             boolean anySettings, boolean edges, boolean turning, boolean reporting, boolean recording) {
-        KernelSource source = Plans.source(plans, session.device());
+        KernelSource source = Plans.source(plansOf(turning), session.device());
         source = anySettings ? source.define("TUNED", 1) : source;
         source = edges ? source.define("EDGES", 1) : source;
         source = turning ? source.define("TURNING", 1) : source;

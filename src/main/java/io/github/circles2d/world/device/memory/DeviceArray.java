@@ -132,7 +132,11 @@ public enum DeviceArray {
             "spin",
             Index.SLOT,
             "surface speed, sum of impulses on it, sum of the surface speeds of sub-steps, inverse inertia"),
-    SKIN("float4", "skin", Index.SLOT, "friction, rolling resistance, belt speed, share of angular velocity that stays"),
+    SKIN(
+            "float4",
+            "skin",
+            Index.SLOT,
+            "friction, rolling resistance, belt speed, share of angular velocity that stays"),
     HEAVY_SPIN("long2", "heavySpin", Index.SLOT, "as heavySum: surface speed, impulse on it"),
     LIGHT_SPIN("float", "lightSpin", Index.SLOT, "as lightVelocity: surface speed"),
     PAIR_SKIN("float4", "pairSkin", Index.CONTACT, "friction, belt speed, tangent mass, reach of rolling resistance"),

@@ -198,8 +198,8 @@ public final class DeviceArrays {
                 grow(
                         contactCapacity,
                         index -> index == Index.CONTACT || index == Index.OLD_CONTACT ? contactCapacity : AS_IT_IS);
-                DeviceBuffer tables =
-                        session.allocate("tables of kinds", (long) Float.BYTES * (DeviceArray.SURFACES_AT + SURFACE_FLOATS));
+                DeviceBuffer tables = session.allocate(
+                        "tables of kinds", (long) Float.BYTES * (DeviceArray.SURFACES_AT + SURFACE_FLOATS));
                 get(DeviceArray.KIND_MOTION).copyTo(tables, (long) Float.BYTES * DeviceArray.SURFACES_AT);
                 session.finish();
                 arrays.put(DeviceArray.KIND_MOTION, tables).close();

@@ -51,8 +51,7 @@ public final class FieldsStruct {
         boolean none = FIELDS.isEmpty();
         String[] own = new String[TURNING_STRIDE];
         Arrays.fill(own, "0.0f");
-        TURNING.forEach(
-                f -> own[turningPlace(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
+        TURNING.forEach(f -> own[turningPlace(f)] = "as_float(0x" + Integer.toHexString((int) f.initial()) + ")");
         return "typedef struct {\n" + (none ? "    int none; // steps read no fields\n" : members) + "} " + NAME + ";\n"
                 + "#define INITIAL_FIELDS {" + (none ? "0" : initial) + "}\n"
                 + "#define TURNING_FIELDS " + FIRST_TURNING + " // the number of the first field that lies in homeOwn\n"

@@ -30,6 +30,11 @@ public final class ByColours implements Plan {
     }
 
     @Override
+    public boolean turns() {
+        return true;
+    }
+
+    @Override
     public void load(Stages shared) {
         stages = shared;
         fill = stages.kernel("contacts_fill");

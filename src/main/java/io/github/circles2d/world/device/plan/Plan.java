@@ -13,12 +13,17 @@ public interface Plan {
         return source;
     }
 
+    /** Whether kernels of worlds that turn have the plan. It suits no steps that turn otherwise. */
+    default boolean turns() {
+        return false;
+    }
+
     /** Whether the plan needs the arrays for tiles alone. */
     default boolean usesTileArrays() {
         return false;
     }
 
-    /** Takes its kernels out of the compiled program; once, before all that follows. */
+    /** Takes its kernels out of the compiled program; before all that follows, and again if others have been compiled. */
     void load(Stages stages);
 
     /** Whether the plan can make such steps. */
