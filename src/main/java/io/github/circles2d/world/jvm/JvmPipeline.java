@@ -77,6 +77,7 @@ public final class JvmPipeline implements Pipeline {
     public void prepare(ContactSettings settings, boolean edged, boolean turning) {
         if (turning) {
             state.startTurning();
+            contacts.impulseCache().ensure(0); // for the grips of the impulses that are there
         }
     }
 
