@@ -77,6 +77,7 @@ public final class JvmPipeline implements Pipeline {
     public void prepare(ContactSettings settings, boolean edged, boolean turning) {
         if (turning) {
             state.startTurning();
+            contacts.impulseCache().ensure(0); // for the grips of the impulses that are there
         }
     }
 
@@ -239,6 +240,26 @@ public final class JvmPipeline implements Pipeline {
                 to[2 * k] = state.motion[s + VX];
                 to[2 * k + 1] = state.motion[s + VY];
                 k++;
+            }
+        }
+    }
+
+    @Override
+    public void readAngles(HandleTable handles, int[] to) {
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = state.turning.angle[state.slotOf[id]];
+            }
+        }
+    }
+
+    @Override
+    public void readAngularVelocities(HandleTable handles, float[] to) {
+        int k = 0;
+        for (int id = 0; id < handles.end(); id++) {
+            if (handles.lives(id)) {
+                to[k++] = state.turning.angularVelocity[state.slotOf[id]];
             }
         }
     }
