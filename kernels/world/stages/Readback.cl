@@ -22,9 +22,12 @@ kernel void readback_request(global const int *homeId, global const float4 *home
 }
 
 #ifdef TURNING
-kernel void readback_turns(global const int *homeId, global const int2 *homeTurn, int slots, global int2 *byId) {
+// velocities: angular velocities, not angles.
+kernel void readback_turns(global const int *homeId, global const int2 *homeTurn, int slots, global int *byId,
+                           int velocities) {
     int slot = (int) get_global_id(0);
-    if (slot < slots && homeId[slot] >= 0) byId[homeId[slot]] = homeTurn[slot];
+    if (slot >= slots || homeId[slot] < 0) return;
+    byId[homeId[slot]] = velocities ? homeTurn[slot].ANGULAR_VELOCITY : homeTurn[slot].ANGLE;
 }
 #endif
 

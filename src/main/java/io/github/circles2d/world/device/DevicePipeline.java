@@ -5,13 +5,13 @@ import io.github.circles2d.opencl.DeviceMemoryException;
 import io.github.circles2d.opencl.KernelSource;
 import io.github.circles2d.opencl.OpenClException;
 import io.github.circles2d.opencl.Session;
+import io.github.circles2d.world.circles.CircleField;
 import io.github.circles2d.world.circles.Commands;
 import io.github.circles2d.world.circles.HandleTable;
 import io.github.circles2d.world.circles.IdMask;
 import io.github.circles2d.world.circles.SavedState;
 import io.github.circles2d.world.device.memory.DeviceArrays;
 import io.github.circles2d.world.device.memory.EventArrays;
-import io.github.circles2d.world.device.memory.FieldsStruct;
 import io.github.circles2d.world.device.memory.StageKernels;
 import io.github.circles2d.world.device.memory.StepParameters;
 import io.github.circles2d.world.device.plan.Plan;
@@ -122,6 +122,9 @@ public final class DevicePipeline implements Pipeline {
         stages.report(recording ? ofReports.touches() : null, reporting ? ofReports.deciding() : null);
         stats.use(loaded);
         commands.use(loaded);
+        if (turning) {
+            readback.useTurning(loaded);
+        }
         plansOf(turning).forEach(each -> each.load(stages));
         loaded.bind(
                 arrays,
@@ -199,7 +202,8 @@ public final class DevicePipeline implements Pipeline {
         for (int r = 0; r < changes.count(); r++) {
             int operation = changes.operation(r);
             if (Commands.turns(operation)
-                    || (operation == Commands.FIELD && FieldsStruct.isTurning(changes.first(r)))) {
+                    || (operation == Commands.FIELD
+                            && CircleField.OF_STEPS.get(changes.first(r)).isOfTurning())) {
                 return true;
             }
         }
@@ -297,12 +301,14 @@ public final class DevicePipeline implements Pipeline {
 
     @Override
     public void readAngles(HandleTable handles, int[] to) {
-        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+        settle();
+        readback.angles(handles, home.slots, to);
     }
 
     @Override
     public void readAngularVelocities(HandleTable handles, float[] to) {
-        throw new UnsupportedOperationException("OpenCL devices do not turn circles yet");
+        settle();
+        readback.angularVelocities(handles, home.slots, to);
     }
 
     @Override

@@ -14,7 +14,8 @@ public final class FieldsStruct {
     static final String NAME = "CircleFields";
 
     /** The first that other worlds do not have; they come last. */
-    private static final int FIRST_TURNING = CircleField.OF_STEPS.indexOf(CircleField.FRICTION);
+    private static final int FIRST_TURNING =
+            (int) CircleField.OF_STEPS.stream().filter(f -> !f.isOfTurning()).count();
 
     private static final List<CircleField> FIELDS = CircleField.OF_STEPS.subList(0, FIRST_TURNING);
 
@@ -30,11 +31,6 @@ public final class FieldsStruct {
     static final int BYTES = Integer.BYTES * WORDS;
 
     private FieldsStruct() {}
-
-    /** Whether only worlds that turn have a field, by its place in {@link CircleField#OF_STEPS}. */
-    public static boolean isTurning(int place) {
-        return place >= FIRST_TURNING;
-    }
 
     /** The place of such a field among those of its kind. */
     static int turningPlace(CircleField field) {
