@@ -46,8 +46,11 @@ final class CirclePasses {
         walls = new WallVisits(state);
     }
 
-    void clearImpulses(int from, int to) {
+    void begin(int from, int to, StepConstants k) {
         Arrays.fill(state.load, CircleRow.of(from), CircleRow.of(to), 0f);
+        if (k.turning) {
+            state.turning.begin(from, to);
+        }
     }
 
     /** Gravity, the impulses of the sub-step before, and the biased pass over the walls. */
@@ -61,6 +64,7 @@ final class CirclePasses {
         float[] load = state.load;
         float[] circle = state.circle;
         float[] kinds = state.kindMotion;
+        Turning turning = k.turning ? state.turning : null;
         float h = k.h;
         float inverseH = k.inverseH;
         for (int slot = from; slot < to; slot++) {
@@ -97,6 +101,12 @@ final class CirclePasses {
             float r = circle[s + RADIUS];
             float sideX = Walls.wallSide(circle[s + X], minX, maxX);
             float sideY = Walls.wallSide(circle[s + Y], minY, maxY);
+            if (turning != null) {
+                turning.start(slot, k);
+                walls.grips.start(slot, sideX, sideY, k);
+                nextX = m[s + VX];
+                nextY = m[s + VY];
+            }
             float gapX = Walls.wallGap(circle[s + X], m[s + DX], r, sideX, minX, maxX);
             float gapY = Walls.wallGap(circle[s + Y], m[s + DY], r, sideY, minY, maxY);
             float impulseX = Walls.wallImpulse(wallX, sideX);
@@ -105,6 +115,9 @@ final class CirclePasses {
                     & Constraints.staysClear(gapY, impulseY, sideY * nextY, sideY * vy, h, inverseH);
             if (clear != 0) {
                 walls.leave(slot, sideX, sideY);
+                if (turning != null) {
+                    turning.forget(slot);
+                }
             } else {
                 walls.solve(slot, X, minX, maxX, k, sub);
                 walls.solve(slot, Y, minY, maxY, k, sub);
@@ -129,6 +142,7 @@ final class CirclePasses {
         float maxX = k.bounds.maxX();
         float maxY = k.bounds.maxY();
         boolean still = !k.walls.any();
+        Turning turning = k.turning ? state.turning : null;
         if (sub == 0 && from < to) {
             Arrays.fill(state.firstCached, from, to, -1);
             Arrays.fill(state.fresh, from, to, false);
@@ -144,6 +158,9 @@ final class CirclePasses {
             load[s + IMPULSE_X] = 0f;
             load[s + IMPULSE_Y] = 0f;
             load[s + LOADED_NEXT] = 0f;
+            if (turning != null) {
+                turning.move(slot);
+            }
             float r = circle[s + RADIUS];
             // nearly all circles: what follows would change nothing
             if (still
@@ -154,7 +171,8 @@ final class CirclePasses {
                     && traits[s + WALL_X] == 0f
                     && traits[s + WALL_Y] == 0f
                     && bounce[CircleRow.vector(slot) + X] == 0f
-                    && bounce[CircleRow.vector(slot) + Y] == 0f) {
+                    && bounce[CircleRow.vector(slot) + Y] == 0f
+                    && !(turning != null && walls.grips.hold(slot))) {
                 m[s + DX] = dx;
                 m[s + DY] = dy;
                 continue;
@@ -257,6 +275,9 @@ final class CirclePasses {
             circle[s + Y] = keptY;
             m[s + VX] = Motion.limitSpeed(m[s + VX]);
             m[s + VY] = Motion.limitSpeed(m[s + VY]);
+        }
+        if (k.turning) {
+            state.turning.end(from, to, k);
         }
         if (state.wraps) {
             bringInside(from, to, k.arena);

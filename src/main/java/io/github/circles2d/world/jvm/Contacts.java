@@ -22,6 +22,7 @@ import io.github.circles2d.world.model.CircleRow;
 import io.github.circles2d.world.model.CrossRule;
 import io.github.circles2d.world.model.GridLevels;
 import io.github.circles2d.world.model.StepConstants;
+import io.github.circles2d.world.model.Surface;
 import io.github.circles2d.world.model.Tuning;
 
 /**
@@ -95,6 +96,9 @@ public final class Contacts {
     /** By contact: a {@link ContactRow}. */
     float[] contact = new float[0];
 
+    /** By contact, where circles turn: a {@link GripRow}. */
+    float[] grip = new float[0];
+
     Contacts(State state, Grid grid, GridLevels levels, Team team) {
         this.state = state;
         this.grid = grid;
@@ -131,6 +135,11 @@ public final class Contacts {
             impulseCache.ensure(c);
             contact = new float[ContactRow.of(c)];
             pair = new int[ContactRow.a(c)];
+        }
+        int rows = contact.length / ContactRow.STRIDE;
+        if (state.turning != null && grip.length < GripRow.of(rows)) {
+            impulseCache.ensure(rows);
+            grip = new float[GripRow.of(rows)];
         }
         if (heavyAndSide.length < cross.count()) {
             heavyAndSide = new int[cross.count() + (cross.count() >> 2)];
@@ -281,6 +290,10 @@ public final class Contacts {
             int found = impulseCache.fill(c, entry, (int) (slots >>> 32), (int) slots, f.ids[c + shift]);
             entry = found < 0 ? entry : found + 1;
             contact[ContactRow.of(c) + NORMAL_IMPULSE] = impulseCache.impulse(found) * constants.warmScale;
+            if (constants.turning) {
+                fillGrip(c, lowerSlot(c), higherSlot(c));
+                warmGrip(c, found, constants);
+            }
             if (touches != null) {
                 touches.follow(c, found);
             }
@@ -313,8 +326,72 @@ public final class Contacts {
             int o = ContactRow.of(c);
             contact[o + INV_MASS_A] = inverseMass(light);
             contact[o + INV_MASS_B] = inverseMass(heavy);
-            contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), cross.share(c - firstCross));
+            float share = cross.share(c - firstCross);
+            contact[o + MASS] = CrossRule.mass(inverseMass(light), inverseMass(heavy), share);
+            if (constants.turning) {
+                fillCrossGrip(c, light, heavy, share);
+                warmGrip(c, found, constants);
+            }
         }
+    }
+
+    /** Fills the grip of a contact of one level. */
+    private void fillGrip(int c, int lower, int higher) {
+        int a = CircleRow.of(lower);
+        int b = CircleRow.of(higher);
+        float[] spin = state.turning.spin;
+        int o = fillSurfaces(c, a, b);
+        float iA = spin[a + CircleRow.INVERSE_INERTIA];
+        float iB = spin[b + CircleRow.INVERSE_INERTIA];
+        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(lower), iA, inverseMass(higher), iB);
+        if (grip[o + GripRow.REACH] > 0f) {
+            float rA = state.circle[a + CircleRow.RADIUS];
+            setRollingMass(o, Surface.rollingMass(rA, iA, state.circle[b + CircleRow.RADIUS], iB));
+        }
+    }
+
+    private void fillCrossGrip(int c, int light, int heavy, float share) {
+        int a = CircleRow.of(light);
+        int b = CircleRow.of(heavy);
+        float[] spin = state.turning.spin;
+        int o = fillSurfaces(c, a, b);
+        float iA = spin[a + CircleRow.INVERSE_INERTIA];
+        float iB = spin[b + CircleRow.INVERSE_INERTIA];
+        grip[o + GripRow.TANGENT_MASS] = Surface.tangentMass(inverseMass(light), iA, inverseMass(heavy), iB, share);
+        if (grip[o + GripRow.REACH] > 0f) {
+            float rA = state.circle[a + CircleRow.RADIUS];
+            setRollingMass(o, Surface.rollingMass(rA, iA, state.circle[b + CircleRow.RADIUS], iB, share));
+        }
+    }
+
+    /** What does not depend on the order of the circles; returns where the row begins. */
+    private int fillSurfaces(int c, int a, int b) {
+        float[] skin = state.turning.skin;
+        float[] circle = state.circle;
+        int o = GripRow.of(c);
+        float radius = CircleMath.max(circle[a + CircleRow.RADIUS], circle[b + CircleRow.RADIUS]);
+        float resistance =
+                CircleMath.max(skin[a + CircleRow.ROLLING_RESISTANCE], skin[b + CircleRow.ROLLING_RESISTANCE]);
+        grip[o + GripRow.FRICTION] = Surface.friction(skin[a + CircleRow.FRICTION], skin[b + CircleRow.FRICTION]);
+        grip[o + GripRow.REACH] = resistance * radius;
+        grip[o + GripRow.BELT] = skin[a + CircleRow.BELT] + skin[b + CircleRow.BELT];
+        return o;
+    }
+
+    /** If nothing turns the circles, rolling resistance has nothing to do. */
+    private void setRollingMass(int o, float mass) {
+        boolean turns = mass <= Float.MAX_VALUE;
+        grip[o + GripRow.ROLLING_MASS] = mass;
+        grip[o + GripRow.REACH] = turns ? grip[o + GripRow.REACH] : 0f;
+    }
+
+    /** Lets the grip of a contact begin with what an entry of the step before ended with, or -1. */
+    private void warmGrip(int c, int entry, StepConstants k) {
+        int o = GripRow.of(c);
+        float friction = impulseCache.friction(entry) * k.warmScale;
+        float rolling = impulseCache.rolling(entry) * k.warmScale;
+        grip[o + GripRow.FRICTION_IMPULSE] = grip[o + GripRow.FRICTION] > 0f ? friction : 0f;
+        grip[o + GripRow.ROLLING_IMPULSE] = grip[o + GripRow.REACH] > 0f ? rolling : 0f;
     }
 
     private float inverseMass(int slot) {
@@ -432,7 +509,7 @@ public final class Contacts {
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (rowStart.length + pair.length + contact.length + heavyAndSide.length)
+        long sum = 4L * (rowStart.length + pair.length + contact.length + grip.length + heavyAndSide.length)
                 + candidates.bytes()
                 + cross.bytes();
         for (FoundPairs f : found) {

@@ -3,6 +3,7 @@ package io.github.circles2d.world.jvm;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
 import static io.github.circles2d.world.jvm.ContactRow.RESTITUTION;
+import static io.github.circles2d.world.jvm.HeavyCircles.GAIN_SPIN;
 import static io.github.circles2d.world.jvm.HeavyCircles.GAIN_X;
 import static io.github.circles2d.world.jvm.HeavyCircles.GAIN_Y;
 import static io.github.circles2d.world.jvm.HeavyCircles.IMPULSE_SCALE;
@@ -10,10 +11,14 @@ import static io.github.circles2d.world.jvm.HeavyCircles.SEEN_VX;
 import static io.github.circles2d.world.jvm.HeavyCircles.SEEN_VY;
 import static io.github.circles2d.world.jvm.HeavyCircles.SUM_IMPULSE_X;
 import static io.github.circles2d.world.jvm.HeavyCircles.SUM_IMPULSE_Y;
+import static io.github.circles2d.world.jvm.HeavyCircles.SUM_SPIN;
 import static io.github.circles2d.world.jvm.HeavyCircles.VELOCITY_SCALE;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
+import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
@@ -88,6 +93,38 @@ final class CrossBodies {
         int sum = HeavyCircles.sum(heavy);
         sums[sum + SUM_IMPULSE_X] += CrossRule.toFixed(x, scale);
         sums[sum + SUM_IMPULSE_Y] += CrossRule.toFixed(y, scale);
+    }
+
+    /** Of A, 0, or B, 1. */
+    float surfaceSpeed(int c, int which) {
+        int isB = contacts.isLightB(c);
+        return which == isB
+                ? state.turning.spin[contacts.pair[ContactRow.a(c) + isB] + SURFACE_SPEED]
+                : heavyCircles.seenSurfaceSpeed[contacts.heavy(c)];
+    }
+
+    /** As {@link LikeBodies#turn}. */
+    void turn(int c, float ofA, float ofB) {
+        float[] spin = state.turning.spin;
+        int isB = contacts.isLightB(c);
+        int light = contacts.pair[ContactRow.a(c) + isB];
+        int heavyRow = contacts.pair[ContactRow.b(c) - isB];
+        spin[light + SURFACE_SPEED] += spin[light + INVERSE_INERTIA] * (isB == 0 ? ofA : ofB);
+        float gain = spin[heavyRow + INVERSE_INERTIA] * (isB == 0 ? ofB : ofA);
+        int heavy = contacts.heavy(c);
+        float scale = heavyCircles.seen[HeavyCircles.row(heavy) + VELOCITY_SCALE];
+        heavyCircles.spinSumsOf(worker)[HeavyCircles.spinSum(heavy) + GAIN_SPIN] += CrossRule.toFixed(gain, scale);
+    }
+
+    /** As {@link LikeBodies#addToSpinSums}. */
+    void addToSpinSums(int c, float ofA, float ofB) {
+        int isB = contacts.isLightB(c);
+        int light = contacts.pair[ContactRow.a(c) + isB];
+        state.turning.spin[light + SPIN_IMPULSE] += isB == 0 ? ofA : ofB;
+        int heavy = contacts.heavy(c);
+        float scale = heavyCircles.seen[HeavyCircles.row(heavy) + IMPULSE_SCALE];
+        heavyCircles.spinSumsOf(worker)[HeavyCircles.spinSum(heavy) + SUM_SPIN] +=
+                CrossRule.toFixed(isB == 0 ? ofB : ofA, scale);
     }
 
     /**

@@ -4,6 +4,8 @@ import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
 import static io.github.circles2d.world.model.CircleRow.INVERSE_MASS;
 import static io.github.circles2d.world.model.CircleRow.RADIUS;
+import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
+import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
@@ -39,6 +41,12 @@ final class HeavyCircles {
     static final int SUM_IMPULSE_X = 2;
     static final int SUM_IMPULSE_Y = 3;
 
+    /** Longs per circle of {@link #spinSums}. */
+    private static final int SPIN_SUMS = 2;
+
+    static final int GAIN_SPIN = 0;
+    static final int SUM_SPIN = 1;
+
     private final State state;
     private final Team team;
 
@@ -52,6 +60,12 @@ final class HeavyCircles {
     /** By worker, by number: what its contacts give, as {@link CrossRule} counts it; 0 between the passes. */
     private final long[][] sums;
 
+    /** By number, where circles turn: the surface speed in a pass. */
+    float[] seenSurfaceSpeed = new float[0];
+
+    /** As {@link #sums}, where circles turn. */
+    private final long[][] spinSums;
+
     /** By number: of the light circles that wait to bounce off it, 1 + the highest id; 0 if there are none. */
     private int[] claim = new int[0];
 
@@ -59,6 +73,7 @@ final class HeavyCircles {
         this.state = state;
         this.team = team;
         sums = new long[team.most()][0];
+        spinSums = new long[team.most()][0];
     }
 
     static int row(int number) {
@@ -67,6 +82,10 @@ final class HeavyCircles {
 
     static int sum(int number) {
         return SUMS * number;
+    }
+
+    static int spinSum(int number) {
+        return SPIN_SUMS * number;
     }
 
     /** Makes room; one worker does it for all. */
@@ -83,13 +102,27 @@ final class HeavyCircles {
                 sums[w] = new long[SUMS * slot.length];
             }
         }
+        if (state.turning != null) {
+            ensureTurning(circles);
+        }
+    }
+
+    private void ensureTurning(int circles) {
+        if (seenSurfaceSpeed.length < circles) {
+            seenSurfaceSpeed = new float[slot.length];
+        }
+        for (int w = 0; w < team.size(); w++) {
+            if (spinSums[w].length < SPIN_SUMS * circles) {
+                spinSums[w] = new long[SPIN_SUMS * slot.length];
+            }
+        }
     }
 
     /** Memory of the arrays. */
     long bytes() {
-        long sum = 4L * (slot.length + seen.length + claim.length);
-        for (long[] each : sums) {
-            sum += 8L * each.length;
+        long sum = 4L * (slot.length + seen.length + claim.length + seenSurfaceSpeed.length);
+        for (int w = 0; w < sums.length; w++) {
+            sum += 8L * (sums[w].length + spinSums[w].length);
         }
         return sum;
     }
@@ -108,6 +141,10 @@ final class HeavyCircles {
         return sums[worker];
     }
 
+    long[] spinSumsOf(int worker) {
+        return spinSums[worker];
+    }
+
     /** Finds the scales of the sums. */
     void prepare(int from, int to, StepConstants k) {
         for (int n = from; n < to; n++) {
@@ -117,6 +154,9 @@ final class HeavyCircles {
         }
         for (int w = 0; w < team.size(); w++) {
             Arrays.fill(sums[w], sum(from), sum(to), 0L);
+            if (state.turning != null) {
+                Arrays.fill(spinSums[w], spinSum(from), spinSum(to), 0L);
+            }
         }
         forgetClaims(from, to);
     }
@@ -157,6 +197,9 @@ final class HeavyCircles {
             int s = CircleRow.of(slot[n]);
             seen[row(n) + SEEN_VX] = m[s + VX];
             seen[row(n) + SEEN_VY] = m[s + VY];
+            if (state.turning != null) {
+                seenSurfaceSpeed[n] = state.turning.spin[s + SURFACE_SPEED];
+            }
         }
     }
 
@@ -170,6 +213,9 @@ final class HeavyCircles {
                 float unit = CrossRule.unitOf(velocityRange(s, k));
                 state.motion[s + VX] += CrossRule.fromFixed(x, unit);
                 state.motion[s + VY] += CrossRule.fromFixed(y, unit);
+            }
+            if (state.turning != null) {
+                takeSpin(n, GAIN_SPIN, SURFACE_SPEED, velocityRange(s, k));
             }
         }
     }
@@ -185,14 +231,29 @@ final class HeavyCircles {
                 state.load[s + IMPULSE_X] += CrossRule.fromFixed(x, unit);
                 state.load[s + IMPULSE_Y] += CrossRule.fromFixed(y, unit);
             }
+            if (state.turning != null) {
+                takeSpin(n, SUM_SPIN, SPIN_IMPULSE, impulseRange(s, k));
+            }
+        }
+    }
+
+    private void takeSpin(int number, int which, int element, float range) {
+        int s = CircleRow.of(slot[number]);
+        long sum = take(spinSums, spinSum(number) + which);
+        if (state.traits[s + INVERSE_MASS] != 0f) {
+            state.turning.spin[s + element] += CrossRule.fromFixed(sum, CrossRule.unitOf(range));
         }
     }
 
     private long take(int number, int which) {
+        return take(sums, sum(number) + which);
+    }
+
+    private long take(long[][] of, int place) {
         long sum = 0;
         for (int w = 0; w < team.size(); w++) {
-            sum += sums[w][sum(number) + which];
-            sums[w][sum(number) + which] = 0L;
+            sum += of[w][place];
+            of[w][place] = 0L;
         }
         return sum;
     }

@@ -85,6 +85,9 @@ final class ImpulseCache {
     int fill(int c, int guess, int lower, int higher, long pair) {
         ids[c] = pair;
         normalImpulse[c] = 0f;
+        if (state.turning != null) {
+            storeGrips(c, 0f, 0f);
+        }
         int end = Math.min(guess + NEAR, filledBefore);
         for (int entry = guess; entry < end; entry++) {
             if (idsBefore[entry] == pair) {

@@ -4,6 +4,9 @@ import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_A;
 import static io.github.circles2d.world.jvm.ContactRow.INV_MASS_B;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_X;
 import static io.github.circles2d.world.model.CircleRow.IMPULSE_Y;
+import static io.github.circles2d.world.model.CircleRow.INVERSE_INERTIA;
+import static io.github.circles2d.world.model.CircleRow.SPIN_IMPULSE;
+import static io.github.circles2d.world.model.CircleRow.SURFACE_SPEED;
 import static io.github.circles2d.world.model.CircleRow.VX;
 import static io.github.circles2d.world.model.CircleRow.VY;
 
@@ -36,6 +39,24 @@ final class LikeBodies {
         m[a + VY] -= ny * (invMassA * impulse);
         m[b + VX] += nx * (invMassB * impulse);
         m[b + VY] += ny * (invMassB * impulse);
+    }
+
+    float surfaceSpeed(int row) {
+        return state.turning.spin[row + SURFACE_SPEED];
+    }
+
+    /** Gives impulses to the surface speeds of A and B. */
+    void turn(int a, int b, float ofA, float ofB) {
+        float[] spin = state.turning.spin;
+        spin[a + SURFACE_SPEED] += spin[a + INVERSE_INERTIA] * ofA;
+        spin[b + SURFACE_SPEED] += spin[b + INVERSE_INERTIA] * ofB;
+    }
+
+    /** Adds impulses on surface speeds to the sums for the next sub-step. */
+    void addToSpinSums(int a, int b, float ofA, float ofB) {
+        float[] spin = state.turning.spin;
+        spin[a + SPIN_IMPULSE] += ofA;
+        spin[b + SPIN_IMPULSE] += ofB;
     }
 
     /** Takes an impulse from A's sum for the next sub-step and adds it to B's. */

@@ -45,6 +45,11 @@ final class PairVisits {
     /** What is told of impulses that contacts do not keep; null if nothing is recorded. */
     Touches touches;
 
+    /** What surfaces do; null if nothing grips. */
+    private GripVisits grips;
+
+    private final GripVisits ownGrips;
+
     /** Contacts of a block that are still to do something with. */
     private final int[] listed = new int[BLOCK];
 
@@ -58,6 +63,12 @@ final class PairVisits {
         this.contacts = contacts;
         like = new LikeBodies(state, contacts);
         this.cross = cross;
+        ownGrips = new GripVisits(state, contacts, like, cross);
+    }
+
+    /** For the steps to come. */
+    void turn(boolean turning) {
+        grips = turning ? ownGrips : null;
     }
 
     /** Visits contacts of circles of one level. */
@@ -100,6 +111,7 @@ final class PairVisits {
 
     /** Measures contacts for the first sub-step, and adds their impulses to the sums of their circles. */
     void prepare(int from, int to) {
+        GripVisits grips = this.grips;
         CrossBodies cross = this.cross;
         for (int c = from; c < to; c++) {
             measure(c);
@@ -111,6 +123,9 @@ final class PairVisits {
             float vn = CircleMath.dot(q[o + NORMAL_X], q[o + NORMAL_Y], m[b + VX] - m[a + VX], m[b + VY] - m[a + VY]);
             float impulse = q[o + NORMAL_IMPULSE];
             addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
+            if (grips != null) {
+                grips.addToSums(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+            }
             if (Constraints.carries(impulse, q[o + SEPARATION], vn, q[o + RESTITUTION_THRESHOLD]) != 0) {
                 load(a, b);
             }
@@ -229,6 +244,9 @@ final class PairVisits {
         float mass = 1f / (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
         float impulse = Bounce.freeBounce(q[o + RESTITUTION], vn, mass);
         apply(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse);
+        if (grips != null) {
+            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], impulse, false);
+        }
         if (touches != null) {
             touches.add(c, impulse);
         }
@@ -252,19 +270,22 @@ final class PairVisits {
 
     /** Measures contacts, and lists those that the relaxing pass has to do with; returns their number. */
     private int measureAll(int from, int to) {
+        GripVisits grips = this.grips;
         float[] q = contacts.contact;
         int open = 0;
         for (int c = from; c < to; c++) {
             measure(c);
             int o = ContactRow.of(c);
             listed[open] = c;
-            open += 1 + Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
+            int idle = Constraints.isIdle(q[o + SEPARATION], q[o + NORMAL_IMPULSE], q[o + BOUNCE_SPEED]);
+            open += 1 + (grips != null && grips.holds(c) ? 0 : idle);
         }
         return open;
     }
 
     /** Visits the contacts that are listed, and lists those of them that carry; returns their number. */
     private int relaxOpen(int open, StepConstants k) {
+        GripVisits grips = this.grips;
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -292,6 +313,9 @@ final class PairVisits {
             float applied = next - impulse;
             float after = vn + applied * (q[o + INV_MASS_A] + q[o + INV_MASS_B]);
             apply(cross, c, a, b, nx, ny, applied);
+            if (grips != null) {
+                grips.visit(c, a, b, nx, ny, next, !(bounce > 0f));
+            }
             if (bounce > 0f) {
                 next = 0f;
                 if (touches != null) {
@@ -311,12 +335,17 @@ final class PairVisits {
         if (visit == Constraints.BOUNCE
                 && !(cross != null && cross.waits(c, a, b, contacts.contact[ContactRow.of(c) + SEPARATION], true))) {
             bounce(c, a, b, vn);
+        } else if (grips != null && visit != Constraints.SOLVE) {
+            float[] q = contacts.contact;
+            int o = ContactRow.of(c);
+            grips.visit(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], 0f, false);
         }
         return visit != Constraints.SOLVE;
     }
 
     /** Adds the impulses of the contacts that carry, which are listed, to the sums of their circles, and marks these as loaded. */
     private void warmStart(int carrying) {
+        GripVisits grips = this.grips;
         CrossBodies cross = this.cross;
         float[] q = contacts.contact;
         int[] pair = contacts.pair;
@@ -326,6 +355,9 @@ final class PairVisits {
             int a = pair[ContactRow.a(c)];
             int b = pair[ContactRow.b(c)];
             addToSums(cross, c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y], q[o + NORMAL_IMPULSE]);
+            if (grips != null) {
+                grips.addToSums(c, a, b, q[o + NORMAL_X], q[o + NORMAL_Y]);
+            }
             load(a, b);
         }
     }
@@ -336,6 +368,9 @@ final class PairVisits {
             float impulse = contacts.contact[ContactRow.of(listed[n]) + NORMAL_IMPULSE];
             if (impulse > 0f) {
                 contacts.storeImpulse(listed[n], impulse);
+                if (grips != null) {
+                    grips.store(listed[n]);
+                }
             }
         }
     }

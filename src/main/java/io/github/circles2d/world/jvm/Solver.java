@@ -92,7 +92,9 @@ public final class Solver {
             boolean sweeps = levels.usedCount == 1;
             bands.divide(contacts.rowStart, sweeps ? null : contacts.cross(), sweeps ? 2 * LAG : 0);
         }
-        movers[worker].clearImpulses(team.part(state.n, worker), team.part(state.n, worker + 1));
+        movers[worker].begin(team.part(state.n, worker), team.part(state.n, worker + 1), k);
+        likeVisits[worker].turn(k.turning);
+        crossVisits[worker].turn(k.turning);
         if (movers[worker].walls.touches != null) {
             movers[worker].walls.touches.clear(team.part(state.n, worker), team.part(state.n, worker + 1));
         }

@@ -24,12 +24,14 @@ import io.github.circles2d.world.model.Walls;
 final class WallVisits {
     private final State state;
     private final OneBody visit = new OneBody();
+    final WallGrips grips;
 
     /** What is told of visits; null if they are not recorded. */
     WallTouches touches;
 
     WallVisits(State state) {
         this.state = state;
+        grips = new WallGrips(state);
     }
 
     /** As {@link #solve}, of a circle that stays clear of both walls: their impulses and bounces end. */
@@ -85,6 +87,9 @@ final class WallVisits {
         state.wallBounce[CircleRow.vector(slot) + axis] = visit.bounceSpeed;
         m[s + VX + axis] = v + side * visit.impulse;
         traits[s + WALL_X + axis] = side * visit.normalImpulse;
+        if (visit.bounced && k.turning) {
+            grips.visit(slot, axis, side, visit.impulse, false, k);
+        }
     }
 
     /** The relaxing pass over the nearer wall of an axis. */
@@ -99,7 +104,7 @@ final class WallVisits {
         float gap = Walls.wallGap(base, m[s + DX + axis], r, side, min, max) + k.walls.behind(wall, sub);
         float impulse = Walls.wallImpulse(traits[s + WALL_X + axis], side);
         float bounce = state.wallBounce[CircleRow.vector(slot) + axis];
-        if (Constraints.isIdle(gap, impulse, bounce) != 0) {
+        if (Constraints.isIdle(gap, impulse, bounce) != 0 && !(k.turning && grips.hold(slot, axis))) {
             return;
         }
         float v = m[s + VX + axis];
@@ -118,6 +123,10 @@ final class WallVisits {
             m[s + VX + axis] = v + side * visit.impulse;
             // the impulse of a bounce is not kept; the sign of its zero is part of the state
             traits[s + WALL_X + axis] = bounce > 0f ? 0f : side * visit.normalImpulse;
+        }
+        if (k.turning) {
+            float normal = visit.bounced ? visit.impulse : visit.normalImpulse;
+            grips.visit(slot, axis, side, normal, !(visit.bounced || visit.leaves || bounce > 0f), k);
         }
         if (touches != null) {
             touches.relaxed(slot, axis, side, v, gap, k);
