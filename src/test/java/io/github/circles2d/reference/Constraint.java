@@ -247,7 +247,7 @@ abstract class Constraint {
         float applied = normalImpulse - old;
         apply(applied);
         if (!biased) {
-            grip(old + applied, !(bounceSpeed > 0f));
+            grip(normalImpulse, !(bounceSpeed > 0f));
         }
         return carries(vn + applied * inverseMasses);
     }

@@ -62,11 +62,11 @@ final class Wall extends Constraint {
 
     /** Begins the sub-step with the grips of the one before, if the wall presses. */
     void warmStartGrips() {
-        forgetGrips();
         if (!(normalImpulse > 0f)) {
             friction = 0f;
             rolling = 0f;
-        } else if (frictionCoefficient > 0f || rollingCoefficient > 0f) {
+        } else if (friction != 0f || rolling != 0f) {
+            forgetGrips();
             c.velocity[1 - axis] += along * friction;
             c.turn.speed += inverseInertia * (rolling - friction);
         }
