@@ -120,7 +120,7 @@ class ReferenceFuzzTest {
         }
 
         private static World.Builder with(Surfaces surfaces, World.Builder builder) {
-            for (Wall wall : Wall.values()) {
+            for (Events.Side wall : Events.Side.values()) {
                 float[] its = surfaces.walls()[wall.ordinal()];
                 builder.wallSurface(wall, its[0], its[1], its[2]);
             }

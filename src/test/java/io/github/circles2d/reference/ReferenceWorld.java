@@ -615,7 +615,7 @@ public final class ReferenceWorld implements WorldCalls {
             float[] numbers = {settings.threshold(), settings.frequency(), settings.damping(), settings.pushOutSpeed()};
             sum += absorb(CONTACTS, numbers);
         }
-        sum += kinds.hash() + arena.hash();
+        sum += kinds.hash() + arena.hash() + surfaces.hash();
         for (Circle c : circles()) {
             sum += hashOfField(TAG_FIELD, c.id, c.tag);
             sum += hashOfField(KIND_FIELD, c.id, c.kind) + hashOfField(GROUP_FIELD, c.id, c.group);

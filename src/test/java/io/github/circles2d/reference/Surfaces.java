@@ -11,6 +11,19 @@ public record Surfaces(float friction, float rollingResistance, float[][] walls)
     /** Nothing grips. */
     public static final Surfaces NONE = new Surfaces(0f, 0f, new float[4][3]);
 
+    private static final long SURFACES = 0x7375726661636573L;
+
+    /** The world's part of the hash; 0 if nothing grips. */
+    long hash() {
+        long h = ReferenceWorld.absorb(SURFACES, friction, rollingResistance);
+        float sum = friction + rollingResistance;
+        for (float[] wall : walls) {
+            h = ReferenceWorld.absorb(h, wall);
+            sum += wall[0] + wall[1] + Math.abs(wall[2]);
+        }
+        return sum == 0f ? 0 : h;
+    }
+
     float wallFriction(int wall) {
         return walls[wall][0];
     }
